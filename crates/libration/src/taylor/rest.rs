@@ -77,7 +77,7 @@ impl Side<'_> {
         Some(passage.at(moment.time, &state, parameters)?.rates(system.layout(), &state)[*number])
     }
 
-    /// Whether both sides lead to zero; `None` where that is farther than times can tell, or behind.
+    /// Whether both sides lead to zero; `None` where that is farther than times can tell.
     fn leads_to_zero(&self, backward: bool) -> Option<bool> {
         /// So many of the shortest steps are not told apart.
         const STEPS: f64 = 64.0;
@@ -94,7 +94,6 @@ impl Side<'_> {
             Some(rate * value.signum() * if backward { -1.0 } else { 1.0 } >= 0.0)
         };
         let [above, below] = [away(distance)?, away(-distance)?];
-        let leaves = here != 0.0 && if here > 0.0 { above } else { below };
-        (!leaves).then_some(!above && !below)
+        Some(!above && !below)
     }
 }

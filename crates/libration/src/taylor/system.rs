@@ -224,11 +224,12 @@ impl System {
     /// The same system where a number of the state stays zero, by these equations; `None` where something has no value then.
     pub(super) fn at_rest(&self, equation: Equation, number: usize) -> Option<Self> {
         let symbol = &self.state_symbols()[number];
-        let event = |event: &Event| Event {
-            formula: where_zero(&self.equation.with_rates(&event.formula), symbol),
-            ..event.clone()
+        let at_rest = |event: &Event| {
+            let formula = where_zero(&self.equation.with_rates(&event.formula), symbol);
+            let has_value = formula.without_value().is_none();
+            Event { formula: if has_value { formula } else { event.formula.clone() }, ..event.clone() }
         };
-        let events: Vec<Event> = self.events.iter().map(event).collect();
+        let events: Vec<Event> = self.events.iter().map(at_rest).collect();
         let system = Self::build(equation, self.parameters.clone(), events).ok()?;
         Some(Self { tolerances: self.tolerances.clone(), rests: true, ..system })
     }
