@@ -131,6 +131,11 @@ def test_motions_of_any_start():
     within_motion_bound(lb.motion(t, angle, velocity, 3.0), [truth.motion(*row, 3) for row in zip(t, angle, velocity)], t)
 
 
+def test_motions_released_in_another_turn_swing_about_its_bottom():
+    t, angle = RANDOM.uniform(-20, 20, 12), np.array([4.0, -4.0, 7.0, 20.0] * 3)
+    within_motion_bound(lb.motion(t, angle, 0.0, 3.0), [truth.motion(*row, 0, 3) for row in zip(t, angle)], t)
+
+
 def test_motions_turn_over_where_the_energy_is_enough():
     assert abs(lb.motion(100.0, 0.0, 5.99, 3.0)[0]) < np.pi
     assert lb.motion(100.0, 0.0, 6.01, 3.0)[0] > 10

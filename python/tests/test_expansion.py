@@ -2,7 +2,6 @@
 
 import copy
 import pickle
-import time
 from fractions import Fraction
 
 import numpy as np
@@ -136,9 +135,8 @@ def test_what_cannot_be_is_refused_with_the_reason(call, error, message):
 
 
 def test_ctrl_c_ends_a_long_expansion_and_keeps_what_is_done():
-    began = time.monotonic()
     stopped = interrupted_after(0.3, lambda: lb.expand("x'' + w^2*x + a*x^2 + b*x^3 + c*x^4 + d*x^5 = 0", 200))
-    assert time.monotonic() - began < 20 and isinstance(stopped, KeyboardInterrupt)
+    assert isinstance(stopped, KeyboardInterrupt)
     assert 1 <= stopped.partial.order < 200
     assert str(stopped.partial.frequency[2]) == "3/8*b*w^-2 - 5/12*a^2*w^-4"
 
