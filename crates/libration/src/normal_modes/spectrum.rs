@@ -22,7 +22,7 @@ const SAME: f64 = 1e-9;
 /// the two is kept.
 pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, NoModes> {
     let found = match &linear.exact {
-        Some(exact) => from_fractions(exact).or_else(|| from_numbers(&linear.numbers)),
+        Some(exact) => from_fractions(exact, &linear.numbers).or_else(|| from_numbers(&linear.numbers)),
         None => from_numbers(&linear.numbers),
     };
     let mut found = found.ok_or(NoModes::NoEigenvalues)?;
@@ -30,18 +30,24 @@ pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, NoModes> {
     Ok(found)
 }
 
-fn from_fractions(linear: &Linearisation<Rational>) -> Option<Vec<Exponent>> {
+fn from_fractions(linear: &Linearisation<Rational>, numbers: &Linearisation<f64>) -> Option<Vec<Exponent>> {
     let polynomial = characteristic_polynomial(&Rationals, &first_order(&Rationals, linear)?)?;
     if !polynomial.iter().skip(1).step_by(2).all(Rational::is_zero) {
         return None;
     }
     let squares = in_squares(&Rationals, &polynomial);
-    Some(roots(&squares)?.into_iter().map(|(root, multiplicity)| of_square(&root, multiplicity)).collect())
+    let digits = if has_velocities(numbers) { vec![] } else { in_groups(&eigenvalues(&numbers.stiffness)?) };
+    Some(
+        roots(&squares, &digits)?
+            .into_iter()
+            .map(|(root, multiplicity)| of_square(&root, multiplicity))
+            .collect(),
+    )
 }
 
 fn from_numbers(linear: &Linearisation<f64>) -> Option<Vec<Exponent>> {
-    let no_velocities = linear.velocity.iter().flatten().all(|x| *x == 0.0);
-    let squares = if no_velocities { eigenvalues(&linear.stiffness) } else { squares_of_gyroscopic(linear) };
+    let squares =
+        if has_velocities(linear) { squares_of_gyroscopic(linear) } else { eigenvalues(&linear.stiffness) };
     match squares {
         Some(squares) => Some(
             gathered(&squares)
@@ -57,6 +63,10 @@ fn from_numbers(linear: &Linearisation<f64>) -> Option<Vec<Exponent>> {
     }
 }
 
+fn has_velocities(linear: &Linearisation<f64>) -> bool {
+    linear.velocity.iter().flatten().any(|x| *x != 0.0)
+}
+
 /// −s² for every pair of exponents ±s; `None` where exponents are in no such pairs.
 fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Complex>> {
     let polynomial = characteristic_polynomial(&Doubles, &first_order(&Doubles, linear)?)?;
@@ -64,7 +74,9 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Complex>> {
     if polynomial.iter().skip(1).step_by(2).any(|c| c.abs() > 1e-12 * largest) {
         return None;
     }
-    roots_in_digits(&in_squares(&Doubles, &polynomial))
+    /// Equal ones have half the digits.
+    const DIGITS: f64 = 1e-6;
+    roots_in_digits(&in_squares(&Doubles, &polynomial), DIGITS)
 }
 
 /// The matrix of x′ = v, v′ = −A·x + G·v.
@@ -104,11 +116,27 @@ fn upper_square_root(z: Complex) -> Complex {
 
 /// Equal numbers together; those that are real or zero but for rounding errors as what they are.
 fn gathered(values: &[Complex]) -> Vec<(Complex, usize)> {
+    let clean = cleaned(values);
+    in_groups(&values.iter().map(|z| Complex::new(clean(z.re), z.im)).collect::<Vec<_>>())
+}
+
+/// What is nothing but for rounding errors beside the largest of some numbers as zero.
+fn cleaned(values: &[Complex]) -> impl Fn(f64) -> f64 {
     let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
-    let clean = |x: f64| if x.abs() <= SAME * largest { 0.0 } else { x };
+    move |x: f64| if x.abs() <= SAME * largest { 0.0 } else { x }
+}
+
+/// Equal numbers together; those that are real, or conjugate to another, but for rounding errors as what they are.
+fn in_groups(values: &[Complex]) -> Vec<(Complex, usize)> {
+    let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
+    let clean = cleaned(values);
     let mut groups: Vec<(Complex, usize)> = vec![];
-    for value in values.iter().map(|z| Complex::new(clean(z.re), clean(z.im))) {
-        match groups.iter_mut().find(|(other, _)| (*other - value).abs() <= SAME * largest) {
+    let is_same = |a: Complex, b: Complex| (a - b).abs() <= SAME * largest;
+    for value in values.iter().map(|z| Complex::new(z.re, clean(z.im))) {
+        let conjugate = Complex::new(value.re, -value.im);
+        let partner = groups.iter().find(|(other, _)| is_same(*other, conjugate));
+        let value = partner.map_or(value, |(other, _)| Complex::new(other.re, -other.im));
+        match groups.iter_mut().find(|(other, _)| is_same(*other, value)) {
             Some((_, count)) => *count += 1,
             None => groups.push((value, 1)),
         }

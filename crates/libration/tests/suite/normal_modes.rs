@@ -270,3 +270,43 @@ fn quadratic_drag_does_not_change_small_oscillations() {
     assert_eq!((mode.frequency(), mode.behaviour), (2.0, Behaviour::Oscillating));
     assert_eq!(mode.shift, Err(NoShift::NotSmooth));
 }
+
+/// Σ over neighbours on a line with its ends held: ω² = 4 sin²(kπ/(2(n + 1))), k = 1 … n.
+#[test]
+fn chains_of_many_masses_have_all_their_modes() {
+    for n in [8_u32, 16, 33] {
+        let chain = format!("x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..{n}");
+        let modes = modes(&chain);
+        assert_eq!(modes.len(), n as usize);
+        for (k, mode) in (1..).zip(&modes) {
+            let half_angle = std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(n + 1);
+            let expected = 2.0 * libm::sin(half_angle);
+            assert!((mode.exponent.im - expected).abs() < 2e-14, "{n}, {k}: {} {expected}", mode.exponent.im);
+            let part = |place: usize| mode.shape[place].re;
+            let ratio = part(1) / part(0);
+            assert!((ratio - 2.0 * libm::cos(2.0 * half_angle)).abs() < 1e-10, "{n}, {k}: {ratio}");
+        }
+    }
+}
+
+/// A chain of charges in a magnetic field along the line's normal, about each of which they turn: s² + ωₖ² = ±i B s.
+#[test]
+fn chains_in_a_magnetic_field_have_all_their_modes() {
+    let n = 12_u32;
+    let chain = format!(
+        "x[i]'' = x[i+1] - 2*x[i] + x[i-1] + y[i]', i = 1..{n}; y[i]'' = y[i+1] - 2*y[i] + y[i-1] - x[i]', i = 1..{n}"
+    );
+    let mut found: Vec<f64> = modes(&chain).iter().map(|mode| mode.exponent.im).collect();
+    let mut expected: Vec<f64> = (1..=n)
+        .flat_map(|k| {
+            let own = 2.0 * libm::sin(std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(n + 1));
+            [-0.5, 0.5].map(|half| (own * own + 0.25).sqrt() + half)
+        })
+        .collect();
+    found.sort_by(f64::total_cmp);
+    expected.sort_by(f64::total_cmp);
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    }
+}
