@@ -2,7 +2,7 @@
 
 from typing import Any
 
-__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError"]
+__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "NoAnswer", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError", "UsageError"]
 
 
 class LibrationError(ValueError):
@@ -15,6 +15,10 @@ class ExpansionError(LibrationError):
 
 class FormulaError(LibrationError):
     """A question that a period formula has no answer to."""
+
+
+class NoAnswer(LibrationError):
+    """A question that is understood and has no answer; a file that cannot be read or written."""
 
 
 class PendulumError(LibrationError):
@@ -35,6 +39,10 @@ class UnknownKeyError(LibrationError, KeyError):
     """A key that no entry of a catalogue has; the message names the nearest."""
 
     __str__ = ValueError.__str__
+
+
+class UsageError(LibrationError):
+    """A question that is not understood."""
 
 
 class Interrupted(KeyboardInterrupt):

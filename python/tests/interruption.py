@@ -7,8 +7,8 @@ import pytest
 import libration as lb
 
 
-def interrupted_after(seconds, call):
-    """What a call raises that is interrupted so soon."""
+def alarmed(seconds, call):
+    """What a call gives during which a signal comes that is as good as Ctrl-C."""
 
     def interrupt(*_):
         raise KeyboardInterrupt
@@ -16,9 +16,14 @@ def interrupted_after(seconds, call):
     before = signal.signal(signal.SIGALRM, interrupt)
     signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
-        with pytest.raises(lb.Interrupted) as caught:
-            call()
+        return call()
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+def interrupted_after(seconds, call):
+    """What a call raises that is interrupted so soon."""
+    with pytest.raises(lb.Interrupted) as caught:
+        alarmed(seconds, call)
     return caught.value

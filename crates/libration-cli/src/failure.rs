@@ -3,36 +3,21 @@
 mod echo;
 
 pub(crate) use echo::excerpt;
-use std::io::{Error, ErrorKind, Write, stderr};
-use std::process::ExitCode;
+use std::io::{Error, ErrorKind};
 
-/// Why the command ends without its answer.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum Failure {
+/// Why a question is left without its answer.
+///
+/// As text each is the reason, of which what is very long in it is shortened.
+#[derive(Debug)]
+pub enum Failure {
     /// The question cannot be understood: exit status 2.
-    #[error("{0}")]
     Usage(String),
     /// The question is understood and has no answer: exit status 1.
-    #[error("{0}")]
     NoAnswer(String),
-    /// Somebody has ended the work early: exit status 130.
-    #[error("{0}")]
+    /// Somebody has ended the work early, and what is done was written: exit status 130.
     Interrupted(String),
     /// The answer cannot be written: exit status 1, or 0 when the reader has gone.
-    #[error("cannot write the answer: {0}")]
-    Output(#[from] Error),
-}
-
-/// Ends a command whose arguments are not understood, or whose help is asked for, as clap has it; what is repeated of long
-/// arguments is shortened.
-pub(crate) fn refuse(error: &clap::Error) -> ExitCode {
-    let message = error.render().to_string();
-    let shown = echo::shortened(&echo::unprotected(&message));
-    if shown == message {
-        error.exit();
-    }
-    let _ = write!(stderr(), "{shown}");
-    ExitCode::from(2)
+    Output(Error),
 }
 
 impl Failure {
@@ -49,21 +34,52 @@ impl Failure {
         Self::NoAnswer(format!("{argument}: {reason}"))
     }
 
-    /// Writes the message to the error stream and gives the exit status.
-    pub(crate) fn report(self) -> ExitCode {
-        if self.is_closed_pipe() {
-            return ExitCode::SUCCESS;
-        }
-        // Nothing is left to be done when even the error stream is closed.
-        let _ = writeln!(stderr(), "error: {}", echo::shortened(&self.to_string()));
+    /// Arguments that are not understood, without the advice to ask for help.
+    pub(crate) fn refused(error: &clap::Error) -> Self {
+        let message = refusal(error);
+        let reason = message.strip_prefix("error: ").unwrap_or(&message);
+        let end =
+            ["\n\nUsage:", "\n\nFor more information"].iter().filter_map(|advice| reason.find(advice)).min();
+        Self::Usage(reason[..end.unwrap_or(reason.len())].trim_end().to_owned())
+    }
+
+    /// The exit status of the command.
+    #[must_use]
+    pub fn status(&self) -> u8 {
         match self {
-            Self::Usage(_) => ExitCode::from(2),
-            Self::Interrupted(_) => ExitCode::from(Self::INTERRUPTED),
-            Self::NoAnswer(_) | Self::Output(_) => ExitCode::from(1),
+            _ if self.is_closed_pipe() => 0,
+            Self::Usage(_) => 2,
+            Self::Interrupted(_) => Self::INTERRUPTED,
+            Self::NoAnswer(_) | Self::Output(_) => 1,
         }
     }
 
-    fn is_closed_pipe(&self) -> bool {
+    /// Whether nobody reads the answer any more.
+    pub(crate) fn is_closed_pipe(&self) -> bool {
         matches!(self, Self::Output(error) if error.kind() == ErrorKind::BrokenPipe)
+    }
+}
+
+/// What clap says of arguments; what is repeated of long ones is shortened.
+pub(crate) fn refusal(error: &clap::Error) -> String {
+    echo::shortened(&echo::unprotected(&error.render().to_string()))
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Usage(reason) | Self::NoAnswer(reason) | Self::Interrupted(reason) => {
+                f.write_str(&echo::shortened(reason))
+            }
+            Self::Output(error) => write!(f, "cannot write the answer: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Output(error)
     }
 }

@@ -1,24 +1,20 @@
-//! Ctrl-C asks for an early end; pressed again it ends the command at once.
+//! The early end of a long answer, which keeps what is done.
 
+use crate::call;
 use crate::failure::Failure;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-static ASKED: AtomicBool = AtomicBool::new(false);
-
-/// Listens from now on.
+/// Somebody may ask for it from now on.
 pub(crate) fn listen() -> Result<(), Failure> {
-    let heard = || {
-        if ASKED.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(Failure::INTERRUPTED));
-        }
-    };
-    ctrlc::set_handler(heard).map_err(|error| Failure::NoAnswer(format!("cannot listen for Ctrl-C: {error}")))
+    call::current()
+        .host()
+        .listen()
+        .map_err(|error| Failure::NoAnswer(format!("cannot listen for Ctrl-C: {error}")))
 }
 
 /// Whether somebody has asked.
 pub(crate) fn asked() -> bool {
-    ASKED.load(Ordering::Relaxed)
+    call::is_ended_early()
 }
 
 /// Whether long work shall go on.

@@ -1,13 +1,13 @@
 //! Work on other threads: independent pieces on all cores, and a line of progress beside long work.
 
-use crate::interrupt;
 use crate::output::progress::ProgressLine;
+use crate::{call, interrupt};
 use libration::watch::Watch;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::{available_parallelism, scope};
 use std::time::Duration;
 
@@ -36,14 +36,15 @@ pub(crate) fn in_order<R: Send, E>(
     let (orders, to_do) = channel();
     let (finished, results) = channel();
     let to_do = Mutex::new(to_do);
+    let call = call::current();
     scope(|scope| {
         // Dropped with what is left to be done when no more is wanted.
         let (orders, results) = (orders, results);
         for _ in 0..cores {
-            let (finished, to_do, work) = (finished.clone(), &to_do, &work);
+            let (finished, to_do, work, call) = (finished.clone(), &to_do, &work, &call);
             scope.spawn(move || {
                 while let Some(place) = next_order(to_do) {
-                    let result = catch_unwind(AssertUnwindSafe(|| work(place)));
+                    let result = catch_unwind(AssertUnwindSafe(|| call::within(call, || work(place))));
                     if finished.send((place, result)).is_err() {
                         break;
                     }
@@ -108,14 +109,15 @@ fn unless_asked<R>(work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
 /// Hands the result of each item on with its place.
 fn for_each<T: Sync, R>(items: &[T], work: impl Fn(&T) -> R + Sync, done: &(impl Fn(usize, R) + Sync)) {
     let cores = available_parallelism().map_or(1, usize::from).min(items.len());
-    let next = AtomicUsize::new(0);
+    let (next, call) = (AtomicUsize::new(0), call::current());
+    let until_done = || {
+        while let Some((place, item)) = take(items, &next) {
+            done(place, work(item));
+        }
+    };
     scope(|scope| {
         for _ in 0..cores {
-            scope.spawn(|| {
-                while let Some((place, item)) = take(items, &next) {
-                    done(place, work(item));
-                }
-            });
+            scope.spawn(|| call::within(&call, until_done));
         }
     });
 }
@@ -128,10 +130,17 @@ fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {
 /// Does some work on a thread of its own while a line of progress is shown.
 pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl FnOnce() -> R + Send) -> R {
     let mut progress = ProgressLine::new();
+    let call = call::current();
+    let (working, end) = channel::<()>();
     scope(|scope| {
-        let worker = scope.spawn(work);
-        while !worker.is_finished() {
-            std::thread::park_timeout(PAUSE);
+        let worker = scope.spawn(|| {
+            // Hangs up when the work has ended.
+            let _working = working;
+            call::within(&call, work)
+        });
+        while end.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
+            // Some hosts hear of Ctrl-C on this thread alone.
+            let _ = interrupt::asked();
             progress.show(&how_far);
         }
         worker.join().unwrap_or_else(|panic| resume_unwind(panic))

@@ -7,10 +7,12 @@ use pyo3::prelude::*;
 
 import_exception!(libration.errors, ExpansionError);
 import_exception!(libration.errors, FormulaError);
+import_exception!(libration.errors, NoAnswer);
 import_exception!(libration.errors, PendulumError);
 import_exception!(libration.errors, QuantityError);
 import_exception!(libration.errors, SimulationError);
 import_exception!(libration.errors, UnknownKeyError);
+import_exception!(libration.errors, UsageError);
 
 /// An exception of the package.
 pub(crate) trait Exception {
@@ -27,7 +29,16 @@ macro_rules! exceptions {
     };
 }
 
-exceptions!(ExpansionError, FormulaError, PendulumError, QuantityError, SimulationError, UnknownKeyError);
+exceptions!(
+    ExpansionError,
+    FormulaError,
+    NoAnswer,
+    PendulumError,
+    QuantityError,
+    SimulationError,
+    UnknownKeyError,
+    UsageError
+);
 
 /// The library's message as an exception of this kind.
 pub(crate) fn refusal<E: Exception>(error: impl Display) -> PyErr {

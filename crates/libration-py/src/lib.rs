@@ -1,5 +1,6 @@
 //! The library for Python: the module `libration._native`, on which the package in `python/libration` stands.
 
+mod asking;
 mod batches;
 mod errors;
 mod expansion;
@@ -26,5 +27,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(expansion::latex, module)?)?;
     module.add_class::<simulation::NativeSimulation>()?;
     module.add_function(wrap_pyfunction!(simulation::simulate, module)?)?;
+    module.add_function(wrap_pyfunction!(asking::ask, module)?)?;
+    module.add_function(wrap_pyfunction!(asking::program, module)?)?;
     batches::add_all(module)
 }

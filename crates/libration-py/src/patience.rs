@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
+use std::thread::{ThreadId, current};
 use std::time::{Duration, Instant};
 
 use libration::watch::Progress;
@@ -12,8 +13,10 @@ const INTERVAL: Duration = Duration::from_millis(20);
 
 /// Whom a long call asks whether it may go on.
 pub(crate) struct Patience {
-    /// A function of how much is done and of how much, or None.
+    /// A function that is told how far the call is, or None.
     progress: Option<Py<PyAny>>,
+    /// The thread that has called: the interpreter hears of signals on no other.
+    caller: ThreadId,
     state: Mutex<State>,
 }
 
@@ -24,22 +27,41 @@ struct State {
 
 impl Patience {
     pub(crate) fn new(progress: Option<Py<PyAny>>) -> Self {
-        Self { progress, state: Mutex::new(State { asked: Instant::now(), stopped_by: None }) }
+        let state = State { asked: Instant::now(), stopped_by: None };
+        Self { progress, caller: current().id(), state: Mutex::new(state) }
     }
 
-    /// Whether the call may go on; the interpreter is asked from time to time.
+    /// Whether the call may go on; how much is done, and of how much, is told from time to time.
     pub(crate) fn go_on(&self, progress: Progress) -> ControlFlow<()> {
+        self.ask(INTERVAL, |py, tell| tell.call1(py, (progress.done, progress.of)).map(drop))
+    }
+
+    /// Whether the call may go on; nothing is told.
+    pub(crate) fn lasts(&self) -> bool {
+        self.ask(INTERVAL, |_, _| Ok(())).is_continue()
+    }
+
+    /// Tells how far the call is, in words.
+    pub(crate) fn tell(&self, how_far: &str) {
+        // Whether it may go on it asks soon enough.
+        let _ = self.ask(Duration::ZERO, |py, tell| tell.call1(py, (how_far,)).map(drop));
+    }
+
+    fn ask(
+        &self,
+        interval: Duration,
+        tell: impl FnOnce(Python<'_>, &Py<PyAny>) -> PyResult<()>,
+    ) -> ControlFlow<()> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         if state.stopped_by.is_some() {
             return ControlFlow::Break(());
         }
-        if state.asked.elapsed() < INTERVAL {
+        if current().id() != self.caller || state.asked.elapsed() < interval {
             return ControlFlow::Continue(());
         }
         let answer = Python::attach(|py| {
             py.check_signals()?;
-            let Some(tell) = &self.progress else { return Ok(()) };
-            tell.call1(py, (progress.done, progress.of)).map(drop)
+            self.progress.as_ref().map_or(Ok(()), |progress| tell(py, progress))
         });
         state.asked = Instant::now();
         match answer {
@@ -52,7 +74,7 @@ impl Patience {
     }
 
     /// What has stopped the call: `KeyboardInterrupt`, or what the function of the progress has raised.
-    pub(crate) fn stopped_by(self) -> Option<PyErr> {
-        self.state.into_inner().unwrap_or_else(PoisonError::into_inner).stopped_by
+    pub(crate) fn stopped_by(&self) -> Option<PyErr> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).stopped_by.take()
     }
 }

@@ -1,12 +1,13 @@
 //! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
 
+use crate::call;
 use crate::failure::Failure;
 use libration_lab::measurement::ReadOptions;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file or, for `-`, of the standard input, as many as a table may have.
+/// The bytes of a file or, for `-`, of the input, as many as a table may have.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     read_at_most(path, ReadOptions::DEFAULT_SIZE_LIMIT)
 }
@@ -16,7 +17,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure> {
     let cannot = |error: io::Error| Failure::NoAnswer(format!("cannot read {}: {error}", path.display()));
     if path.as_os_str() == "-" {
-        return within(&mut io::stdin().lock(), path, limit).map_err(cannot)?;
+        return within(&mut call::current().host().read(), path, limit).map_err(cannot)?;
     }
     let mut file = File::open(path).map_err(cannot)?;
     let size = file.metadata().map_err(cannot)?.len();

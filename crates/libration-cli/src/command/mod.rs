@@ -25,7 +25,10 @@ mod section;
 mod simulate;
 mod systems;
 
+use crate::arguments::protect_negative_values;
 use crate::failure::Failure;
+use clap::Parser;
+use std::ffi::OsString;
 use std::io::Write;
 
 /// The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error.
@@ -59,6 +62,12 @@ Angles are 60deg, 60°, 1.2rad, 1.2 (radians), or distances from the top:
 pi-1e-6, 180deg-1e-9deg. Tables are as wide as the terminal, or as COLUMNS says;
 files and pipes get 80 columns.
 Exit status: 0 success, 1 no answer, 2 usage error, 130 interrupted.";
+
+/// The question of a command line, which begins behind the name of the program.
+pub(crate) fn question(arguments: Vec<OsString>) -> Result<Libration, clap::Error> {
+    let named = std::iter::once(OsString::from("libration")).chain(arguments);
+    Libration::try_parse_from(protect_negative_values(named))
+}
 
 #[derive(Debug, clap::Subcommand)]
 enum Question {

@@ -1,13 +1,15 @@
 //! Where a document comes from: program, version, command line and date.
 
 use super::{Block, DocumentTable};
+use crate::call;
 use crate::output::table::Column;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A table of these for a document that is made now, by the command that was given.
 pub(crate) fn provenance() -> Block {
-    let command = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
-    let command: Vec<String> = std::iter::once("libration".to_owned()).chain(command).collect();
+    let call = call::current();
+    let words = call.arguments().iter().map(|word| quoted(&word.to_string_lossy()));
+    let command: Vec<String> = std::iter::once("libration".to_owned()).chain(words).collect();
     let row = |name: &str, value: String| vec![name.to_owned(), value];
     Block::Table(DocumentTable {
         caption: "With this the report can be made again".to_owned(),

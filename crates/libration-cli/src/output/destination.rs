@@ -1,5 +1,6 @@
 //! What a path given for output leads to: a file that is replaced as a whole, or a stream that is written into.
 
+use crate::call::Output;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ pub(crate) enum Stream {
 /// More links than this lead in a circle.
 const MOST_LINKS: usize = 40;
 
-/// Where the path leads; `-` is the standard output.
+/// Where the path leads; `-` is the output of the question.
 pub(crate) fn resolved(path: &Path) -> io::Result<Destination> {
     if path == Path::new("-") {
         return Ok(Destination::Stream(Stream::Output));
@@ -72,7 +73,7 @@ fn open_already(path: &Path) -> Option<Stream> {
 impl Stream {
     pub(crate) fn open(&self) -> io::Result<Box<dyn Write>> {
         Ok(match self {
-            Self::Output => Box::new(io::stdout()),
+            Self::Output => Box::new(Output::new()),
             Self::Error => Box::new(io::stderr()),
             Self::Opened(path) => Box::new(fs::OpenOptions::new().append(true).open(path)?),
         })

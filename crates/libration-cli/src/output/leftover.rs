@@ -2,9 +2,9 @@
 //!
 //! A run keeps the lock of its unfinished file as long as it lives, so that those without are known to be left.
 
+use crate::call;
 use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The name of the unfinished file of a process: `.NAME.PID.part`.
@@ -63,7 +63,7 @@ pub(super) fn remove(path: &Path) {
         }
         if removed.is_ok() {
             let name = leftover.path.display();
-            let _ = writeln!(io::stderr(), "removed {name}, left by a killed run");
+            call::current().note(&format!("removed {name}, left by a killed run"));
         }
     }
 }

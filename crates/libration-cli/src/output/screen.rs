@@ -1,20 +1,13 @@
 //! How wide an answer to read may be, and how much of that width a text takes.
 
-use std::io::stdout;
+use crate::call;
 
-/// In files and pipes, so that they do not change with the window.
-const USUAL: usize = 80;
 /// Narrower than this no table can be read.
 const NARROWEST: usize = 40;
 
-/// The columns an answer may take: `COLUMNS` where it is set, else those of the terminal, else 80.
+/// The columns an answer may take.
 pub(crate) fn width() -> usize {
-    let said = std::env::var("COLUMNS").ok().and_then(|text| text.trim().parse().ok());
-    said.or_else(of_terminal).unwrap_or(USUAL).max(NARROWEST)
-}
-
-fn of_terminal() -> Option<usize> {
-    terminal_size::terminal_size_of(stdout()).map(|(width, _)| usize::from(width.0))
+    call::current().host().columns().max(NARROWEST)
 }
 
 /// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it.

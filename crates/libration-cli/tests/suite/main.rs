@@ -26,6 +26,7 @@ mod formulas;
 mod inspect;
 mod interrupts;
 mod letters;
+mod library;
 mod modes;
 mod motion;
 mod paper;

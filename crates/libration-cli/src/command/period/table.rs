@@ -95,11 +95,9 @@ impl Swings<'_> {
                 text
             })
         };
-        let mut progress = ProgressLine::beside_the_answer();
+        let mut progress = ProgressLine::new();
         parallel::in_order(all.div_ceil(PIECE), texts, |piece, text| {
-            if let Some(progress) = &mut progress {
-                progress.show(|| format!("{} of {all} amplitudes", piece * PIECE));
-            }
+            progress.show(|| format!("{} of {all} amplitudes", piece * PIECE));
             hand_on(&text)
         })
     }

@@ -11,12 +11,13 @@ mod state;
 
 use super::events::Happening;
 use crate::arguments::{self, Initial, Times};
+use crate::call;
 use crate::failure::Failure;
 use crate::output::destination::{self, Destination};
 use crate::output::leftover::{self, Leftover};
 use serde_json::Value;
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 pub(super) use checksum::Checksum;
@@ -89,10 +90,8 @@ impl Earlier {
             let Ok(other) = Self::of_csv(&leftover.path, question, times) else { continue };
             if best.as_ref().map_or(true, |best| reached(best) < reached(&other)) {
                 let (name, time) = (leftover.path.display(), reached(&other));
-                let _ = writeln!(
-                    io::stderr(),
-                    "continuing from {name}, which a killed run left at t = {time:?} s"
-                );
+                let said = format!("continuing from {name}, which a killed run left at t = {time:?} s");
+                call::current().note(&said);
                 best = Ok(Self { _leftover: Some(leftover), ..other });
             }
         }

@@ -1,0 +1,123 @@
+//! The question that a thread works for, with what belongs to it alone, so that questions side by side do not mix.
+
+use crate::host::Host;
+use std::cell::RefCell;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+thread_local! {
+    static CURRENT: RefCell<Option<Arc<Call>>> = const { RefCell::new(None) };
+}
+
+/// A question while it is answered.
+pub(crate) struct Call {
+    host: Arc<dyn Host>,
+    /// As they were given.
+    arguments: Vec<OsString>,
+    is_output_taken: AtomicBool,
+    is_ended_early: AtomicBool,
+    notes: Mutex<Vec<String>>,
+}
+
+impl Call {
+    pub(crate) fn new(arguments: Vec<OsString>, host: Arc<dyn Host>) -> Arc<Self> {
+        Arc::new(Self {
+            host,
+            arguments,
+            is_output_taken: AtomicBool::new(false),
+            is_ended_early: AtomicBool::new(false),
+            notes: Mutex::default(),
+        })
+    }
+
+    pub(crate) fn host(&self) -> &dyn Host {
+        &*self.host
+    }
+
+    pub(crate) fn arguments(&self) -> &[OsString] {
+        &self.arguments
+    }
+
+    /// Says it beside the answer, unless it is said already.
+    pub(crate) fn note(&self, sentence: &str) {
+        let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
+        if !notes.iter().any(|note| note == sentence) {
+            notes.push(sentence.to_owned());
+            self.host.note(sentence);
+        }
+    }
+
+    /// Keeps the output for a file, so that nothing else stands there.
+    pub(crate) fn take_output(&self) {
+        self.is_output_taken.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether somebody has asked for an early end, once and for all.
+    pub(crate) fn is_ended_early(&self) -> bool {
+        let is_ended = self.is_ended_early.load(Ordering::Relaxed) || !self.host.goes_on();
+        if is_ended {
+            self.is_ended_early.store(true, Ordering::Relaxed);
+        }
+        is_ended
+    }
+}
+
+/// Works for a question on this thread.
+pub(crate) fn within<R>(call: &Arc<Call>, work: impl FnOnce() -> R) -> R {
+    let _before = Before(CURRENT.replace(Some(Arc::clone(call))));
+    work()
+}
+
+/// What the thread has worked for before, and goes on with then, also after a panic.
+struct Before(Option<Arc<Call>>);
+
+impl Drop for Before {
+    fn drop(&mut self) {
+        CURRENT.set(self.0.take());
+    }
+}
+
+/// What this thread works for; threads that nobody has told work for nobody.
+pub(crate) fn current() -> Arc<Call> {
+    CURRENT.with_borrow(Option::clone).unwrap_or_else(|| Call::new(vec![], Arc::new(Nobody)))
+}
+
+/// Whether somebody has asked this thread's question to end early.
+pub(crate) fn is_ended_early() -> bool {
+    CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_ended_early()))
+}
+
+struct Nobody;
+
+impl Host for Nobody {
+    fn write(&self, _: &[u8]) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// What goes to the output of the question of this thread.
+pub(crate) struct Output(Arc<Call>);
+
+impl Output {
+    pub(crate) fn new() -> Self {
+        Self(current())
+    }
+
+    /// Whether a file stands there in place of the answer.
+    pub(crate) fn is_taken(&self) -> bool {
+        self.0.is_output_taken.load(Ordering::Relaxed)
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.host.write(bytes)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,0 +1,71 @@
+//! What a question is asked in.
+
+use std::io::{self, Read};
+
+/// Whoever asks a question: where its answer goes, what stands for the standard input, and whether a long answer may go on.
+///
+/// Its methods are called on the thread that asks and on those that work for it. What is not written here does nothing: no input, no
+/// notes, no progress, and an answer that is never ended early.
+///
+/// # Examples
+/// ```
+/// use libration_cli::Host;
+/// use std::io;
+/// use std::sync::{Arc, Mutex};
+///
+/// #[derive(Default)]
+/// struct Memory(Mutex<Vec<u8>>);
+///
+/// impl Host for Memory {
+///     fn write(&self, bytes: &[u8]) -> io::Result<()> {
+///         self.0.lock().map_err(|_| io::ErrorKind::Other)?.extend_from_slice(bytes);
+///         Ok(())
+///     }
+/// }
+///
+/// let memory = Arc::new(Memory::default());
+/// libration_cli::ask(["period", "60deg", "--json"].map(Into::into), memory.clone())?;
+/// let answer = memory.0.lock().map_err(|_| "a thread has failed")?;
+/// assert!(answer.starts_with(b"{"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Host: Send + Sync {
+    /// Takes the next part of the answer, or of the file that stands in its place.
+    ///
+    /// # Errors
+    /// Where no more can be taken, which ends the answer.
+    fn write(&self, bytes: &[u8]) -> io::Result<()>;
+
+    /// What a file called `-` holds.
+    fn read(&self) -> Box<dyn Read + '_> {
+        Box::new(io::empty())
+    }
+
+    /// A sentence about the question beside its answer, such as how an equation was read.
+    fn note(&self, sentence: &str) {
+        let _ = sentence;
+    }
+
+    /// How far long work is, from time to time; `None` when that work has ended.
+    fn progress(&self, how_far: Option<&str>) {
+        let _ = how_far;
+    }
+
+    /// From now on the answer can be ended early, and keeps what is done.
+    ///
+    /// # Errors
+    /// Where nobody could ask for that; the question is then refused.
+    fn listen(&self) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Whether a long answer may go on. Asked often, also by the thread that has asked the question.
+    fn goes_on(&self) -> bool {
+        true
+    }
+
+    /// How many columns an answer to read may have.
+    fn columns(&self) -> usize {
+        80
+    }
+}

@@ -1,0 +1,192 @@
+//! Questions that another program asks in its own process.
+
+use crate::command::{message, run};
+use libration_cli::{Failure, Host, ask};
+use serde_json::Value;
+use std::ffi::OsString;
+use std::io::{self, Read};
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// A host that keeps what it is told.
+#[derive(Default)]
+struct Memory {
+    answer: Mutex<Vec<u8>>,
+    notes: Mutex<Vec<String>>,
+    input: &'static [u8],
+    /// It asks for an early end after so many looks.
+    patience: Option<AtomicUsize>,
+    is_full: bool,
+}
+
+impl Host for Memory {
+    fn write(&self, bytes: &[u8]) -> io::Result<()> {
+        if self.is_full {
+            return Err(io::Error::other("no room is left"));
+        }
+        self.answer.lock().unwrap().extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn read(&self) -> Box<dyn Read + '_> {
+        Box::new(self.input)
+    }
+
+    fn note(&self, sentence: &str) {
+        self.notes.lock().unwrap().push(sentence.to_owned());
+    }
+
+    fn goes_on(&self) -> bool {
+        let left = |left: usize| left.checked_sub(1);
+        self.patience
+            .as_ref()
+            .is_none_or(|looks| looks.fetch_update(Ordering::Relaxed, Ordering::Relaxed, left).is_ok())
+    }
+}
+
+fn asked(arguments: &[&str], host: Memory) -> (Arc<Memory>, Result<(), Failure>) {
+    let host = Arc::new(host);
+    let answered = ask(arguments.iter().map(OsString::from), host.clone());
+    (host, answered)
+}
+
+fn answer(arguments: &[&str]) -> Vec<u8> {
+    let (host, answered) = asked(arguments, Memory::default());
+    answered.unwrap();
+    host.answer.lock().unwrap().clone()
+}
+
+#[test]
+fn answers_are_those_of_the_program_byte_for_byte() {
+    for question in [
+        "period 60deg 1.2 --json",
+        "period -- -30deg",
+        "period 0deg:170deg:0.01deg --csv",
+        "motion 60deg --times 0:1:0.1",
+        "motion 60deg --times 0:1:0.1 --figure -",
+        "motion 60deg --times 0:1:0.1 --csv --figure -",
+        "expand pendulum --order 7 --json",
+        "expand pendulum --order 5 --evaluate 1",
+        "decay 60deg --linear 0.1 --cycles 3 --json",
+        "simulate pendulum --initial theta=1 --times 0:3:1 --output -",
+        "section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 5 --skip 1 --csv",
+        "paper",
+        "fields fit trace",
+        "completions bash",
+        "--help",
+        "fit trace --help",
+        "--version",
+    ] {
+        let words: Vec<&str> = question.split(' ').collect();
+        let program = run(&words);
+        assert!(program.status.success(), "{question}: {}", message(&program));
+        assert!(!program.stdout.is_empty(), "{question}");
+        assert!(answer(&words) == program.stdout, "{question}");
+    }
+}
+
+#[test]
+fn failures_have_the_reason_and_the_status_of_the_program() {
+    for (question, status) in [
+        ("period 60degg", 2),
+        ("period 200deg", 1),
+        ("simulate pendulum --times 0:1:1 --initial nothing=1", 2),
+        ("inspect /nowhere.csv", 1),
+        ("expand x''+1=0", 1),
+        ("nonsense", 2),
+        ("period --nonsense", 2),
+        ("", 2),
+    ] {
+        let words: Vec<&str> = question.split_whitespace().collect();
+        let program = run(&words);
+        let (host, answered) = asked(&words, Memory::default());
+        let failure = answered.unwrap_err();
+        assert_eq!(Some(i32::from(failure.status())), program.status.code(), "{question}");
+        assert_eq!(program.status.code(), Some(status), "{question}");
+        assert!(message(&program).contains(&failure.to_string()), "{question}: {failure}");
+        assert!(!failure.to_string().contains("--help"), "{question}: {failure}");
+        assert_eq!(*host.answer.lock().unwrap(), program.stdout, "{question}");
+    }
+}
+
+#[test]
+fn the_input_is_that_of_the_host() {
+    let table = b"amplitude (deg),period (s)\n10,2.01\n30,2.04\n50,2.1\n70,2.21\n";
+    let words = ["fit", "periods", "-", "--json"];
+    let (host, answered) = asked(&words, Memory { input: table, ..Memory::default() });
+    answered.unwrap();
+    let mut program = Command::new(env!("CARGO_BIN_EXE_libration"));
+    let mut program = program.args(words).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    io::Write::write_all(&mut program.stdin.take().unwrap(), table).unwrap();
+    assert_eq!(*host.answer.lock().unwrap(), program.wait_with_output().unwrap().stdout);
+}
+
+#[test]
+fn notes_go_to_the_host_once_a_question() {
+    for _ in 0..2 {
+        let (host, answered) = asked(&["expand", "d^2x/dt^2 + sin x = 0", "--order", "3"], Memory::default());
+        answered.unwrap();
+        let notes = host.notes.lock().unwrap();
+        assert!(notes.len() == 1 && notes[0].starts_with("the equation is read as"), "{notes:?}");
+    }
+}
+
+#[test]
+fn a_host_that_takes_no_more_ends_the_answer() {
+    for question in ["period 60deg", "motion 60deg --times 0:1:0.1 --figure -", "--help"] {
+        let words: Vec<&str> = question.split(' ').collect();
+        let (_, answered) = asked(&words, Memory { is_full: true, ..Memory::default() });
+        let failure = answered.unwrap_err();
+        assert_eq!(failure.status(), 1, "{question}");
+        assert!(failure.to_string().contains("no room is left"), "{question}: {failure}");
+    }
+}
+
+#[test]
+fn an_answer_that_is_ended_early_keeps_what_is_done_and_ends_no_other() {
+    let long = ["motion", "60deg", "--times", "0:100:0.1", "--json"];
+    let of = |patience| Memory { patience: Some(AtomicUsize::new(patience)), ..Memory::default() };
+    let (host, answered) = asked(&long, of(500));
+    assert!(matches!(answered, Err(Failure::Interrupted(_))), "{answered:?}");
+    let done: Value = serde_json::from_slice(&host.answer.lock().unwrap()).unwrap();
+    assert!((1..=500).contains(&done["samples"].as_array().unwrap().len()));
+    let series = ["expand", "pendulum", "--order", "999", "--json"];
+    let (_, answered) = asked(&series, of(3));
+    assert!(matches!(answered, Err(Failure::Interrupted(_))), "{answered:?}");
+    assert_eq!(answer(&long), run(&long).stdout);
+}
+
+#[test]
+fn answers_side_by_side_do_not_mix() {
+    let questions: Vec<Vec<String>> = (0..8)
+        .map(|n| {
+            let picture = if n % 2 == 0 { "--figure=-" } else { "--json" };
+            let question =
+                ["section", "driven_pendulum", "--set=A=1.5,c=1/2", "--points=20", "--skip=1", picture];
+            question.into_iter().map(str::to_owned).chain([format!("--initial=theta=0.{}", n + 1)]).collect()
+        })
+        .collect();
+    let words = |n: usize| questions[n].iter().map(String::as_str).collect::<Vec<_>>();
+    let alone: Vec<Vec<u8>> = (0..8).map(|n| answer(&words(n))).collect();
+    let words = &words;
+    std::thread::scope(|scope| {
+        let asking: Vec<_> = (0..8).map(|n| scope.spawn(move || answer(&words(n)))).collect();
+        for (together, alone) in asking.into_iter().zip(&alone) {
+            assert!(together.join().unwrap() == *alone);
+        }
+    });
+}
+
+#[test]
+fn the_question_of_a_thread_ends_with_it_even_by_a_panic() {
+    struct Panics;
+    impl Host for Panics {
+        fn write(&self, _: &[u8]) -> io::Result<()> {
+            panic!("the host fails")
+        }
+    }
+    let asks = || ask(["period", "1"].map(OsString::from), Arc::new(Panics));
+    assert!(std::panic::catch_unwind(asks).is_err());
+    assert_eq!(answer(&["period", "1"]), run(&["period", "1"]).stdout);
+}

@@ -1,0 +1,87 @@
+//! Every question of the command, for `_ask.py`, and the command itself.
+
+use std::ffi::OsString;
+use std::io::{self, Read};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use libration_cli::{Failure, Host};
+use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
+use pyo3::prelude::*;
+
+use crate::errors::{NoAnswer, UsageError, refusal};
+use crate::patience::Patience;
+
+/// Keeps the answer and the notes of one question.
+struct Conversation {
+    patience: Patience,
+    input: Vec<u8>,
+    answer: Mutex<Vec<u8>>,
+    notes: Mutex<Vec<String>>,
+}
+
+impl Host for Conversation {
+    fn write(&self, bytes: &[u8]) -> io::Result<()> {
+        self.answer.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn read(&self) -> Box<dyn Read + '_> {
+        Box::new(&*self.input)
+    }
+
+    fn note(&self, sentence: &str) {
+        self.notes.lock().unwrap_or_else(PoisonError::into_inner).push(sentence.to_owned());
+    }
+
+    fn progress(&self, how_far: Option<&str>) {
+        if let Some(how_far) = how_far {
+            self.patience.tell(how_far);
+        }
+    }
+
+    fn goes_on(&self) -> bool {
+        self.patience.lasts()
+    }
+}
+
+/// The answer, the notes beside it, and why there is none or not all of it.
+type Answered = (String, Vec<String>, Option<PyErr>);
+
+/// Answers the arguments of a command line; `input` is what a file called `-` holds.
+#[pyfunction]
+#[pyo3(signature = (arguments, input=None, progress=None))]
+pub(crate) fn ask(
+    py: Python<'_>,
+    arguments: Vec<OsString>,
+    input: Option<Vec<u8>>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answered> {
+    let conversation = Arc::new(Conversation {
+        patience: Patience::new(progress),
+        input: input.unwrap_or_default(),
+        answer: Mutex::default(),
+        notes: Mutex::default(),
+    });
+    let answered = py.detach(|| libration_cli::ask(arguments, conversation.clone()));
+    let take =
+        |text: &Mutex<Vec<u8>>| std::mem::take(&mut *text.lock().unwrap_or_else(PoisonError::into_inner));
+    let answer = String::from_utf8(take(&conversation.answer));
+    let answer = answer.map_err(|error| PyUnicodeDecodeError::new_err(error.to_string()))?;
+    let notes = std::mem::take(&mut *conversation.notes.lock().unwrap_or_else(PoisonError::into_inner));
+    let stopped_by = conversation.patience.stopped_by();
+    Ok((answer, notes, stopped_by.or(answered.err().map(|failure| raised(&failure)))))
+}
+
+fn raised(failure: &Failure) -> PyErr {
+    match failure {
+        Failure::Usage(_) => refusal::<UsageError>(failure),
+        Failure::NoAnswer(_) | Failure::Interrupted(_) => refusal::<NoAnswer>(failure),
+        Failure::Output(_) => PyOSError::new_err(failure.to_string()),
+    }
+}
+
+/// The command on the standard streams of the process; its exit status.
+#[pyfunction]
+pub(crate) fn program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
+    py.detach(|| libration_cli::program(arguments))
+}
