@@ -7,7 +7,6 @@ import argparse
 import datetime
 import json
 import os
-import platform
 import statistics
 import sys
 import tempfile
@@ -27,6 +26,7 @@ import motion  # noqa: E402
 import run  # noqa: E402
 import series  # noqa: E402
 from fits import lab  # noqa: E402
+from machine import processor  # noqa: E402
 
 OURS = "libration"
 
@@ -103,13 +103,6 @@ def processor_seconds(task, *arguments):
 
 
 PANELS = (amplitudes, orders, trajectories, rows)
-
-
-def processor():
-    told = Path("/proc/cpuinfo")
-    lines = told.read_text().splitlines() if told.exists() else []
-    names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]
-    return names[0] if names else platform.processor() or "unknown processor"
 
 
 def draw(measured, file):

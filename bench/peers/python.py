@@ -1,9 +1,12 @@
 """Times the Python package beside SciPy in one process: medians of alternated calls over arrays made beforehand, and one scalar call.
 
 Prints a Markdown table with the time per element of both, the quotient with its range, and the largest error of both on a sample, against mpmath;
-then a table of errors next to the separatrix. Needs the package (`pip install .`), SciPy and mpmath.
+then a table of errors next to the separatrix. `--docs` puts them into `docs/python.md`, with the date and the processor. Needs the package
+(`pip install .`), SciPy and mpmath.
 """
 import argparse
+import datetime
+import platform
 import statistics
 import sys
 import time
@@ -16,12 +19,29 @@ import scipy.special
 
 import libration as lb
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python" / "tests"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python" / "tests"))
 sys.dont_write_bytecode = True
+from machine import processor  # noqa: E402
 from truth import jacobi, ratio, ulps  # noqa: E402
 
 SAMPLE = 200
 SCALAR_CALLS = 2000
+PAGE = ROOT / "docs" / "python.md"
+MARKS = "<!-- measured by bench/peers/python.py -->\n", "<!-- end of what is measured -->\n"
+REPORT = []
+
+
+def tell(line):
+    print(line, flush=True)
+    REPORT.append(line)
+
+
+def write_page():
+    """Puts the report between the marks of the page."""
+    before, rest = PAGE.read_text().split(MARKS[0])
+    after = rest.split(MARKS[1])[1]
+    PAGE.write_text("".join([before, MARKS[0], "\n", *(line + "\n" for line in REPORT), "\n", MARKS[1], after]))
 
 
 def nanoseconds(call):
@@ -44,7 +64,7 @@ def row(name, peer, rounds, count, errors=("", "")):
     quotients = [theirs / ours for ours, theirs in rounds]
     ours, theirs = (statistics.median(side) / count for side in zip(*rounds))
     spread = f"{min(quotients):.1f}–{max(quotients):.1f}"
-    print(f"| {name} | {peer} | {ours:.1f} | {theirs:.1f} | {statistics.median(quotients):.1f} | {spread} | {errors[0]} | {errors[1]} |", flush=True)
+    tell(f"| {name} | {peer} | {ours:.1f} | {theirs:.1f} | {statistics.median(quotients):.1f} | {spread} | {errors[0]} | {errors[1]} |")
 
 
 class Arrays:
@@ -108,26 +128,31 @@ def one_call(rounds):
 
 
 def next_to_the_separatrix():
-    print("\n| u, 1 - m | true cn | our error | SciPy's error |")
-    print("|---|---|---|---|")
+    tell("\nThe value of cn next to the separatrix:\n\n| u, 1 - m | true cn | our error | SciPy's error |")
+    tell("|---|---|---|---|")
     for u, p in ((5.0, 1e-6), (15.0, 1e-9), (15.0, 0.9e-10), (25.0, 0.9e-10), (40.0, 0.9e-10), (40.0, 1e-14)):
         m = 1 - p
         true = jacobi(u, m)[1]
         ours, theirs = (float(module.ellipj(u, m)[1]) for module in (lb.special, scipy.special))
-        print(f"| {u:g}, {p:g} | {float(true):.6g} | {float(abs(ours - true)):.1e} | {float(abs(theirs - true)):.1e} |")
+        tell(f"| {u:g}, {p:g} | {float(true):.6g} | {float(abs(ours - true)):.1e} | {float(abs(theirs - true)):.1e} |")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=100_000, help="elements of an array")
     parser.add_argument("--rounds", type=int, default=15)
+    parser.add_argument("--docs", action="store_true", help=f"write the tables into {PAGE.relative_to(ROOT)}")
     options = parser.parse_args()
-    print(f"SciPy {scipy.__version__}, NumPy {np.__version__}, {options.count} elements, {options.rounds} rounds, one core\n")
-    print("| ours | SciPy's | ours ns | SciPy's ns | quotient | range | our error | SciPy's error |")
-    print("|---|---|---|---|---|---|---|---|")
+    today = datetime.date.today()
+    versions = f"libration {lb.__version__}, SciPy {scipy.__version__}, NumPy {np.__version__}, Python {platform.python_version()}"
+    tell(f"{today:%-d %B %Y}, one core of {processor()}: {versions}, {options.count} elements, {options.rounds} rounds.\n")
+    tell("| ours | SciPy's | ours ns | SciPy's ns | quotient | range | our error | SciPy's error |")
+    tell("|---|---|---|---|---|---|---|---|")
     beside_scipy(Arrays(options.count), options.count, options.rounds)
     one_call(options.rounds)
     next_to_the_separatrix()
+    if options.docs:
+        write_page()
 
 
 if __name__ == "__main__":

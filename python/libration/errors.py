@@ -33,6 +33,7 @@ class SimulationError(LibrationError):
     """A motion that cannot begin, or did not come to its end; then what was found is its ``partial``."""
 
     partial: Any = None
+    """The `Simulation` until then; None where there is none."""
 
 
 class UnknownKeyError(LibrationError, KeyError):
@@ -51,3 +52,4 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, partial: Any = None) -> None:
         super().__init__("interrupted; what was done is the attribute `partial` of this exception")
         self.partial = partial
+        """What was done, of the type of the call's answer."""

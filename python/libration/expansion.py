@@ -34,7 +34,9 @@ class Series:
     """A power series: ``coefficients[n]`` stands before the n-th power of a variable."""
 
     coefficients: tuple[Fraction | Polynomial, ...]
+    """By ascending powers, from the zeroth."""
     variable: str
+    """The name of what is raised to powers, such as ``"A"``."""
 
     def __len__(self) -> int:
         return len(self.coefficients)
@@ -97,6 +99,7 @@ class Evaluation(Record):
     powers: NDArray[np.int64]
     """The powers of the terms that are not zero."""
     terms: NDArray[np.float64]
+    """The terms, from the lowest power on."""
     sums: NDArray[np.float64]
     """Up to and with each term."""
 
@@ -135,6 +138,7 @@ class Expansion(Record):
     phase_origin: str
     """What the motion does at t = 0: "turning_point", "passage" or "first_harmonic"."""
     equilibrium: Fraction | Polynomial
+    """Where it rests."""
     omega0_squared: Fraction | Polynomial
     """ω0², the squared frequency of small oscillations."""
     unit_squared: Fraction | Polynomial

@@ -50,7 +50,9 @@ class Pendulum:
     """
 
     length: float
+    """In metres."""
     gravity: float = _native.STANDARD_GRAVITY
+    """In m/s²."""
     angular_frequency: float = field(init=False, repr=False, compare=False)
     """√(gravity/length), that of small swings, in rad/s."""
     small_angle_period: float = field(init=False, repr=False, compare=False)
@@ -132,7 +134,7 @@ class Motion:
     """A motion of a pendulum, exact at any time; `Pendulum.release` and `Pendulum.launch` make it.
 
     Calling it with times in seconds, a number or an array of any shape, gives `State`, the angle in radians and the velocity in rad/s: 2.2 ulp of the
-    angle and 4·2⁻⁵³·|velocity·t|, likewise the velocity.
+    angle and 4·2⁻⁵³·abs(velocity·t), likewise the velocity.
 
     Raises
     ------
@@ -150,6 +152,7 @@ class Motion:
     """
 
     pendulum: Pendulum
+    """Whose motion it is."""
     angle: float | str
     """At t = 0, as it was given: radians, or a text."""
     velocity: float | str = 0.0

@@ -32,12 +32,17 @@ class PeriodFormula:
     """
 
     key: str
+    """Its name in the catalogue."""
     name: str = field(init=False, compare=False)
+    """What people call it."""
     authors: str = field(init=False, repr=False, compare=False)
+    """Who published it."""
     year: int | None = field(init=False, repr=False, compare=False)
+    """Of publication, where it is known."""
     source: str = field(init=False, repr=False, compare=False)
     """Where it was published; what rests on memory alone begins with "attributed to"."""
     latex: str = field(init=False, repr=False, compare=False)
+    """The formula for T/T0, as LaTeX."""
     domain: str = field(init=False, repr=False, compare=False)
     """Where it is good and how it ends, in words."""
     complexity: int = field(init=False, repr=False, compare=False)

@@ -66,6 +66,7 @@ class Simulation(States):
     """
 
     title: str
+    """The name of the system."""
     equation: str
     """The equations of motion, with the values of their parameters."""
     units: tuple[str, ...]
