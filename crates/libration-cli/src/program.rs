@@ -34,7 +34,7 @@ pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 fn refuse(error: &clap::Error) -> u8 {
     let shown = failure::refusal(error);
     // Nothing is left to be done when a stream is closed.
-    let _ = match shown == error.render().to_string() {
+    let _ = match !error.use_stderr() || shown == error.render().to_string() {
         true => error.print(),
         false => write!(stderr(), "{shown}"),
     };

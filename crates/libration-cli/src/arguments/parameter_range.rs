@@ -25,7 +25,7 @@ pub(crate) fn parameter_range(text: &str) -> Result<ParameterRange, String> {
 }
 
 /// START + k·STEP up to STOP, which is met although decimals are no binary numbers.
-fn progression(start: Expression, stop: Expression, step: Expression) -> Result<Vec<f64>, String> {
+pub(crate) fn progression(start: Expression, stop: Expression, step: Expression) -> Result<Vec<f64>, String> {
     let (from, to, by) = (value(&start)?, value(&stop)?, value(&step)?);
     let steps = ((to - from) / by * (1.0 + 1e-12)).floor();
     if !(0.0..f64::from(MOST_VALUES)).contains(&steps) {
@@ -40,7 +40,8 @@ fn progression(start: Expression, stop: Expression, step: Expression) -> Result<
     (0..=count).map(element).collect()
 }
 
-fn constant(text: &str) -> Result<Expression, String> {
+/// A formula of numbers.
+pub(crate) fn constant(text: &str) -> Result<Expression, String> {
     text.parse().map_err(|error: libration::expression::ParseError| error.to_string())
 }
 

@@ -52,6 +52,12 @@ impl SystemOptions {
         self.model_with(&values(&self.set)?, open, open.first().copied())
     }
 
+    /// The numbers of a state, whatever has no value yet.
+    pub(crate) fn state_names(&self) -> Result<Vec<String>, Failure> {
+        let model = self.incomplete_model(&values(&self.set)?, &[]);
+        Ok(model.map_err(|error| failure(error, None))?.state_names())
+    }
+
     /// The model with these values and open parameters, one of which `--over` varies.
     fn model_with(
         &self,

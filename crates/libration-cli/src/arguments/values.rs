@@ -14,7 +14,7 @@ pub(super) fn borrowed(values: &[(String, Expression)]) -> Vec<(&str, Expression
 }
 
 /// The name as equations have it: ω0 is omega0, θ̇ is theta'.
-pub(super) fn plain_name(name: &str) -> String {
+pub(crate) fn plain_name(name: &str) -> String {
     let name = name.trim();
     name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
 }

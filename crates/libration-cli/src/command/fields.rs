@@ -2,7 +2,7 @@
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
-    fourier, inspect, lyapunov, modes, motion, oscillators, paper, period, section, simulate, systems,
+    fourier, inspect, lyapunov, modes, motion, oscillators, paper, period, section, simulate, sweep, systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -52,6 +52,7 @@ fn catalogue() -> Vec<Answers> {
         section::answers(),
         bifurcation::answers(),
         lyapunov::answers(),
+        sweep::answers(),
         paper::answers(),
         figure::answers(),
         inspect::answers(),
@@ -62,6 +63,12 @@ fn catalogue() -> Vec<Answers> {
         answers(),
     ]
     .concat()
+}
+
+/// What the JSON of the answers to a question has, whatever its options.
+pub(crate) fn of_question(words: &[String]) -> Vec<Description> {
+    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
+    catalogue().into_iter().filter(is_asked).flat_map(|it| it.json).collect()
 }
 
 /// Those of `libration fields` itself.

@@ -23,11 +23,13 @@ mod paper;
 mod period;
 mod section;
 mod simulate;
+mod sweep;
 mod systems;
 
-use crate::arguments::protect_negative_values;
+use crate::arguments::{protect_negative_values, sweep_options_first};
 use crate::failure::Failure;
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
+use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -65,8 +67,16 @@ Exit status: 0 success, 1 no answer, 2 usage error, 130 interrupted.";
 
 /// The question of a command line, which begins behind the name of the program.
 pub(crate) fn question(arguments: Vec<OsString>) -> Result<Libration, clap::Error> {
-    let named = std::iter::once(OsString::from("libration")).chain(arguments);
-    Libration::try_parse_from(protect_negative_values(named))
+    let named = std::iter::once(OsString::from("libration")).chain(sweep_options_first(arguments));
+    COMMAND.with_borrow_mut(|command| {
+        let matches = command.try_get_matches_from_mut(protect_negative_values(named))?;
+        Libration::from_arg_matches(&matches).map_err(|error| error.format(command))
+    })
+}
+
+thread_local! {
+    // To build it takes longer than many an answer.
+    static COMMAND: RefCell<clap::Command> = RefCell::new(Libration::command());
 }
 
 #[derive(Debug, clap::Subcommand)]
@@ -85,6 +95,7 @@ enum Question {
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
+    Sweep(Box<sweep::Sweep>),
     Paper(paper::Paper),
     Derive(derive::Derive),
     Figure(figure::Figure),
@@ -132,6 +143,7 @@ impl Libration {
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),
+            Question::Sweep(question) => question.answer(out, fields::of_question),
             Question::Paper(question) => question.answer(out),
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),

@@ -13,6 +13,23 @@ pub(crate) fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Resu
     out.write_all(b"\n")
 }
 
+/// The fields of a line without its end, as [`line`] writes it.
+pub(crate) fn cells(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut is_quoted = false;
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let cell = cells.last_mut().expect("there is always a cell");
+        match letter {
+            '"' if is_quoted && letters.peek() == Some(&'"') => cell.extend(letters.next()),
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => cells.push(String::new()),
+            other => cell.push(other),
+        }
+    }
+    cells
+}
+
 pub(crate) fn quoted(field: &str) -> std::borrow::Cow<'_, str> {
     if field.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", field.replace('"', "\"\"")).into()
@@ -24,6 +41,14 @@ pub(crate) fn quoted(field: &str) -> std::borrow::Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fields_are_read_as_they_are_written() {
+        let fields = ["a,b", "say \"a\"", "", "\"", "1.5", ""];
+        let mut text = vec![];
+        line(&mut text, &fields).unwrap();
+        assert_eq!(cells(String::from_utf8(text).unwrap().trim_end_matches('\n')), fields);
+    }
 
     #[test]
     fn commas_and_quotes_are_quoted() {

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 39] = [
+const FURTHER: [&str; 41] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -243,6 +243,8 @@ const FURTHER: [&str; 39] = [
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
     "fit|trace|examples/swing_synthetic.csv|LATER|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
     "fields",
+    "sweep|join|SWEEP",
+    "sweep|status|SWEEP",
 ];
 
 /// What no answer of this test shows, and why. The tests named here call [`assert_described`].
@@ -265,7 +267,9 @@ fn questions() -> Vec<Vec<String>> {
     let lines: Vec<&str> = swing.lines().collect();
     std::fs::write(&later, [&lines[..3], &lines[300..]].concat().join("\n")).unwrap();
     let later = later.display().to_string();
-    let in_place = |word: &str| word.replace("FILE", &file).replace("LATER", &later);
+    let sweep = directory.join("sweep").display().to_string();
+    libration(&format!("sweep period --over amplitude=1,4 --output {sweep}"));
+    let in_place = |word: &str| word.replace("FILE", &file).replace("LATER", &later).replace("SWEEP", &sweep);
     let question = |text: &&str| text.split('|').map(in_place).collect();
     widths::QUESTIONS.iter().chain(&FURTHER).map(question).collect()
 }

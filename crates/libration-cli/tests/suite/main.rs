@@ -34,6 +34,7 @@ mod period;
 mod resume;
 mod screen;
 mod simulate;
+mod sweep;
 mod systems;
 mod typed_equations;
 mod widths;

@@ -1,0 +1,63 @@
+//! The answers at the points of a chunk.
+
+use super::plan::Plan;
+use super::point;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::output::{csv, number};
+use std::io;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What is kept of the answer at a point, or why there is none: exit status and reason.
+pub(crate) type Outcome = Result<Vec<f64>, (u8, String)>;
+
+/// The outcomes at the points of a chunk, in their order; `done` counts them. `None` when somebody asks for an early end before.
+pub(crate) fn outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<Outcome>> {
+    let outcome = |point| {
+        if interrupt::asked() {
+            return None;
+        }
+        let outcome = match point::answer(&plan.words(point)) {
+            Ok(answer) => Ok(plan.numbers(&answer)),
+            Err(Failure::Interrupted(_)) => return None,
+            Err(failure) => Err((failure.status(), point::reason(&failure))),
+        };
+        done.fetch_add(1, Ordering::Relaxed);
+        Some(outcome)
+    };
+    plan.grid.points_of(chunk).map(outcome).collect()
+}
+
+/// A line for each point, below a line of names: the place, the numbers, status and message.
+pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[Outcome]) -> io::Result<Vec<u8>> {
+    let mut text = header(plan)?;
+    let columns = plan.columns().len();
+    for (point, outcome) in plan.grid.points_of(chunk).zip(outcomes) {
+        let place = plan.grid.place(point);
+        let mut cells: Vec<String> =
+            plan.axes.iter().zip(place).map(|(axis, place)| axis.shown(place)).collect();
+        match outcome {
+            Ok(numbers) => {
+                cells.extend(
+                    numbers.iter().map(|it| if it.is_nan() { String::new() } else { number::exact(*it) }),
+                );
+                cells.extend(["0".to_owned(), String::new()]);
+            }
+            Err((status, message)) => {
+                cells.extend(std::iter::repeat_n(String::new(), columns));
+                cells.extend([status.to_string(), message.clone()]);
+            }
+        }
+        csv::line(&mut text, &cells)?;
+    }
+    Ok(text)
+}
+
+/// The first line.
+pub(crate) fn header(plan: &Plan) -> io::Result<Vec<u8>> {
+    let axes = plan.axes.iter().map(|axis| axis.name.clone());
+    let beside = super::plan::BESIDE.map(str::to_owned);
+    let mut text = vec![];
+    csv::line(&mut text, &axes.chain(plan.columns()).chain(beside).collect::<Vec<_>>())?;
+    Ok(text)
+}

@@ -1,0 +1,239 @@
+//! The numbers that a sweep keeps of each answer, by the ways to them in JSON.
+
+use serde_json::Value;
+
+/// A number of an answer, or so many of a list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Kept {
+    pub(crate) name: String,
+    /// Such as `results[0].ratio`, `state[-1]`, or `points[0:100].state[1]` for a hundred numbers.
+    pub(crate) path: String,
+    steps: Vec<Step>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Step {
+    Key(String),
+    /// From the end where it is negative.
+    Entry(i64),
+    Entries(usize, usize),
+}
+
+/// More numbers of an answer than this are never kept.
+const MOST: usize = 1_000_000;
+
+impl Kept {
+    /// Reads a way, or `NAME=WAY`; without a name that is the last key, or what is behind it.
+    pub(crate) fn read(text: &str) -> Result<Self, String> {
+        let (name, path) = match text.split_once('=') {
+            Some((name, path)) => (Some(name.trim()), path.trim()),
+            None => (None, text.trim()),
+        };
+        let steps = steps(path)?;
+        if steps.iter().filter(|step| matches!(step, Step::Entries(..))).count() > 1 {
+            return Err(format!("`{path}` has two ranges: give one"));
+        }
+        let name = name.map_or_else(|| last_key(path), str::to_owned);
+        if name.is_empty() {
+            return Err(format!("`{text}` has no name: give NAME=WAY, such as angle=samples[-1].state[0]"));
+        }
+        Ok(Self { name, path: path.to_owned(), steps })
+    }
+
+    /// With a name made of its way.
+    pub(crate) fn named(self, name: impl Fn(&str) -> String) -> Self {
+        Self { name: name(&self.path), ..self }
+    }
+
+    /// How many numbers it is where it is a list.
+    pub(crate) fn length(&self) -> Option<usize> {
+        self.steps.iter().find_map(|step| match step {
+            Step::Entries(from, to) => Some(to - from),
+            _ => None,
+        })
+    }
+
+    /// The names of its columns: `angle`, or `angle[0]`, `angle[1]`, …
+    pub(crate) fn columns(&self) -> Vec<String> {
+        match self.length() {
+            None => vec![self.name.clone()],
+            Some(length) => (0..length).map(|place| format!("{}[{place}]", self.name)).collect(),
+        }
+    }
+
+    /// Its numbers in an answer, NaN where there is none; truth is 1, its opposite 0.
+    pub(crate) fn numbers(&self, answer: &Value) -> Vec<f64> {
+        let mut numbers = vec![];
+        follow(Some(answer), &self.steps, &mut numbers);
+        numbers
+    }
+
+    /// Whether an answer has numbers there, or may have: lists may be longer in other answers.
+    pub(crate) fn is_in(&self, answer: &Value) -> bool {
+        let mut value = answer;
+        for step in &self.steps {
+            let next = match step {
+                Step::Key(key) => value.get(key),
+                Step::Entry(place) => entry(value, *place),
+                Step::Entries(from, _) => value.get(from),
+            };
+            match next {
+                Some(next) => value = next,
+                None => return value.is_array() && !matches!(step, Step::Key(_)),
+            }
+        }
+        value.is_number() || value.is_boolean() || value.is_null()
+    }
+
+    /// The way as `libration fields` has it: `points[].state[]`.
+    pub(crate) fn described_as(&self) -> String {
+        let mut text = String::new();
+        for step in &self.steps {
+            match step {
+                Step::Key(key) if text.is_empty() => text.push_str(key),
+                Step::Key(key) => text.extend([".", key]),
+                Step::Entry(_) | Step::Entries(..) => text.push_str("[]"),
+            }
+        }
+        text
+    }
+}
+
+/// The ways to all numbers of an answer that stand alone: in no list, or in lists of one entry.
+pub(crate) fn scalars(answer: &Value) -> Vec<String> {
+    let mut found = vec![];
+    collect(answer, String::new(), &mut found);
+    found
+}
+
+fn collect(value: &Value, path: String, found: &mut Vec<String>) {
+    match value {
+        Value::Number(_) | Value::Bool(_) | Value::Null => found.push(path),
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                collect(value, path, found);
+            }
+        }
+        Value::Array(entries) if entries.len() == 1 => collect(&entries[0], format!("{path}[0]"), found),
+        Value::Array(_) | Value::String(_) => {}
+    }
+}
+
+fn follow(value: Option<&Value>, steps: &[Step], numbers: &mut Vec<f64>) {
+    let Some((step, rest)) = steps.split_first() else {
+        let number =
+            |value: &Value| value.as_f64().or_else(|| value.as_bool().map(|it| f64::from(u8::from(it))));
+        numbers.push(value.and_then(number).unwrap_or(f64::NAN));
+        return;
+    };
+    match step {
+        Step::Key(key) => follow(value.and_then(|value| value.get(key)), rest, numbers),
+        Step::Entry(place) => follow(value.and_then(|value| entry(value, *place)), rest, numbers),
+        Step::Entries(from, to) => {
+            (*from..*to).for_each(|place| follow(value.and_then(|value| value.get(place)), rest, numbers));
+        }
+    }
+}
+
+fn entry(list: &Value, place: i64) -> Option<&Value> {
+    let list = list.as_array()?;
+    let place = if place < 0 { i64::try_from(list.len()).ok()? + place } else { place };
+    list.get(usize::try_from(place).ok()?)
+}
+
+fn last_key(path: &str) -> String {
+    let last = path.rsplit('.').next().unwrap_or(path);
+    // A range is no part of the name: its place is.
+    last.split_once('[').map_or(last, |(key, entry)| if entry.contains(':') { key } else { last }).to_owned()
+}
+
+fn steps(path: &str) -> Result<Vec<Step>, String> {
+    let mut steps = vec![];
+    for part in path.split('.') {
+        let (key, entries) = part.find('[').map_or((part, ""), |place| part.split_at(place));
+        if key.is_empty() {
+            return Err(format!("`{path}` is no way to a number: give one such as results[0].ratio"));
+        }
+        steps.push(Step::Key(key.to_owned()));
+        for entry in entries.split_terminator(']') {
+            let entry = entry.strip_prefix('[').and_then(step_into);
+            steps.push(entry.ok_or_else(|| {
+                format!("`{path}`: give [K] for an entry of a list, [-1] for its last, [0:100] for the first hundred")
+            })?);
+        }
+    }
+    Ok(steps)
+}
+
+fn step_into(text: &str) -> Option<Step> {
+    match text.split_once(':') {
+        None => text.trim().parse().ok().map(Step::Entry),
+        Some((from, to)) => {
+            let (from, to) = (from.trim().parse().ok()?, to.trim().parse().ok()?);
+            (from < to && to - from <= MOST).then_some(Step::Entries(from, to))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn ways_lead_to_numbers() {
+        let answer = json!({"a": {"b": 2}, "yes": true, "none": null, "word": "x",
+            "rows": [{"state": [1, 2]}, {"state": [3, 4]}]});
+        let numbers = |text: &str| Kept::read(text).unwrap().numbers(&answer);
+        assert_eq!(numbers("a.b"), [2.0]);
+        assert_eq!(numbers("yes"), [1.0]);
+        assert_eq!(numbers("rows[-1].state[0]"), [3.0]);
+        assert_eq!(numbers("rows[0:2].state[1]"), [2.0, 4.0]);
+        for text in ["none", "word", "a", "c", "rows", "rows[2].state[0]", "rows[-3].state[0]", "a[0]"] {
+            assert!(numbers(text).iter().all(|it| it.is_nan()), "{text}");
+        }
+        let beyond = numbers("rows[1:4].state[1]");
+        assert_eq!(beyond.iter().map(|it| it.is_nan()).collect::<Vec<_>>(), [false, true, true]);
+    }
+
+    #[test]
+    fn ways_that_no_answer_has_are_known() {
+        let answer = json!({"a": {"b": 2}, "word": "x", "none": null, "rows": [{"state": [1, 2]}]});
+        let is_in = |text: &str| Kept::read(text).unwrap().is_in(&answer);
+        for text in
+            ["a.b", "none", "rows[0].state[1]", "rows[5].state[1]", "rows[0:9].state[1]", "rows[-1].state[7]"]
+        {
+            assert!(is_in(text), "{text}");
+        }
+        for text in ["a", "a.c", "word", "rows", "rows[0].speed", "a[0]", "none.b"] {
+            assert!(!is_in(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn names_are_given_or_the_last_key() {
+        let columns = |text: &str| Kept::read(text).unwrap().columns();
+        assert_eq!(columns("a.b"), ["b"]);
+        assert_eq!(columns("rows[-1].state[0]"), ["state[0]"]);
+        assert_eq!(columns("x=rows[0:2].state[1]"), ["x[0]", "x[1]"]);
+        assert_eq!(columns("rows[0:2]"), ["rows[0]", "rows[1]"]);
+        assert_eq!(Kept::read("x=rows[0:2].state[1]").unwrap().described_as(), "rows[].state[]");
+    }
+
+    #[test]
+    fn what_is_no_way_is_refused() {
+        for text in
+            ["", "a..b", "a[", "a[x]", "a[2:1]", "a[0:2].b[0:2]", "a[1]b", "=a", "[0]", "a[0:99999999]"]
+        {
+            assert!(Kept::read(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_that_stand_alone_are_found() {
+        let answer =
+            json!({"schema": 1, "a": {"b": 2, "c": "x"}, "one": [{"d": 1, "e": [1, 2]}], "two": [1, 2]});
+        assert_eq!(scalars(&answer), ["schema", "a.b", "one[0].d"]);
+    }
+}

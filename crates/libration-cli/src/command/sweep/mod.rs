@@ -1,0 +1,118 @@
+//! `libration sweep`: one question at all points of a grid.
+
+mod axis;
+mod chunk;
+mod grid;
+mod join;
+mod kept;
+mod plan;
+mod point;
+mod progress;
+mod question;
+mod run;
+mod shard;
+mod status;
+mod store;
+
+use crate::arguments::count;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::output::Form;
+use crate::output::description::Answers;
+use axis::{Axis, axis};
+use plan::{Asked, Described, Plan};
+use progress::Progress;
+use shard::{Shard, shard};
+use std::io::Write;
+use std::path::PathBuf;
+use store::Store;
+
+/// More points than this are never asked for in one chunk.
+const MOST_POINTS: usize = 1_000_000_000;
+
+/// Ask a question at all points of a grid, in chunks that survive interruptions
+///
+/// Each --over is an axis. Its values go where the question has {NAME}, or to its option or argument of this name, or they are initial values or parameters of its system.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, override_usage = USAGE, after_help = "Examples:
+  libration sweep lyapunov driven_pendulum --over A=1:1.4:0.1 \\
+    --over theta=0,0.2 --set c=1/2 --intervals 10 --output exponents
+  libration sweep join exponents --output exponents.csv
+  libration sweep period --over amplitude=10deg:170deg:10deg --output periods
+  libration sweep section driven_pendulum --over A=1:1.2:0.05 \\
+    --set c=1/2 --initial theta=0.2 --points 20 \\
+    --keep 'omega=points[0:20].state[1]' --output diagram
+  libration sweep simulate \"x'' = -x - {k} x^3\" --over k=0:1:0.1 \\
+    --initial x=1 --times 10 --keep 'x=samples[-1].state[0]' --output ends
+
+Points without an answer have empty cells, and say why in `message`. What is
+done is kept when the command is interrupted or killed; the same command goes on
+from there. With --shard several machines share the work. Options of the sweep
+may stand anywhere before --; what follows -- is the question's alone, such as
+an --output or --over of its own.")]
+pub(crate) struct Sweep {
+    #[command(subcommand)]
+    about: Option<About>,
+    #[command(flatten)]
+    run: Option<Run>,
+}
+
+const USAGE: &str = "libration sweep QUESTION… --over NAME=VALUES… --output DIR
+       libration sweep join DIR… --output FILE
+       libration sweep status DIR…";
+
+#[derive(Debug, clap::Subcommand)]
+enum About {
+    Join(join::Join),
+    Status(status::Status),
+}
+
+#[derive(Debug, clap::Args)]
+struct Run {
+    /// The command and its options, as behind `libration`; --json is implied
+    #[arg(value_name = "QUESTION", required = true)]
+    question: Vec<String>,
+    /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas
+    #[arg(long, value_name = "NAME=VALUES", value_parser = axis, required = true)]
+    over: Vec<Axis>,
+    /// The directory for the chunks; that of the same sweep is gone on with
+    #[arg(long, value_name = "DIR")]
+    output: PathBuf,
+    /// Keep this number of the answer, by its way in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
+    #[arg(long, value_name = "[NAME=]PATH")]
+    keep: Vec<String>,
+    /// Answer this part of the sweep only, such as 3/64
+    #[arg(long, value_name = "K/N", value_parser = shard)]
+    shard: Option<Shard>,
+    /// Number of points in a chunk, at most [default: about 256 chunks]
+    #[arg(long, value_name = "N", value_parser = count::<MOST_POINTS>)]
+    chunk: Option<usize>,
+}
+
+impl Sweep {
+    pub(crate) fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), Failure> {
+        match (&self.about, &self.run) {
+            (Some(About::Join(join)), _) => join.answer(out),
+            (Some(About::Status(status)), _) => status.answer(out),
+            (None, Some(run)) => run.answer(out, described),
+            (None, None) => Err(Failure::Usage("QUESTION: give the question of the sweep".to_owned())),
+        }
+    }
+}
+
+impl Run {
+    fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), Failure> {
+        interrupt::listen()?;
+        let (axes, keep) = (self.over.clone(), &self.keep);
+        let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk }, described)?;
+        let store = Store::create(&self.output, plan)?;
+        run::run(&store, self.shard.unwrap_or(Shard::WHOLE))?;
+        let question = store.plan.template.0.join(" ");
+        let progress = Progress::of(&[store])?;
+        status::write(out, Form::Table, &(question, progress))
+    }
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    [join::answers(), status::answers()].concat()
+}

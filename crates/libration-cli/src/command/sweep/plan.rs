@@ -1,0 +1,230 @@
+//! What a sweep asks and keeps, as data: enough to answer any of its chunks anywhere.
+
+use super::axis::Axis;
+use super::grid::Grid;
+use super::kept::{self, Kept};
+use super::point;
+use super::question::Template;
+use crate::failure::Failure;
+use crate::output::description::Description;
+use crate::output::json::Record;
+use serde_json::Value;
+
+/// The version of what is written of a plan and of its chunks.
+pub(crate) const FORMAT: u64 = 1;
+
+/// The columns that say whether there is an answer, behind those of the numbers.
+pub(crate) const BESIDE: [&str; 2] = ["status", "message"];
+
+/// A question, its axes and what is kept of each answer.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plan {
+    pub(crate) template: Template,
+    pub(crate) axes: Vec<Axis>,
+    pub(crate) kept: Vec<KeptField>,
+    pub(crate) grid: Grid,
+}
+
+/// What is kept, with what `libration fields` says of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct KeptField {
+    pub(crate) kept: Kept,
+    pub(crate) unit: String,
+    pub(crate) meaning: String,
+}
+
+/// What `libration fields` says of the JSON of the answers to a question.
+pub(crate) type Described = fn(&[String]) -> Vec<Description>;
+
+/// What is asked of each point: words, values along the axes, ways to what is kept, and how many points a chunk has at most.
+#[derive(Debug)]
+pub(crate) struct Asked<'a> {
+    pub(crate) question: &'a [String],
+    pub(crate) axes: Vec<Axis>,
+    pub(crate) keep: &'a [String],
+    pub(crate) chunk: Option<usize>,
+}
+
+impl Plan {
+    /// Asks a few points, until one has an answer, which shows what there is to keep.
+    pub(crate) fn new(asked: Asked<'_>, described_in: Described) -> Result<Self, Failure> {
+        let Asked { question, axes, keep, chunk } = asked;
+        if let Some((place, axis)) = (axes.iter().enumerate())
+            .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
+        {
+            let reason = format!("`{}` is axis {} already: give each axis once", axis.name, place);
+            return Err(Failure::usage("--over", reason));
+        }
+        if let Some(axis) = axes.iter().find(|axis| BESIDE.contains(&axis.name.as_str())) {
+            let reason =
+                format!("`{}` is the name of a column of every sweep: give the axis another", axis.name);
+            return Err(Failure::usage("--over", reason));
+        }
+        let template = Template::new(question, &axes)?;
+        let grid = Grid::new(axes.iter().map(|axis| axis.values.len()).collect(), chunk)
+            .ok_or_else(|| Failure::usage("--over", "the axes have too many points together"))?;
+        let answer = first_answer(&template, &axes, &grid)?;
+        let known = described_in(question);
+        let kept = match keep.is_empty() {
+            true => all_numbers(&known, &answer),
+            false => chosen(keep, &answer)?,
+        };
+        let kept = named_apart(kept, &axes).into_iter().map(|kept| described(&known, kept)).collect();
+        Ok(Self { template, axes, kept, grid })
+    }
+
+    /// As JSON, from which [`Plan::read`] makes it again.
+    pub(crate) fn to_json(&self) -> Record {
+        let axis = |axis: &Axis| {
+            let record = Record::new().with("name", axis.name.as_str()).with("unit", axis.unit.as_str());
+            record.with("values", axis.values.clone())
+        };
+        let field = |field: &KeptField| {
+            let record = Record::new().with("name", field.kept.name.as_str());
+            let record = record.with("path", field.kept.path.as_str());
+            record.with("unit", field.unit.as_str()).with("meaning", field.meaning.as_str())
+        };
+        Record::new()
+            .with("format", FORMAT)
+            .with("version", env!("CARGO_PKG_VERSION"))
+            .with("question", self.template.0.clone())
+            .with("axes", crate::output::json::records(self.axes.iter().map(axis)))
+            .with("fields", crate::output::json::records(self.kept.iter().map(field)))
+            .with("shape", crate::output::json::list(self.grid.shape.clone()))
+            .with("chunk_shape", crate::output::json::list(self.grid.block.clone()))
+    }
+
+    /// From its JSON; an error is the reason why it is none.
+    pub(crate) fn read(json: &Value) -> Result<Self, String> {
+        let format = json["format"].as_u64();
+        if format != Some(FORMAT) {
+            let found = format.map_or("none".to_owned(), |format| format.to_string());
+            return Err(format!("its format is {found}, and this program knows format {FORMAT}"));
+        }
+        read_plan(json).ok_or_else(|| "it is no plan of a sweep".to_owned())
+    }
+
+    /// What differs from another plan of the same format, in words.
+    pub(crate) fn difference(&self, other: &Self) -> Option<String> {
+        let name = |axis: &Axis| axis.name.clone();
+        let names = |plan: &Self| plan.axes.iter().map(name).collect::<Vec<_>>().join(", ");
+        let fields =
+            |plan: &Self| plan.kept.iter().map(|it| it.kept.path.clone()).collect::<Vec<_>>().join(", ");
+        if self.template != other.template {
+            return Some(format!("its question is `{}`", self.template.0.join(" ")));
+        }
+        if names(self) != names(other) {
+            return Some(format!("its axes are {}", names(self)));
+        }
+        if let Some((own, _)) = self.axes.iter().zip(&other.axes).find(|(own, other)| own != other) {
+            return Some(format!("its axis {} has other values", own.name));
+        }
+        if self.kept != other.kept {
+            return Some(format!("it keeps {}", fields(self)));
+        }
+        (self.grid != other.grid)
+            .then(|| format!("its chunks have {} points", self.grid.block.iter().product::<usize>()))
+    }
+
+    /// The numbers kept of one answer.
+    pub(crate) fn numbers(&self, answer: &Value) -> Vec<f64> {
+        self.kept.iter().flat_map(|field| field.kept.numbers(answer)).collect()
+    }
+
+    /// The names of these numbers.
+    pub(crate) fn columns(&self) -> Vec<String> {
+        self.kept.iter().flat_map(|field| field.kept.columns()).collect()
+    }
+
+    /// The words of the question at a point.
+    pub(crate) fn words(&self, point: usize) -> Vec<String> {
+        self.template.at(&self.axes, &self.grid.place(point))
+    }
+}
+
+fn read_plan(json: &Value) -> Option<Plan> {
+    let texts = |value: &Value| -> Option<Vec<String>> {
+        value.as_array()?.iter().map(|it| it.as_str().map(str::to_owned)).collect()
+    };
+    let counts = |value: &Value| -> Option<Vec<usize>> {
+        value.as_array()?.iter().map(|it| usize::try_from(it.as_u64()?).ok().filter(|it| *it > 0)).collect()
+    };
+    let axis = |it: &Value| Axis::of_words(it["name"].as_str()?, texts(&it["values"])?).ok();
+    let field = |it: &Value| {
+        let kept = Kept::read(&format!("{}={}", it["name"].as_str()?, it["path"].as_str()?)).ok()?;
+        let (unit, meaning) = (it["unit"].as_str()?.to_owned(), it["meaning"].as_str()?.to_owned());
+        Some(KeptField { kept, unit, meaning })
+    };
+    let axes: Vec<Axis> = json["axes"].as_array()?.iter().map(axis).collect::<Option<_>>()?;
+    let kept = json["fields"].as_array()?.iter().map(field).collect::<Option<_>>()?;
+    let grid = Grid { shape: counts(&json["shape"])?, block: counts(&json["chunk_shape"])? };
+    let lengths: Vec<usize> = axes.iter().map(|axis| axis.values.len()).collect();
+    (grid.shape == lengths && grid.block.len() == lengths.len()).then_some(())?;
+    Some(Plan { template: Template(texts(&json["question"])?), axes, kept, grid })
+}
+
+/// The first answer that some points of the grid have.
+fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, Failure> {
+    let mut first = None;
+    for point in grid.scattered() {
+        match point::answer(&template.at(axes, &grid.place(point))) {
+            Ok(answer) => return Ok(answer),
+            Err(failure @ Failure::Interrupted(_)) => return Err(failure),
+            Err(failure) => drop(first.get_or_insert(failure)),
+        }
+    }
+    Err(first.unwrap_or_else(|| Failure::NoAnswer("the sweep has no points".to_owned())))
+}
+
+fn all_numbers(known: &[Description], answer: &Value) -> Vec<Kept> {
+    let is_described = |kept: &Kept| known.iter().any(|it| describes(it, &kept.described_as()));
+    let ways = kept::scalars(answer).into_iter().filter(|way| way != "schema");
+    ways.filter_map(|way| Kept::read(&way).ok()).filter(is_described).collect()
+}
+
+fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
+    let refused = |reason: String| Failure::usage("--keep", reason);
+    let kept: Vec<Kept> =
+        keep.iter().map(|text| Kept::read(text).map_err(refused)).collect::<Result<_, _>>()?;
+    match kept.iter().find(|kept| !kept.is_in(answer)) {
+        Some(missing) => Err(Failure::usage(
+            "--keep",
+            format!(
+                "answers have no `{}`: they have {}, and lists that `libration fields` describes",
+                missing.path,
+                kept::scalars(answer).join(", ")
+            ),
+        )),
+        None => Ok(kept),
+    }
+}
+
+/// The whole way as the name where a shorter one is taken: by a number before it, an axis, or what a sweep says beside.
+fn named_apart(kept: Vec<Kept>, axes: &[Axis]) -> Vec<Kept> {
+    let mut taken: Vec<String> = axes.iter().map(|axis| axis.name.clone()).collect();
+    taken.extend(BESIDE.map(str::to_owned));
+    let apart = |kept: Kept| {
+        let is_taken = |name: &str| taken.iter().any(|other| other == name);
+        let kept = if is_taken(&kept.name) { kept.named(str::to_owned) } else { kept };
+        let kept = if is_taken(&kept.name) { kept.named(|path| format!("answer.{path}")) } else { kept };
+        taken.push(kept.name.clone());
+        kept
+    };
+    kept.into_iter().map(apart).collect()
+}
+
+fn described(known: &[Description], kept: Kept) -> KeptField {
+    let way = kept.described_as();
+    let known = known.iter().find(|it| describes(it, &way));
+    let (unit, meaning) = known.map_or(("", ""), |it| (it.unit, it.meaning));
+    KeptField { kept, unit: unit.to_owned(), meaning: meaning.to_owned() }
+}
+
+/// Whether a description is that of the field at a place; capitals stand for any name.
+fn describes(description: &Description, way: &str) -> bool {
+    let (described, way): (Vec<&str>, Vec<&str>) =
+        (description.name.split('.').collect(), way.split('.').collect());
+    let is_open = |name: &str| ["NAME", "KEY", "TOLERANCE", "K"].contains(&name.trim_end_matches("[]"));
+    described.len() == way.len()
+        && described.iter().zip(&way).all(|(known, name)| known == name || is_open(known))
+}

@@ -1,0 +1,41 @@
+//! The answer at one point of a sweep.
+
+use crate::call::{self, Call};
+use crate::command;
+use crate::failure::Failure;
+use crate::host::Host;
+use serde_json::Value;
+use std::io;
+use std::sync::Arc;
+
+/// The answer to a question as JSON, in this process.
+pub(crate) fn answer(words: &[String]) -> Result<Value, Failure> {
+    let words: Vec<std::ffi::OsString> =
+        words.iter().map(String::as_str).chain(["--json"]).map(Into::into).collect();
+    let call = Call::new(words.clone(), Arc::new(Point(call::current())));
+    call::within(&call, || {
+        let question = command::question(words).map_err(|error| Failure::refused(&error))?;
+        let mut json = vec![];
+        question.answer(&mut json)?;
+        let none = || Failure::NoAnswer("the answer does not stand on the output".to_owned());
+        serde_json::from_slice(&json).map_err(|_| none())
+    })
+}
+
+/// A point works for the sweep, which alone tells how far it is.
+struct Point(Arc<Call>);
+
+impl Host for Point {
+    fn write(&self, _: &[u8]) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn goes_on(&self) -> bool {
+        !self.0.is_ended_early()
+    }
+}
+
+/// A reason in one line.
+pub(crate) fn reason(failure: &Failure) -> String {
+    failure.to_string().split_whitespace().collect::<Vec<_>>().join(" ")
+}

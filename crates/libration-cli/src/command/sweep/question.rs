@@ -1,0 +1,204 @@
+//! The question of a sweep: the words of a command line in which `{NAME}` stands for the value of an axis.
+
+use super::axis::Axis;
+use crate::arguments::SystemOptions;
+use crate::command::Libration;
+use crate::failure::Failure;
+use clap::{ArgMatches, Command, CommandFactory, FromArgMatches};
+
+/// The words of a question, with `{NAME}` where the values of axes go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Template(pub(crate) Vec<String>);
+
+impl Template {
+    /// The words with a place for each axis: where they have `{NAME}`, or as the option or argument of this name, or as an initial value
+    /// or a parameter of the system.
+    pub(crate) fn new(words: &[String], axes: &[Axis]) -> Result<Self, Failure> {
+        let command = Libration::command();
+        let mut template = Self(words.to_vec());
+        let asked = asked(&command, words)?;
+        let mut others = vec![];
+        for axis in axes {
+            if template.has(&axis.name) {
+                continue;
+            }
+            match place_in(asked.command, &axis.name) {
+                Some(Place::Option(name)) => {
+                    template.0.extend([format!("--{name}"), placeholder(&axis.name)]);
+                }
+                Some(Place::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
+                None => others.push(axis),
+            }
+        }
+        if !others.is_empty() {
+            let states = template.state_names(&asked, axes, others[0])?;
+            for axis in others {
+                match axis.name.contains('[') || states.contains(&axis.name) {
+                    true => template.add_initial(&axis.name),
+                    false => template.0.extend(["--set".to_owned(), assignment(&axis.name)]),
+                }
+            }
+        }
+        Ok(template)
+    }
+
+    /// The words of the question at a point.
+    pub(crate) fn at(&self, axes: &[Axis], place: &[usize]) -> Vec<String> {
+        let value = |word: &String| {
+            axes.iter().zip(place).fold(word.clone(), |word, (axis, place)| {
+                word.replace(&placeholder(&axis.name), &axis.values[*place])
+            })
+        };
+        self.0.iter().map(value).collect()
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.0.iter().any(|word| word.contains(&placeholder(name)))
+    }
+
+    fn add_initial(&mut self, name: &str) {
+        let mut is_given = false;
+        for place in 0..self.0.len() {
+            let is_value = place > 0 && self.0[place - 1] == "--initial";
+            if is_value || self.0[place].starts_with("--initial=") {
+                self.0[place] = format!("{},{}", self.0[place], assignment(name));
+                is_given = true;
+            }
+        }
+        if !is_given {
+            self.0.extend(["--initial".to_owned(), assignment(name)]);
+        }
+    }
+
+    /// The numbers of a state of the system that is asked about.
+    fn state_names(&self, asked: &Asked<'_>, axes: &[Axis], unplaced: &Axis) -> Result<Vec<String>, Failure> {
+        if asked.command.get_arguments().all(|argument| argument.get_id() != "system") {
+            let options: Vec<String> = options(asked.command).map(|name| format!("--{name}")).collect();
+            let reason = format!(
+                "`{0}` is no option of `{1}`, which are {2}; or write {{{0}}} in the question where its values go",
+                unplaced.name,
+                asked.name,
+                options.join(", ")
+            );
+            return Err(Failure::usage("--over", reason));
+        }
+        let words = self.at(axes, &vec![0; axes.len()]);
+        let named = std::iter::once("libration".to_owned()).chain(words);
+        let matches = Libration::command().try_get_matches_from(named).map_err(|it| Failure::refused(&it))?;
+        let options =
+            SystemOptions::from_arg_matches(innermost(&matches)).map_err(|it| Failure::refused(&it))?;
+        options.state_names()
+    }
+}
+
+/// Which command a question asks.
+struct Asked<'a> {
+    command: &'a Command,
+    /// As it is typed.
+    name: String,
+    /// How many words that takes.
+    words: usize,
+}
+
+fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, Failure> {
+    let mut asked = Asked { command, name: String::new(), words: 0 };
+    while let Some(inner) = words.get(asked.words).and_then(|word| asked.command.find_subcommand(word)) {
+        let name = format!("{} {}", asked.name, inner.get_name()).trim_start().to_owned();
+        asked = Asked { command: inner, name, words: asked.words + 1 };
+    }
+    let has_json = asked.command.get_arguments().any(|argument| argument.get_long() == Some("json"));
+    if has_json {
+        return Ok(asked);
+    }
+    let first = words.first().map_or("", String::as_str);
+    Err(Failure::usage(
+        "QUESTION",
+        format!(
+            "`{first}` is no question with numbers for an answer: begin with one such as lyapunov or period"
+        ),
+    ))
+}
+
+enum Place {
+    Option(String),
+    Argument,
+}
+
+/// Where the question takes a value of this name.
+fn place_in(command: &Command, name: &str) -> Option<Place> {
+    if let Some(option) = options(command).find(|option| *option == name) {
+        return Some(Place::Option(option.to_owned()));
+    }
+    let mut arguments = command.get_positionals();
+    // Several files are FILES, of which each point has one.
+    let is_named = |argument: &clap::Arg| {
+        let names = argument.get_value_names().map(|names| names.join("|"));
+        let names = names.unwrap_or_else(|| argument.get_id().to_string());
+        names
+            .split('|')
+            .any(|own| own.eq_ignore_ascii_case(name) || own.eq_ignore_ascii_case(&format!("{name}s")))
+    };
+    arguments.next().filter(|argument| is_named(argument)).map(|_| Place::Argument)
+}
+
+/// The options that take a value.
+fn options(command: &Command) -> impl Iterator<Item = &str> {
+    let takes_value = |argument: &&clap::Arg| argument.get_action().takes_values();
+    command.get_arguments().filter(takes_value).filter_map(clap::Arg::get_long)
+}
+
+fn innermost(matches: &ArgMatches) -> &ArgMatches {
+    matches.subcommand().map_or(matches, |(_, inner)| innermost(inner))
+}
+
+fn placeholder(name: &str) -> String {
+    format!("{{{name}}}")
+}
+
+fn assignment(name: &str) -> String {
+    format!("{name}={{{name}}}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::axis::axis;
+    use super::*;
+
+    fn template(words: &str, axes: &[&str]) -> Result<Vec<String>, Failure> {
+        let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
+        let axes: Vec<Axis> = axes.iter().map(|text| axis(text).unwrap()).collect();
+        Template::new(&words, &axes).map(|template| template.0)
+    }
+
+    #[test]
+    fn axes_go_where_the_question_has_their_name() {
+        let words = |words, axes: &[&str]| template(words, axes).unwrap().join(" ");
+        assert_eq!(words("period", &["amplitude=1deg,2deg"]), "period {amplitude}");
+        assert_eq!(words("period {a} --length 2m", &["a=1,2"]), "period {a} --length 2m");
+        assert_eq!(words("period 1", &["length=1m,2m"]), "period 1 --length {length}");
+        assert_eq!(words("fit trace --length 1m", &["file=a,b"]), "fit trace {file} --length 1m");
+        assert_eq!(
+            words("lyapunov driven_pendulum --initial theta=0.2", &["A=1,2", "theta'=0,1", "tolerance=1e-9"]),
+            "lyapunov driven_pendulum --initial theta=0.2,theta'={theta'} --tolerance {tolerance} --set A={A}"
+        );
+        assert_eq!(
+            words("lyapunov x''=-k*x", &["x=1", "k=2"]),
+            "lyapunov x''=-k*x --initial x={x} --set k={k}"
+        );
+    }
+
+    #[test]
+    fn axes_without_a_place_are_refused() {
+        let refused = |words, axes: &[&str]| template(words, axes).unwrap_err().to_string();
+        assert!(refused("period 60deg", &["B=1,2"]).contains("`B` is no option of `period`"));
+        assert!(refused("completions bash", &["B=1,2"]).contains("no question with numbers"));
+        assert!(refused("nonsense", &["B=1,2"]).contains("no question with numbers"));
+    }
+
+    #[test]
+    fn values_stand_at_every_place_of_their_name() {
+        let axes = [axis("a=1,2").unwrap(), axis("b=x,y").unwrap()];
+        let template = Template(["p", "{a}", "q={b}{a}", "{c}"].map(str::to_owned).to_vec());
+        assert_eq!(template.at(&axes, &[1, 0]), ["p", "2", "q=x2", "{c}"]);
+    }
+}

@@ -1,0 +1,131 @@
+//! The directory of a sweep: what it asks, its shards, and a file for each chunk, written whole or not at all.
+
+use super::chunk::{self, Outcome};
+use super::plan::Plan;
+use super::shard::Shard;
+use crate::failure::Failure;
+use crate::output::{file, json};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+const MANIFEST: &str = "sweep.json";
+
+/// A directory with the plan that it holds.
+#[derive(Debug)]
+pub(crate) struct Store {
+    pub(crate) directory: PathBuf,
+    pub(crate) plan: Plan,
+    /// The program that has begun it.
+    version: String,
+}
+
+impl Store {
+    /// The directory of a plan, which is made where there is none; that of another sweep is refused.
+    pub(crate) fn create(directory: &Path, plan: Plan) -> Result<Self, Failure> {
+        fs::create_dir_all(directory).map_err(|error| cannot(directory, "make", &error))?;
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        let store = Self { directory: directory.to_owned(), plan, version };
+        if directory.join(MANIFEST).exists() {
+            let found = Self::open(directory)?;
+            return match store.difference(&found) {
+                None => Ok(store),
+                Some(difference) => Err(Failure::NoAnswer(format!(
+                    "{} holds another sweep: {difference}; give another directory",
+                    directory.display()
+                ))),
+            };
+        }
+        let names = names(directory)?;
+        if let Some(name) = names.iter().find(|name| !name.starts_with('.')) {
+            return Err(Failure::NoAnswer(format!(
+                "{} holds `{name}` and no sweep: give an empty directory, or a new one",
+                directory.display()
+            )));
+        }
+        let mut text = vec![];
+        json::document(&mut text, store.plan.to_json())?;
+        file::write(&directory.join(MANIFEST), &text)?;
+        Ok(store)
+    }
+
+    /// The sweep in a directory.
+    pub(crate) fn open(directory: &Path) -> Result<Self, Failure> {
+        let path = directory.join(MANIFEST);
+        let no_sweep = |reason: String| Failure::NoAnswer(format!("{}: {reason}", path.display()));
+        let text = fs::read(&path).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => Failure::NoAnswer(format!(
+                "{} holds no sweep: it has no file {MANIFEST}",
+                directory.display()
+            )),
+            _ => no_sweep(error.to_string()),
+        })?;
+        let json: Value = serde_json::from_slice(&text).map_err(|error| no_sweep(error.to_string()))?;
+        let plan = Plan::read(&json).map_err(no_sweep)?;
+        let version = json["version"].as_str().unwrap_or_default().to_owned();
+        Ok(Self { directory: directory.to_owned(), plan, version })
+    }
+
+    /// What differs in another store, in words.
+    pub(crate) fn difference(&self, other: &Self) -> Option<String> {
+        if self.version != other.version {
+            return Some(format!("libration {} has begun it, and this is {}", other.version, self.version));
+        }
+        other.plan.difference(&self.plan)
+    }
+
+    /// Notes that the chunks of a shard are written here.
+    pub(crate) fn note(&self, shard: Shard) -> Result<(), Failure> {
+        let path = self.directory.join(shard.note());
+        if path.exists() { Ok(()) } else { file::write(&path, b"") }
+    }
+
+    /// The shards that are written here.
+    pub(crate) fn shards(&self) -> Result<BTreeSet<Shard>, Failure> {
+        Ok(names(&self.directory)?.iter().filter_map(|name| Shard::of_note(name)).collect())
+    }
+
+    /// Whether the file of a chunk is there, and whole.
+    pub(crate) fn has(&self, chunk: usize) -> Result<bool, Failure> {
+        Ok(self.rows(chunk)?.is_some())
+    }
+
+    /// The lines of a chunk, below each other; `None` where it is not there, or damaged.
+    pub(crate) fn rows(&self, chunk: usize) -> Result<Option<String>, Failure> {
+        let path = self.path(chunk);
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(cannot(&path, "read", &error)),
+        };
+        let header = chunk::header(&self.plan)?;
+        let whole = String::from_utf8(bytes).ok().filter(|text| {
+            let lines = text.bytes().filter(|byte| *byte == b'\n').count();
+            text.as_bytes().starts_with(&header)
+                && text.ends_with('\n')
+                && lines == 1 + self.plan.grid.points_of(chunk).len()
+        });
+        Ok(whole.map(|text| text[header.len()..].to_owned()))
+    }
+
+    /// Writes a chunk, which is on the disk when this returns.
+    pub(crate) fn write(&self, chunk: usize, outcomes: &[Outcome]) -> Result<(), Failure> {
+        file::write(&self.path(chunk), &chunk::csv(&self.plan, chunk, outcomes)?)
+    }
+
+    fn path(&self, chunk: usize) -> PathBuf {
+        self.directory.join(format!("chunk-{chunk:06}.csv"))
+    }
+}
+
+fn names(directory: &Path) -> Result<BTreeSet<String>, Failure> {
+    let fails = |error: io::Error| cannot(directory, "read", &error);
+    let entries = fs::read_dir(directory).map_err(fails)?;
+    entries.map(|entry| Ok(entry.map_err(fails)?.file_name().to_string_lossy().into_owned())).collect()
+}
+
+fn cannot(path: &Path, what: &str, error: &io::Error) -> Failure {
+    Failure::NoAnswer(format!("cannot {what} {}: {error}", path.display()))
+}
