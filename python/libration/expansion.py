@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from . import _native
 from ._progress import Tell, go_on, told
 from ._record import Record
+from .errors import ExpansionError
 from .polynomial import Polynomial
 
 if TYPE_CHECKING:
@@ -246,6 +247,8 @@ def expand(
     text = oscillator if isinstance(oscillator, str) else _of_sympy(oscillator)
     values = [(name, _value(value)) for name, value in (set or {}).items()]
     question = (text, values, list(letters), None if about is None else _value(about))
+    if order < 0:
+        raise ExpansionError(f"order {order} is out of range: give 1 to 1000")
     with told(progress, "expand") as tell:
         found, stopped_by = _native.expand(question, order, gauge, tell)
     expansion = None if found is None else _expansion(found, (question, order, gauge))

@@ -121,6 +121,8 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         """
         for formula in self.simplest(amplitude, tolerance):
             return formula
+        if not isinstance(amplitude, str) and amplitude >= np.pi:
+            raise FormulaError(f"the amplitude is {amplitude!r} rad, and swings stay below pi: for degrees write \"{amplitude:g}deg\"")
         raise FormulaError(f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: give a larger tolerance, or take the exact libration.period_ratio")
 
 

@@ -121,7 +121,7 @@ def simulate(
     times: ArrayLike,
     *,
     set: Mapping[str, float | str | Fraction] | None = None,
-    events: Iterable[str] | Mapping[str, str] = (),
+    events: str | Iterable[str] | Mapping[str, str] = (),
     until: str | tuple[str, str] | None = None,
     tolerance: float = 1e-12,
     progress: bool | Tell = False,
@@ -140,7 +140,7 @@ def simulate(
         Where the states are wanted: away from 0 in one direction, or ascending on both sides of it. A number is one time.
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``.
-    events : list of str or dict
+    events : str or list of str or dict
         Formulas whose zeros are looked for, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with what counts, "rising", "falling" or "any".
     until : str or tuple
         The formula whose first zero ends the motion, and what counts.
@@ -167,12 +167,15 @@ def simulate(
     >>> sol.events["theta"].t.round(9).tolist()
     [1.854074677, 5.562224032, 9.270373387]
     """
-    wanted = np.atleast_1d(np.asarray(times)).astype(np.float64, casting="same_kind")
+    wanted = np.atleast_1d(np.asarray(times))
+    if wanted.dtype.kind in "USO":
+        raise TypeError(f"times: got {times!r}: give a number or an array of numbers, such as numpy.linspace(0, 10, 101)")
+    wanted = wanted.astype(np.float64, casting="same_kind")
     if wanted.ndim != 1:
         raise SimulationError(f"the times have {wanted.ndim} dimensions: give a number or a list of them")
-    values = [(name, _text(value)) for name, value in (set or {}).items()]
-    start = [(name, _text(value)) for name, value in initial.items()]
-    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys(events, "any")
+    values = _by_name("set", {} if set is None else set)
+    start = _by_name("initial", initial)
+    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys([events] if isinstance(events, str) else events, "any")
     ending = (until, "any") if isinstance(until, str) else until
     question = (system, values, start, list(looked_for.items()), ending, tolerance)
     with told(progress, "simulate") as tell:
@@ -183,6 +186,12 @@ def simulate(
         stopped_by.partial = simulation
     go_on(stopped_by, simulation)
     return simulation
+
+
+def _by_name(what: str, values: Mapping[str, float | str | Fraction]) -> list[tuple[str, str]]:
+    if not isinstance(values, Mapping):
+        raise TypeError(f'{what}: got {values!r}: give values by name, such as {{"theta": "60deg"}}')
+    return [(name, _text(value)) for name, value in values.items()]
 
 
 def _text(value: float | str | Fraction) -> str:

@@ -57,6 +57,8 @@ def test_the_best_formula_is_the_simplest_that_keeps_the_tolerance():
     assert simpler and all(abs(it.worst_error("90deg")[0]) > 1e-3 for it in simpler)
     with pytest.raises(lb.errors.FormulaError, match="give a larger tolerance"):
         lb.formulas.best("179deg", 1e-30)
+    with pytest.raises(lb.errors.FormulaError, match='the amplitude is 60 rad, and swings stay below pi: for degrees write "60deg"'):
+        lb.formulas.best(60, 1e-3)
 
 
 def test_where_a_tolerance_is_kept():

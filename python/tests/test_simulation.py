@@ -70,6 +70,11 @@ def test_events_and_the_end_at_one():
         assert ended.end == pytest.approx(end, rel=1e-14) and ended.t.tolist() == list(range(1, int(end) + 1))
 
 
+def test_a_text_is_one_event():
+    sol = lb.simulate("theta'' + sin(theta) = 0", {"theta": "90deg"}, 10.0, events="theta")
+    assert list(sol.events) == ["theta"] and len(sol.events["theta"]) == 3
+
+
 def test_a_number_is_one_time():
     found = lb.simulate("x' = x", {"x": 1}, 1)
     assert found.t.tolist() == [1.0] and found["x"][0] == pytest.approx(np.e, rel=1e-14) and found.names == ("x",)
@@ -150,8 +155,12 @@ def test_what_cannot_be_is_refused_with_the_reason(call, message):
 
 
 def test_other_types_are_refused():
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="times: got 'noon': give a number or an array of numbers"):
         lb.simulate("x'' = -x", {"x": 1}, "noon")
+    with pytest.raises(TypeError, match="initial: got 1: give values by name"):
+        lb.simulate("x'' = -x", 1, 2.0)
+    with pytest.raises(TypeError, match=r"set: got \[1\]: give values by name"):
+        lb.simulate("x'' = -k*x", {"x": 1}, 2.0, set=[1])
     with pytest.raises(TypeError):
         PENDULUM(1j)
     with pytest.raises(KeyError, match="it has theta, theta'"):
