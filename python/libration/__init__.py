@@ -8,7 +8,7 @@ Angles are radians from the downward vertical, times seconds, lengths metres. Pe
 [1.017409, 1.073182, 1.180341]
 """
 
-from . import errors, special
+from . import errors, figure, lab, questions, special
 from ._native import (
     STANDARD_GRAVITY,
     __version__,
@@ -20,44 +20,70 @@ from ._native import (
     period_ratio_near_top,
     state,
 )
+from .answer import Answer, Fields, Rows
+from .derivation import Derivation, derive
 from .errors import Interrupted, LibrationError
 from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
 from .pendulum import Harmonics, Motion, Pendulum, State
 from .period_formulas import PeriodFormula, PeriodFormulas
+from .picture import Picture
 from .polynomial import Polynomial
+from .published import Paper, paper
+from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, modes, oscillators, section, systems
 from .simulation import Events, Simulation, States, simulate
 
 formulas = PeriodFormulas()
 
 __all__ = [
+    "Answer",
+    "Derivation",
     "Evaluation",
     "Events",
     "Expansion",
+    "Fields",
     "GaugeSeries",
     "Harmonics",
     "Interrupted",
     "LibrationError",
     "Motion",
+    "Paper",
     "Pendulum",
     "PeriodFormula",
     "PeriodFormulas",
+    "Picture",
     "Polynomial",
+    "Rows",
     "STANDARD_GRAVITY",
     "Series",
     "Simulation",
     "State",
     "States",
     "__version__",
+    "backbone",
+    "bifurcation",
+    "decay",
+    "derive",
     "errors",
     "expand",
+    "fields",
+    "figure",
     "formulas",
+    "fourier",
+    "lab",
+    "lyapunov",
+    "modes",
     "motion",
     "nome",
+    "oscillators",
+    "paper",
     "period",
     "period_excess",
     "period_ratio",
     "period_ratio_near_top",
+    "questions",
+    "section",
     "simulate",
     "special",
     "state",
+    "systems",
 ]

@@ -25,6 +25,21 @@ def told(progress: "bool | Tell", what: str) -> Iterator["Tell | None"]:
     yield progress or None
 
 
+@contextmanager
+def spoken(progress: "bool | Callable[[str], object]", what: str) -> Iterator["Callable[[str], object] | None"]:
+    """Whom a question of the command tells in words how far it is."""
+    if progress is True:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            yield None
+            return
+        with tqdm(desc=what, bar_format="{desc} ({elapsed})") as line:
+            yield lambda how_far: line.set_description_str(f"{what}: {how_far}")
+        return
+    yield progress or None
+
+
 def _show(bar: Any, done: int, of: int | None) -> None:
     bar.total = of
     bar.n = done

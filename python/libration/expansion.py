@@ -13,12 +13,12 @@ Fraction(11, 3072)
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from . import _native
+from . import _ask, _native, _plot, questions
 from ._progress import Tell, go_on, told
 from ._record import Record
 from .errors import ExpansionError
@@ -26,6 +26,7 @@ from .polynomial import Polynomial
 
 if TYPE_CHECKING:
     import sympy
+    from matplotlib.axes import Axes
 
 __all__ = ["Evaluation", "Expansion", "GaugeSeries", "Series", "expand"]
 
@@ -182,6 +183,60 @@ class Expansion(Record):
         powers, terms, sums = (np.array(column) for column in zip(*steps))
         return Evaluation(value, remainder, is_proven, powers.astype(np.int64), terms, sums)
 
+    def _given(self) -> dict[str, Any]:
+        (text, values, letters, about), order, gauge = self._question
+        given: dict[str, Any] = {"oscillator": text, "set": dict(values), "letters": letters or None, "about": about, "order": order}
+        return given | ({"gauge": gauge} if self.gauge is not None else {})
+
+    def to_dict(self) -> dict[str, Any]:
+        """The series as `libration expand` has them in JSON."""
+        return questions.expand(**self._given()).to_dict()
+
+    def code(self, language: Literal["c", "python", "rust", "fortran"] = "c") -> str:
+        """Frequency, period and displacement as functions of a programming language.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> print(lb.expand("duffing", order=3).code("python").splitlines()[0])
+        # Duffing oscillator: x'' + x + x^3 = 0
+        """
+        return _ask.text("expand", {**self._given(), "format": language})
+
+    def to_latex(self) -> str:
+        """All series in LaTeX."""
+        return _ask.text("expand", {**self._given(), "format": "latex"})
+
+    def plot(self, ax: "Axes | None" = None, amplitudes: ArrayLike | None = None) -> "Axes":
+        """Draws the frequency, as more and more terms have it, against the amplitude, or the strength of a limit cycle.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes
+            The axes to draw into; new ones, if they are not given.
+        amplitudes : array_like
+            Where; from 0 to 1, if they are not given.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ExpansionError
+            Coefficients have letters.
+        """
+        if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
+            raise ExpansionError("the coefficients have letters: give these values with set")
+        at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(np.asarray(amplitudes, dtype=float))
+        ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
+        powers = [power for power, c in enumerate(self.frequency.coefficients) if power and not _is_zero(c)]
+        for power in powers[-6:]:
+            part = Series(self.frequency.coefficients[: power + 1], self.frequency.variable)
+            ax.plot(at, [part(x) for x in at], label=f"to {self.frequency.variable}^{power}")
+        _plot.legend(ax)
+        return ax
+
     def __str__(self) -> str:
         return f"{self.equation}: Ω/ω0 = {self.frequency} + …"
 
@@ -244,7 +299,7 @@ def expand(
     >>> print(cycle.frequency)
     1 - 1/16*mu^2 + 17/3072*mu^4
     """
-    text = oscillator if isinstance(oscillator, str) else _of_sympy(oscillator)
+    text = oscillator if isinstance(oscillator, str) else text_of_sympy(oscillator)
     values = [(name, _value(value)) for name, value in (set or {}).items()]
     question = (text, values, list(letters), None if about is None else _value(about))
     if order < 0:
@@ -261,7 +316,7 @@ def _value(value: float | str | Fraction) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-def _of_sympy(given: Any) -> str:
+def text_of_sympy(given: Any) -> str:
     """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''."""
     import sympy
 

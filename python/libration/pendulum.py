@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native, _plot
+from . import _native, _plot, questions
 from ._record import Record
 
 if TYPE_CHECKING:
@@ -93,6 +93,18 @@ class Pendulum:
         'rotation'
         """
         return Motion(self, angle, velocity)
+
+
+    def to_dict(self, *amplitudes: float | str) -> dict[str, Any]:
+        """The periods at amplitudes, exact and by every formula, as `libration period` has them in JSON.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> round(lb.Pendulum(1.0).to_dict("60deg")["results"][0]["ratio"], 9)
+        1.073182007
+        """
+        return questions.period(amplitudes, length=self.length, gravity=self.gravity).to_dict()
 
 
 class State(NamedTuple):
@@ -222,6 +234,12 @@ class Motion:
         """
         of_all, terms = self._motion.harmonics(tolerance, limit)
         return Harmonics(*of_all, *terms)
+
+    def to_dict(self, t: ArrayLike | None = None) -> dict[str, Any]:
+        """The motion as `libration motion` has it in JSON, at the times that are given, or over a period."""
+        times = None if t is None else np.ravel(t)
+        pendulum = self.pendulum
+        return questions.motion(self.angle, velocity=self.velocity, times=times, length=pendulum.length, gravity=pendulum.gravity).to_dict()
 
     def plot(self, ax: "Axes | None" = None, t: ArrayLike | None = None) -> "Axes":
         """Draws the angle in degrees against the time; over two periods, where no times are given.

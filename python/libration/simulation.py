@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native, _plot
+from . import _native, _plot, questions
 from ._progress import Tell, go_on, told
 from ._record import Record
-from .errors import SimulationError
+from .errors import NoAnswer, SimulationError
 
 if TYPE_CHECKING:
     import xarray
@@ -101,6 +101,23 @@ class Simulation(States):
             name: ("t", self[name], {"units": unit} if unit else {}) for name, unit in zip(self.names, self.units)
         }
         return xarray.Dataset(columns, coords={"t": self.t}, attrs={"title": self.title, "equation": self.equation})
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as `libration simulate` has it in JSON."""
+        (system, values, start, looked_for, ending, tolerance), times = self._question
+        if any(way != "any" for _, way in looked_for):
+            raise NoAnswer("the command looks for events in both directions: leave out \"rising\" and \"falling\"")
+        until, direction = ending or (None, None)
+        return questions.simulate(
+            system,
+            set=dict(values),
+            initial=dict(start) or None,
+            times=times,
+            events=[formula for formula, _ in looked_for] or None,
+            until=until,
+            direction=direction,
+            tolerance=tolerance,
+        ).to_dict()
 
     def plot(self, *names: str, ax: "Axes | None" = None) -> "Axes":
         """Draws numbers of the state against the time: the coordinates, if no names are given."""

@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import pkgutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -22,13 +23,17 @@ def test_ufuncs_are_documented_and_their_examples_run(ufunc):
     assert found.attempted >= 2 and found.failed == 0
 
 
-@pytest.mark.parametrize("name", ["libration"] + [f"libration.{it.name}" for it in pkgutil.iter_modules(lb.__path__) if it.name != "_native"])
+MODULES = ["libration"] + [it.name for it in pkgutil.walk_packages(lb.__path__, "libration.") if it.name != "libration._native"]
+
+
+@pytest.mark.parametrize("name", MODULES)
 def test_examples_of_modules_run(name):
-    assert doctest.testmod(importlib.import_module(name)).failed == 0
+    importlib.import_module(name)
+    assert doctest.testmod(sys.modules[name]).failed == 0
 
 
 def test_all_names_are_there():
-    for module in (lb, lb.special):
+    for module in (lb, lb.special, lb.figure, lb.questions):
         assert module.__all__ == sorted(module.__all__, key=str.swapcase) or module.__all__ == sorted(module.__all__)
         assert all(hasattr(module, name) for name in module.__all__)
 

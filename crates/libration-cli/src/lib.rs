@@ -13,10 +13,12 @@ mod interrupt;
 mod output;
 mod parallel;
 mod program;
+mod questions;
 
 pub use failure::Failure;
 pub use host::Host;
 pub use program::program;
+pub use questions::{Parameter, ParameterKind, Question, questions};
 
 use call::Call;
 use std::ffi::OsString;

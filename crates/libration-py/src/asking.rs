@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::io::{self, Read};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use libration_cli::{Failure, Host};
+use libration_cli::{Failure, Host, Parameter, ParameterKind};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
@@ -84,4 +84,23 @@ fn raised(failure: &Failure) -> PyErr {
 #[pyfunction]
 pub(crate) fn program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| libration_cli::program(arguments))
+}
+
+/// Name, kind ("argument", "option" or "flag"), what stands for the value, whether it is required and may be given several times, the
+/// choices, the meaning.
+type Given = (String, &'static str, String, bool, bool, Vec<String>, String);
+
+/// All questions: words, what is asked, remarks, parameters.
+#[pyfunction]
+pub(crate) fn questions() -> Vec<(String, String, String, Vec<Given>)> {
+    let given = |it: Parameter| {
+        let kind = match it.kind {
+            ParameterKind::Argument => "argument",
+            ParameterKind::Option => "option",
+            ParameterKind::Flag => "flag",
+        };
+        (it.name, kind, it.value, it.is_required, it.is_repeated, it.choices, it.meaning)
+    };
+    let asked = libration_cli::questions().into_iter();
+    asked.map(|it| (it.words, it.about, it.remarks, it.parameters.into_iter().map(given).collect())).collect()
 }

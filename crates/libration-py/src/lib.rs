@@ -29,5 +29,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(simulation::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(asking::ask, module)?)?;
     module.add_function(wrap_pyfunction!(asking::program, module)?)?;
+    module.add_function(wrap_pyfunction!(asking::questions, module)?)?;
     batches::add_all(module)
 }

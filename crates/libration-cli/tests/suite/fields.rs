@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 41] = [
+const FURTHER: [&str; 42] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -237,6 +237,7 @@ const FURTHER: [&str; 41] = [
     "paper",
     "figure|spectrum|--amplitudes|60deg|--output|FILE",
     "inspect|examples/period_table_synthetic.csv",
+    "inspect|WEIGHTED|--values",
     "fit|periods|examples/period_table_synthetic.csv",
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",
@@ -269,7 +270,13 @@ fn questions() -> Vec<Vec<String>> {
     let later = later.display().to_string();
     let sweep = directory.join("sweep").display().to_string();
     libration(&format!("sweep period --over amplitude=1,4 --output {sweep}"));
-    let in_place = |word: &str| word.replace("FILE", &file).replace("LATER", &later).replace("SWEEP", &sweep);
+    let weighted = directory.join("weighted.csv");
+    std::fs::write(&weighted, "t (s),theta (deg),u(theta) (deg)\n0,61,0.5\n0.1,55,0.5\n0.2,38,0.5\n")
+        .unwrap();
+    let weighted = weighted.display().to_string();
+    let places = [("FILE", &file), ("LATER", &later), ("SWEEP", &sweep), ("WEIGHTED", &weighted)];
+    let in_place =
+        |word: &str| places.iter().fold(word.to_owned(), |word, (name, place)| word.replace(name, place));
     let question = |text: &&str| text.split('|').map(in_place).collect();
     widths::QUESTIONS.iter().chain(&FURTHER).map(question).collect()
 }

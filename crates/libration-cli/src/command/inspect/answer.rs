@@ -12,6 +12,8 @@ pub(super) struct Answer {
     pub(super) traces: Result<Traces, MeasurementError>,
     /// The times of a photogate, where the file has some.
     pub(super) gates: Option<Gates>,
+    /// Whether the numbers are listed too.
+    pub(super) with_values: bool,
 }
 
 impl Answer {
@@ -21,7 +23,7 @@ impl Answer {
             .gate_times(choices)
             .ok()
             .filter(|gates| traces.is_err() && is_of_a_gate(&recording, gates));
-        Self { file, bytes, recording, traces, gates }
+        Self { file, bytes, recording, traces, gates, with_values: false }
     }
 
     /// What was told in reading, and in finding traces or the times of a gate.

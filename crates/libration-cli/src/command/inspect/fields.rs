@@ -37,6 +37,13 @@ pub(super) fn of_file() -> Fields<Answer> {
         Of::value("gate_times", "1", "number of times of a photogate, or null", |it| {
             it.gates.as_ref().map(|gates| gates.times.len()).into()
         }),
+        Of::present_nested("column_values[].", &of_column_values(), |it| {
+            it.with_values.then(|| of_column_values().records(&all_columns(it)))
+        }),
+        Of::present_nested("trace_values[].", &of_trace_values(), |it| {
+            let traces = || it.traces.iter().flat_map(|found| &found.traces);
+            it.with_values.then(|| of_trace_values().records(traces()))
+        }),
         Of::nested("findings[].", &of_finding(), |it| of_finding().records(&it.findings())),
         Of::nested("undecided.", &of_error(), |it| {
             it.traces.as_ref().err().map(|error| of_error().record(error)).into()
@@ -94,6 +101,35 @@ pub(super) fn of_column<'a>() -> Fields<SheetColumn<'a>> {
         })
         .short("largest", 7)
         .or("–"),
+    ])
+}
+
+fn all_columns(answer: &Answer) -> Vec<SheetColumn<'_>> {
+    answer.recording.sheets().iter().flat_map(columns).collect()
+}
+
+fn of_column_values<'a>() -> Fields<SheetColumn<'a>> {
+    type Of<'a> = Field<SheetColumn<'a>>;
+    Fields::from([
+        Of::value("sheet", "", "name of the sheet, empty in text", |it| it.sheet.name.as_str().into()),
+        Of::value("number", "1", "number of the column, from 1", |it| it.number.into()),
+        Of::value("name", "", "header of the column", |it| it.channel.heading.text.as_str().into()),
+        Of::value("values[]", "", "its cells in the unit of the file, null where one is no number", |it| {
+            json::list(it.channel.numbers().map(|number| number.map_or(Value::Null, json::number)))
+        }),
+    ])
+}
+
+fn of_trace_values() -> Fields<Trace> {
+    type Of = Field<Trace>;
+    Fields::from([
+        Of::value("name", "", "name of the run", |it| it.name().into()),
+        Of::value("unit", "", "unit of the values", |it| unit(it).into()),
+        Of::value("times_s[]", "s", "times of the rows", |it| json::numbers(it.times())),
+        Of::value("values[]", "", "values of the rows, in the unit above", |it| json::numbers(it.values())),
+        Of::value("uncertainties[]", "", "their standard uncertainties, or null", |it| {
+            it.uncertainties().map_or(Value::Null, json::numbers)
+        }),
     ])
 }
 

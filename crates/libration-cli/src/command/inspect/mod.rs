@@ -20,13 +20,16 @@ pub(crate) use fields::answers;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration inspect examples/swing_synthetic.csv
-  libration inspect examples/gate_synthetic.csv --json
+  libration inspect examples/gate_synthetic.csv --json --values
   libration inspect examples/swing_synthetic.csv --angle 2 --unit deg
   printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
   printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
 pub(crate) struct Inspect {
     /// What the instrument wrote: text, Excel, or an archive of text files; - for standard input
     file: PathBuf,
+    /// In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians
+    #[arg(long, requires = "json")]
+    values: bool,
     #[command(flatten)]
     form: FormOptions,
     #[command(flatten)]
@@ -37,8 +40,8 @@ impl Inspect {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let bytes = read_bytes(&self.file)?;
         let recording = self.recording.recording_in(&self.file, &bytes)?;
-        let answer =
-            Answer::new(self.file.display().to_string(), bytes.len(), recording, &self.recording.choices());
-        write::answer(out, &answer, self.form.form())
+        let file = self.file.display().to_string();
+        let answer = Answer::new(file, bytes.len(), recording, &self.recording.choices());
+        write::answer(out, &Answer { with_values: self.values, ..answer }, self.form.form())
     }
 }

@@ -1,0 +1,205 @@
+"""How questions of the command are put in Python's words, and what comes back.
+
+What is given goes down as text, in the notation of the command; what it means, and what is wrong with it, the command says.
+"""
+
+import os
+import re
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple, SupportsFloat, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._progress import spoken
+from .errors import Interrupted
+
+class Table:
+    """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
+
+    def __init__(self, columns: Any) -> None:
+        names = [str(name) for name in columns]
+        arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
+        lengths = {len(array) for array in arrays}
+        if len(lengths) != 1 or any(array.ndim != 1 for array in arrays):
+            shapes = ", ".join(f"{name}: {array.shape}" for name, array in zip(names, arrays))
+            raise ValueError(f"the columns differ in shape ({shapes}): give arrays of one dimension and equal lengths")
+        lines = [names, *([_cell(cell) for cell in row] for row in zip(*arrays))]
+        self.text = "".join(",".join(map(_quoted, line)) + "\n" for line in lines).encode()
+
+
+Value: TypeAlias = str | SupportsFloat | Fraction
+"""A number, in SI units where there are units, or a text such as ``"60deg"``, ``"57cm"``, ``"1/2"``."""
+Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
+"""One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
+Values: TypeAlias = Mapping[str, Value] | str
+"""By name."""
+Path: TypeAlias = str | os.PathLike[str]
+Columns: TypeAlias = Mapping[str, Any] | Table
+"""Columns in place of a file: arrays by names with units, such as ``{"t (s)": t, "angle (deg)": angle}``, or a DataFrame of pandas."""
+Say: TypeAlias = bool | Callable[[str], object]
+"""True for a line of progress, where tqdm is installed; or a function of a text such as ``"12 of 40 amplitudes"``."""
+
+
+def _cell(value: Any) -> str:
+    return "" if isinstance(value, (float, np.floating)) and np.isnan(value) else text_of(value)
+
+
+def _quoted(cell: str) -> str:
+    return '"' + cell.replace('"', '""') + '"' if any(letter in cell for letter in ',"\n\r') else cell
+
+
+class Parameter(NamedTuple):
+    """Something that a question is given."""
+
+    name: str
+    kind: str
+    """"argument", "option" or "flag"."""
+    value: str
+    """What stands for its value in the help, such as ``NAME=VALUE``."""
+    is_required: bool
+    is_repeated: bool
+    choices: list[str]
+    meaning: str
+
+    @property
+    def keyword(self) -> str:
+        """Its name in Python."""
+        name = self.name.replace("-", "_")
+        return f"{name}_" if name in ("from", "lambda") else name
+
+
+class Question(NamedTuple):
+    """A question of the command, such as ``fit trace``."""
+
+    words: str
+    about: str
+    remarks: str
+    parameters: list[Parameter]
+
+
+@cache
+def catalogue() -> dict[str, Question]:
+    """All questions by their words."""
+    return {words: Question(words, about, remarks, [Parameter(*it) for it in given]) for words, about, remarks, given in _native.questions()}
+
+
+class Asked(NamedTuple):
+    """A question as it went down."""
+
+    words: tuple[str, ...]
+    """Those of the command line, without the form of the answer."""
+    input: bytes | None
+
+    @property
+    def command(self) -> str:
+        """The words of the question itself."""
+        return " ".join(self.words[: 2 if self.words[0] in ("fit", "figure") else 1])
+
+
+def asked(words: str, given: Mapping[str, Any]) -> Asked:
+    """The words of a question; what is None is left to the command."""
+    options: list[str] = []
+    inherited: list[str] = []
+    arguments: list[str] = []
+    read: list[bytes] = []
+    for parameter in catalogue()[words].parameters:
+        value = given.get(parameter.keyword)
+        if value is None or value is False:
+            continue
+        earlier = getattr(value, "_asked", None)
+        if isinstance(earlier, Asked):
+            # A recording that was read already, with how it was read.
+            arguments.append(earlier.words[-1])
+            read += [earlier.input] if earlier.input is not None else []
+            inherited += [word for word in earlier.words[1:-2] if word != "--values"]
+            continue
+        texts = _texts(parameter, value, read)
+        if parameter.kind == "argument":
+            arguments += texts
+        elif parameter.kind == "flag":
+            options.append(f"--{parameter.name}")
+        else:
+            options += [f"--{parameter.name}={text}" for text in texts]
+    if len(read) > 1:
+        raise ValueError("two tables are given in place of files: save one of them as a file")
+    own = {option.split("=")[0] for option in options}
+    options = [option for option in inherited if option.split("=")[0] not in own] + options
+    return Asked((*words.split(), *options, *(["--", *arguments] if arguments else [])), read[0] if read else None)
+
+
+def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
+    if parameter.kind == "flag":
+        if not isinstance(value, (bool, np.bool_)):
+            raise TypeError(f"{parameter.keyword}: got {value!r}: give True or False")
+        return []
+    if parameter.value.startswith("FILE") and not isinstance(value, (str, os.PathLike, list, tuple)):
+        value = value if isinstance(value, Table) else Table(value)
+        read.append(value.text)
+        return ["-"]
+    if "NAME=VALUE" in parameter.value and isinstance(value, Mapping):
+        pairs = [f"{name}={text_of(it)}" for name, it in value.items()]
+        return pairs if parameter.value == "NAME=VALUE" else [",".join(pairs)]
+    if isinstance(value, (list, tuple, set, frozenset, np.ndarray, range)) or hasattr(value, "to_numpy"):
+        several = list(np.ravel(value)) if isinstance(value, np.ndarray) or hasattr(value, "to_numpy") else list(value)
+        each = [text for it in several for text in _texts(parameter, it, read)] if parameter.is_repeated else [text_of(it) for it in several]
+        return each if parameter.is_repeated else [",".join(each)]
+    return [text_of(value)]
+
+
+def text_of(value: Any) -> str:
+    """As the command reads it: all digits of numbers, a value with its uncertainty as ``0.57±0.004``, an equation of SymPy as text."""
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, os.PathLike):
+        return str(os.fspath(value))
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"got {value!r}: give a number or a text")
+    if isinstance(value, (int, np.integer, Fraction)):
+        return str(value)
+    if hasattr(value, "nominal_value") and hasattr(value, "std_dev"):
+        return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
+    if hasattr(value, "free_symbols"):
+        from .expansion import text_of_sympy
+
+        return text_of_sympy(value)
+    if isinstance(value, (float, np.floating, np.ndarray)) and np.ndim(value) == 0:
+        return repr(float(value))
+    raise TypeError(f"got {type(value).__name__}: give a number or a text")
+
+
+def answered(question: Asked, form: Iterable[str], progress: Say = False) -> tuple[str, BaseException | None]:
+    """The answer in a form, and Ctrl-C if that has ended it early.
+
+    Raises
+    ------
+    UsageError, NoAnswer
+        What the command has to say against the question.
+    """
+    count = len(question.command.split())
+    words = [*question.words[:count], *form, *question.words[count:]]
+    with spoken(progress, question.command) as tell:
+        answer, notes, error = _native.ask(words, question.input, tell)
+    for note in notes:
+        warnings.warn(note, stacklevel=4)
+    if error is not None and not isinstance(error, KeyboardInterrupt):
+        error.args = tuple(_in_python(str(it)) for it in error.args)
+        raise error
+    return answer, error
+
+
+def _in_python(message: str) -> str:
+    """The message with options as Python writes them."""
+    return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", lambda option: option[1].replace("-", "_"), message)
+
+
+def text(words: str, given: Mapping[str, Any], progress: Say = False) -> str:
+    """The answer of a question that writes text."""
+    answer, error = answered(asked(words, given), [], progress)
+    if error is not None:
+        raise Interrupted(answer or None) from error
+    return answer

@@ -1,0 +1,123 @@
+"""Pictures of answers with matplotlib: what stands on the axes."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _plot
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from .answer import Answer
+
+
+def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
+    """The picture of an answer."""
+    command = answer._asked.command
+    if command not in PICTURES:
+        raise TypeError(f"there is no picture of an answer to `{command}`, but of {', '.join(PICTURES)}")
+    return PICTURES[command](answer, ax)
+
+
+def _decay(answer: "Answer", ax: "Axes | None") -> "Axes":
+    turns = answer.turning_points
+    ax = _plot.axes(ax, ("t / s", "amplitude / °"))
+    for name, label in [("amplitude_rad", "integrated"), ("averaged_rad", "averaged"), ("small_amplitude_rad", "law of small amplitudes")]:
+        ax.plot(turns.time_s, np.degrees(turns[name]), label=label)
+    _plot.legend(ax)
+    return ax
+
+
+def _motion(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, ("t / s", "θ / °"))
+    ax.plot(answer.samples.time_s, np.degrees(answer.samples.angle_rad))
+    return ax
+
+
+def _backbone(answer: "Answer", ax: "Axes | None") -> "Axes":
+    points = answer.points
+    ax = _plot.axes(ax, ("amplitude", "frequency"))
+    for name, label in [("frequency", "orbit"), ("series", f"series to order {answer['order']}"), ("exact", "exact")]:
+        values = np.asarray(points[name], dtype=float)
+        if np.isfinite(values).any():
+            ax.plot(points.amplitude, values, label=label, linestyle="-" if name == "frequency" else "--")
+    _plot.legend(ax)
+    return ax
+
+
+def _section(answer: "Answer", ax: "Axes | None") -> "Axes":
+    names, points = answer["state"], answer.points
+    ax = _plot.axes(ax, (names[0], names[len(names) // 2]))
+    for motion in np.unique(points.motion):
+        states = points.state[points.motion == motion]
+        ax.plot(states[:, 0], states[:, len(names) // 2], linestyle="", marker=".", markersize=3)
+    return ax
+
+
+def _bifurcation(answer: "Answer", ax: "Axes | None") -> "Axes":
+    points = answer.points
+    ax = _plot.axes(ax, (answer["parameter"], answer["state"][0]))
+    for sweep in dict.fromkeys(points.sweep):
+        chosen = points.sweep == sweep
+        ax.plot(points.value[chosen], points.state[chosen, 0], linestyle="", marker=".", markersize=2, label=sweep)
+    if len(set(points.sweep)) > 1:
+        _plot.legend(ax)
+    return ax
+
+
+def _lyapunov(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, ("t", "largest Lyapunov exponent"))
+    ax.plot(answer.convergence.time, answer.convergence.exponent)
+    ax.axhline(0, color="#888888", linewidth=0.8)
+    return ax
+
+
+def _modes(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, ("coordinate", "shape"))
+    for mode in answer.modes:
+        ax.plot(answer["coordinates"], mode["shape"], marker="o", label=f"ω = {mode['frequency']:.6g}")
+    _plot.legend(ax)
+    return ax
+
+
+def _simulate(answer: "Answer", ax: "Axes | None") -> "Axes":
+    names = [name for name in answer["state"] if not name.endswith("'")]
+    ax = _plot.axes(ax, ("t", ", ".join(names)))
+    for place, name in enumerate(names):
+        ax.plot(answer.samples.time, answer.samples.state[:, place], label=name)
+    if len(names) > 1:
+        _plot.legend(ax)
+    return ax
+
+
+def _fit_trace(answer: Any, ax: "Axes | None") -> "Axes":
+    rows = answer.residuals()
+    ax = _plot.axes(ax, ("t / s", "θ / °"))
+    for place, trace in enumerate(dict.fromkeys(rows.trace)):
+        chosen, colour = rows.trace == trace, _plot.COLOURS[place % len(_plot.COLOURS)]
+        ax.plot(rows.time_s[chosen], np.degrees(rows.value[chosen]), linestyle="", marker=".", markersize=3, color=colour, alpha=0.5)
+        ax.plot(rows.time_s[chosen], np.degrees(rows.fitted[chosen]), color=colour, label=trace)
+    _plot.legend(ax)
+    return ax
+
+
+def _fit_gates(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, ("t / s", "T / s"))
+    ax.plot(answer.cycles.time_s, answer.cycles.period_s, linestyle="", marker=".")
+    return ax
+
+
+PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
+    "motion": _motion,
+    "decay": _decay,
+    "backbone": _backbone,
+    "simulate": _simulate,
+    "modes": _modes,
+    "section": _section,
+    "bifurcation": _bifurcation,
+    "lyapunov": _lyapunov,
+    "fit gates": _fit_gates,
+    "fit trace": _fit_trace,
+}

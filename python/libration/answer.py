@@ -1,0 +1,302 @@
+"""Answers of the command as objects: the fields of its JSON, columns as arrays.
+
+>>> import libration as lb
+>>> answer = lb.decay("60deg", linear=0.1, cycles=3)
+>>> answer["length_m"], answer.damping[0].coefficient
+(1.0, 0.1)
+>>> answer.turning_points.amplitude_rad.round(6).tolist()
+[1.047198, 0.989369, 0.935463, 0.885088, 0.837916, 0.793661, 0.752079]
+"""
+
+import html
+import json
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._ask import Asked, answered, asked
+from .errors import Interrupted
+from .picture import Picture
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["Answer", "Fields", "Rows"]
+
+Column: TypeAlias = "NDArray[Any]"
+
+
+class Fields(Mapping[str, Any]):
+    """An object of an answer: ``fields["name"]`` is what the JSON has, ``fields.name`` the same with lists as arrays and `Rows`."""
+
+    __slots__ = ("_fields",)
+    _fields: dict[str, Any]
+
+    def __init__(self, fields: Mapping[str, Any]) -> None:
+        object.__setattr__(self, "_fields", dict(fields))
+
+    def __getitem__(self, name: str) -> Any:
+        return self._fields[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._fields)
+
+    def __len__(self) -> int:
+        return len(self._fields)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._fields:
+            raise AttributeError(f"no field `{name}`: there are {', '.join(self)}", name=name, obj=self)
+        return _seen(self._fields[name])
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError("answers do not change")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError("answers do not change")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._fields]
+
+    def __eq__(self, other: object) -> bool:
+        return self._fields == other._fields if isinstance(other, type(self)) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._fields,)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in self._fields.items())})"
+
+    def to_dict(self) -> dict[str, Any]:
+        """A copy as Python's own lists and dicts: what the JSON of the command has."""
+        copy: dict[str, Any] = json.loads(json.dumps(self._fields))
+        return copy
+
+
+class Rows(Sequence[Fields]):
+    """A list of things with the same fields: ``rows[0]`` is one of them, ``rows.name`` or ``rows["name"]`` a column as an array."""
+
+    __slots__ = ("_rows",)
+    _rows: list[dict[str, Any]]
+
+    def __init__(self, rows: Iterable[Mapping[str, Any]]) -> None:
+        object.__setattr__(self, "_rows", list(rows))
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    @overload
+    def __getitem__(self, place: int) -> Fields: ...
+    @overload
+    def __getitem__(self, place: "slice[Any, Any, Any]") -> "Rows": ...
+    @overload
+    def __getitem__(self, place: str) -> Column: ...
+    def __getitem__(self, place: Any) -> Any:
+        if isinstance(place, str):
+            if place not in self.names:
+                raise KeyError(f"no column `{place}`: there are {', '.join(self.names)}")
+            return _array([row.get(place) for row in self._rows])
+        return Rows(self._rows[place]) if isinstance(place, slice) else Fields(self._rows[place])
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self.names:
+            raise AttributeError(f"no column `{name}`: there are {', '.join(self.names)}", name=name, obj=self)
+        return self[name]
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError("answers do not change")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.names]
+
+    def __eq__(self, other: object) -> bool:
+        return self._rows == other._rows if isinstance(other, Rows) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Rows, (self._rows,)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} rows of {', '.join(self.names)}>"
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        return tuple(dict.fromkeys(name for row in self._rows for name in row))
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """A column for each field."""
+        import pandas
+
+        columns = {name: self[name] for name in self.names}
+        return pandas.DataFrame({name: list(it) if it.ndim > 1 else it for name, it in columns.items()})
+
+    def _repr_html_(self) -> str:
+        return _table(self.names, ([row.get(name) for name in self.names] for row in self._rows), len(self))
+
+
+class Answer(Fields):
+    """The answer to a question: ``answer["field"]`` is what the JSON of the command has, ``answer.field`` the same with arrays and `Rows`."""
+
+    __slots__ = ("_asked",)
+    _asked: Asked
+
+    def __init__(self, fields: Mapping[str, Any], asked: Asked) -> None:
+        super().__init__(fields)
+        object.__setattr__(self, "_asked", asked)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._fields, self._asked)
+
+    @property
+    def question(self) -> str:
+        """The question as the words of a command line."""
+        import shlex
+
+        return shlex.join(["libration", *self._asked.words])
+
+    @property
+    def rows(self) -> Rows:
+        """The longest list of things with fields."""
+        lists: list[list[Any]] = [it for it in self._fields.values() if isinstance(it, list) and it and isinstance(it[0], dict)]
+        return Rows(max(lists, key=len, default=[]))
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The rows, with a column for each number of a state."""
+        import pandas
+
+        return pandas.DataFrame(self._columns())
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """The rows as a dataset over their number; its attributes are the texts and numbers beside them."""
+        import xarray
+
+        plain = {name: value for name, value in self._fields.items() if isinstance(value, (str, int, float)) and not isinstance(value, bool)}
+        columns = {name: ("row", it) for name, it in self._columns().items()}
+        return xarray.Dataset(columns, attrs={**plain, "question": self.question})
+
+    def _columns(self) -> dict[str, Column]:
+        rows = self.rows
+        columns: dict[str, Column] = {}
+        for name in rows.names:
+            column = rows[name]
+            if name == "state" and column.ndim == 2:
+                columns |= dict(zip(self._fields["state"], column.T))
+            else:
+                columns[name] = column
+        return columns
+
+    def picture(self, size: str | None = None) -> Picture:
+        """The picture that the command draws, as SVG.
+
+        Parameters
+        ----------
+        size : str
+            Where it is to stand: "page", "column" or "slide".
+        """
+        return Picture(self._asked, "figure", size)
+
+    def plot(self, ax: "Axes | None" = None) -> "Axes":
+        """Draws the answer with matplotlib, where the command has a picture for it."""
+        from ._pictures import draw
+
+        return draw(self, ax)
+
+    def _repr_html_(self) -> str:
+        described = {name: rest for name, *rest in _descriptions().get(self._asked.command, [])}
+        head = [(name, value, *described.get(name, ("", ""))) for name, value in self._fields.items() if not isinstance(value, (list, dict))]
+        rows = self.rows
+        return _table(("field", "value", "unit", "meaning"), head, len(head)) + (rows._repr_html_() if rows else "")
+
+
+A = TypeVar("A", bound=Answer)
+
+
+def answer(kind: type[A], words: str, given: Mapping[str, Any]) -> A:
+    """The answer to a question with what a function was given, ``progress`` among it; empty where it was written to a file.
+
+    Raises
+    ------
+    UsageError, NoAnswer, Interrupted
+    """
+    question = asked(words, given)
+    text, error = answered(question, ["--json"], given.get("progress") or False)
+    fields = json.loads(text) if text.startswith("{") else {}
+    if error is not None:
+        raise Interrupted(kind(fields, question) if fields else None) from error
+    return kind(fields, question)
+
+
+def _seen(value: Any) -> Any:
+    """A value of JSON as Python's users want it."""
+    if isinstance(value, dict):
+        return Fields(value)
+    if isinstance(value, list):
+        return Rows(value) if value and all(isinstance(it, dict) for it in value) else _array(value)
+    return value
+
+
+def _array(values: list[Any]) -> Any:
+    """Numbers as an array, missing ones as NaN; lists of different lengths as they are."""
+    if not values:
+        return np.array([])
+    flat = [it for value in values for it in (value if isinstance(value, list) else [value])]
+    is_number = all(it is None or isinstance(it, (int, float)) and not isinstance(it, bool) for it in flat)
+    lengths = {len(value) if isinstance(value, list) else -1 for value in values}
+    if len(lengths) == 1 and is_number:
+        whole = all(isinstance(it, int) for it in flat)
+        return np.array(values, dtype=np.int64 if whole else np.float64)
+    if lengths == {-1} and all(isinstance(it, bool) for it in flat):
+        return np.array(values)
+    array = np.empty(len(values), dtype=object)
+    array[:] = [_seen(value) if isinstance(value, (dict, list)) else value for value in values]
+    return array
+
+
+@cache
+def _descriptions() -> dict[str, list[tuple[str, str, str]]]:
+    """Name, unit and meaning of the fields of each command, as `libration fields` says."""
+    text, _, _ = _native.ask(["fields", "--json"])
+    found: dict[str, list[tuple[str, str, str]]] = {}
+    for command in json.loads(text)["commands"]:
+        found.setdefault(command["command"], []).extend((it["name"], it["unit"], it["meaning"]) for it in command["json"])
+    return found
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, list):
+        return f"[…{len(value)}]"
+    if isinstance(value, dict):
+        return f"{{…{len(value)}}}"
+    return repr(value)
+
+
+def _table(names: Iterable[str], rows: Iterable[Iterable[Any]], count: int) -> str:
+    """A table of at most so many rows as can be seen at once."""
+    shown = 12
+    body = [_line("td", map(_cell, row)) for row, _ in zip(rows, range(shown))]
+    more = f"<p>{count} rows, of which the first {shown} are shown</p>" if count > shown else ""
+    return f"<table><thead>{_line('th', names)}</thead><tbody>{''.join(body)}</tbody></table>{more}"
+
+
+def _line(tag: str, cells: Iterable[str]) -> str:
+    return "<tr>" + "".join(f"<{tag}>{html.escape(it)}</{tag}>" for it in cells) + "</tr>"
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return "–"
+    if isinstance(value, float):
+        return f"{value:.10g}"
+    text = _short(value) if isinstance(value, (dict, list)) else str(value)
+    return re.sub(r"\s+", " ", text)

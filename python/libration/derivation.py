@@ -1,0 +1,111 @@
+"""Worked derivations, each formula checked as it is written.
+
+>>> import libration as lb
+>>> derivation = lb.derive("perturbation", order=3)
+>>> print(derivation.markdown.splitlines()[0])
+# Perturbation theory of an oscillator, order by order
+"""
+
+import html
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from . import questions
+from ._ask import Given, Path, Say, Values
+
+__all__ = ["Derivation", "derive"]
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A derivation; a notebook shows it, each section folded."""
+
+    given: dict[str, Any] = field(repr=False)
+    """What it was asked with."""
+    markdown: str = field(repr=False)
+    """The text, with formulas between dollars."""
+
+    @property
+    def title(self) -> str:
+        """Its first line."""
+        return self.markdown.splitlines()[0].lstrip("# ")
+
+    def __str__(self) -> str:
+        return self.markdown
+
+    def __repr__(self) -> str:
+        return f"<derivation: {self.title}>"
+
+    def to_html(self) -> str:
+        """A page that needs no other file."""
+        return questions.derive(**self.given, format="html")
+
+    def to_latex(self) -> str:
+        """A document for LaTeX."""
+        return questions.derive(**self.given, format="latex")
+
+    def to_notebook(self) -> str:
+        """A Jupyter notebook that computes each check again."""
+        return questions.derive(**self.given, format="ipynb")
+
+    def save(self, file: Path) -> None:
+        """Writes it to a file whose ending says how: .md, .html, .tex or .ipynb."""
+        forms = {".md": "markdown", ".html": "html", ".tex": "latex", ".ipynb": "ipynb"}
+        ending = os.path.splitext(os.fspath(file))[1].lower()
+        if ending not in forms:
+            raise ValueError(f"`{os.fspath(file)}` has no known ending: give one of {', '.join(forms)}")
+        questions.derive(**self.given, format=forms[ending], output=file)  # type: ignore[arg-type]
+
+    def _repr_html_(self) -> str:
+        """The page in a frame of its own, so that its style stays there, with its sections folded."""
+        page = re.sub(
+            r"<section id=\"[^\"]*\">\s*<h2>(.*?)</h2>(.*?)</section>",
+            lambda it: f"<details><summary><b>{re.sub('<[^>]*>', '', it[1])}</b></summary>{it[2]}</details>",
+            self.to_html(),
+            flags=re.DOTALL,
+        )
+        return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 36rem; border: 0" title="{html.escape(self.title)}"></iframe>'
+
+
+def derive(
+    road: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
+    oscillator: Given | None = None,
+    *,
+    order: Given | None = None,
+    damping_order: Given | None = None,
+    small: Given | None = None,
+    gauge: Given | None = None,
+    set: Values | Sequence[str] | None = None,
+    about: Given | None = None,
+    amplitude: Given | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    exercises: bool = False,
+    progress: Say = False,
+) -> Derivation:
+    """A worked derivation, step by step, with each formula checked by computing it.
+
+    Parameters
+    ----------
+    road : str
+        Which: "elliptic", "formulas", "perturbation", "averaging" or "limit-cycle".
+    oscillator : str, optional
+        A key of the catalogue, or an equation.
+    order, damping_order, small, gauge, set, about, amplitude, length, gravity, exercises, progress
+        As `libration.questions.derive` has them.
+
+    Returns
+    -------
+    Derivation
+
+    Examples
+    --------
+    >>> import libration as lb
+    >>> lb.derive("elliptic")
+    <derivation: The period of a pendulum at any amplitude>
+    """
+    given = {name: it for name, it in locals().items() if name != "progress" and it is not None and it is not False}
+    return Derivation(given, questions.derive(**given, progress=progress))

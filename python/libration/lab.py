@@ -1,0 +1,114 @@
+"""The laboratory: what instruments wrote, and what it says.
+
+>>> import numpy as np
+>>> import libration as lb
+>>> t = np.arange(0, 20, 0.05)
+>>> angle = lb.Pendulum(length=0.57).release("40deg")(t).angle
+>>> rec = lb.lab.recording(t=t, angle=angle + 1e-3 * np.sin(1e4 * t**2))
+>>> rec.traces.rows.tolist(), rec.traces.seen.tolist()
+([400], ['angle'])
+>>> fit = lb.lab.fit_trace(rec, length="0.570(1)m", model="undamped")
+>>> print(fit.g)
+9.807+/-0.017
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._ask import Columns, Given, Path, Table
+from .answer import Answer, answer
+from .fit import Fit, Measured
+from .questions import fit_gates, fit_lengths, fit_periods, fit_trace
+from .questions import inspect as _inspect
+
+__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_trace", "read", "recording"]
+
+
+class Recording(Answer):
+    """What a file holds: all that `libration inspect` says of it, and its numbers. Fits take it in place of the file, read in the same way."""
+
+    __slots__ = ()
+
+    @property
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """The columns of the file by their headers, in the units of the file; NaN where a cell is blank or no number."""
+        return {it["name"] or str(it["number"]): np.array(it["values"], dtype=float) for it in self["column_values"]}
+
+
+def read(file: Path | Columns, **reading: Given | bool) -> Recording:
+    """Reads what an instrument wrote: text in any dialect, Excel, archives; or columns in its place.
+
+    Parameters
+    ----------
+    file : str or path or mapping or pandas.DataFrame
+        The file, or columns by names with units, such as ``{"t (s)": t, "theta (deg)": angle}``.
+    **reading
+        What is not to be detected, such as ``angle=2, unit="deg"``: the parameters of `libration.questions.inspect`, with the same names.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    NoAnswer
+        The file cannot be read.
+    UsageError
+        It does not have what is asked for.
+    TypeError
+        There is no such parameter.
+
+    Examples
+    --------
+    >>> import libration as lb
+    >>> rec = lb.lab.read({"t (s)": [0, 0.1, 0.2], "theta (deg)": [61, 55, 38]})
+    >>> rec.columns["theta (deg)"].tolist()
+    [61.0, 55.0, 38.0]
+    >>> rec.trace_values[0]["values"]
+    [1.064650843716541, 0.9599310885968813, 0.6632251157578453]
+    """
+    found = _inspect(file, **{"values": True, **reading})  # type: ignore[arg-type]
+    return Recording(found, found._asked)
+
+
+HEADERS = {"t": "t (s)", "angle": "angle (rad)", "angular_velocity": "angular velocity (rad/s)", "x": "x (m)", "y": "y (m)", "uncertainty": "uncertainty"}
+
+
+def recording(
+    *,
+    t: ArrayLike,
+    angle: ArrayLike | None = None,
+    angular_velocity: ArrayLike | None = None,
+    x: ArrayLike | None = None,
+    y: ArrayLike | None = None,
+    uncertainty: ArrayLike | None = None,
+) -> Recording:
+    """A recording from arrays, in seconds, radians and metres; it goes the same road as a file.
+
+    Parameters
+    ----------
+    t : array_like
+        Times in seconds.
+    angle, angular_velocity : array_like
+        Angles from the downward vertical in radians, or angular velocities in rad/s.
+    x, y : array_like
+        Positions in metres, in place of an angle.
+    uncertainty : array_like
+        Standard uncertainties of the angles or angular velocities; a number for all of them.
+
+    Returns
+    -------
+    Recording
+
+    Examples
+    --------
+    >>> import libration as lb
+    >>> lb.lab.recording(t=[0, 0.1, 0.2], angle=[1.0, 0.9, 0.6], uncertainty=0.01).traces.has_uncertainties.tolist()
+    [True]
+    """
+    given = {name: np.asarray(it, dtype=float) for name, it in locals().items() if name in HEADERS and it is not None}
+    columns = {HEADERS[name]: np.broadcast_to(it, given["t"].shape) if it.ndim == 0 else it for name, it in given.items()}
+    options: dict[str, Any] = {"uncertainty": "uncertainty"} if uncertainty is not None else {}
+    return answer(Recording, "inspect", {"file": Table(columns), "values": True, **options})

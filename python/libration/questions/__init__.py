@@ -1,0 +1,61 @@
+"""Every question of the command as a function. Written by scripts/questions."""
+
+from ._backbone import backbone
+from ._bifurcation import bifurcation
+from ._decay import decay
+from ._derive import derive
+from ._expand import expand
+from ._fields import fields
+from ._figure_errors import figure_errors
+from ._figure_motion import figure_motion
+from ._figure_phase import figure_phase
+from ._figure_series import figure_series
+from ._figure_spectrum import figure_spectrum
+from ._figure_trajectories import figure_trajectories
+from ._fit_gates import fit_gates
+from ._fit_lengths import fit_lengths
+from ._fit_periods import fit_periods
+from ._fit_trace import fit_trace
+from ._formulas import formulas
+from ._fourier import fourier
+from ._inspect import inspect
+from ._lyapunov import lyapunov
+from ._modes import modes
+from ._motion import motion
+from ._oscillators import oscillators
+from ._paper import paper
+from ._period import period
+from ._section import section
+from ._simulate import simulate
+from ._systems import systems
+
+__all__ = [
+    "backbone",
+    "bifurcation",
+    "decay",
+    "derive",
+    "expand",
+    "fields",
+    "figure_errors",
+    "figure_motion",
+    "figure_phase",
+    "figure_series",
+    "figure_spectrum",
+    "figure_trajectories",
+    "fit_gates",
+    "fit_lengths",
+    "fit_periods",
+    "fit_trace",
+    "formulas",
+    "fourier",
+    "inspect",
+    "lyapunov",
+    "modes",
+    "motion",
+    "oscillators",
+    "paper",
+    "period",
+    "section",
+    "simulate",
+    "systems",
+]

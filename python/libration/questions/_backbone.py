@@ -1,0 +1,72 @@
+"""`libration backbone`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def backbone(
+    oscillator: Given | None = None,
+    *,
+    amplitudes: Given,
+    set: Values | Sequence[str] | None = None,
+    about: Given | None = None,
+    order: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum.
+
+    Each orbit is a motion released from rest and integrated until it returns; its frequency comes with a bound on its error. Amplitudes are measured
+    from the equilibrium; frequencies are in radians per unit of time.
+
+    Parameters
+    ----------
+    oscillator : Given, optional
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
+        [default: pendulum].
+    amplitudes : Given
+        Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle.
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    about : Given, optional
+        Which equilibrium, where there are several [default: the stable one nearest to zero].
+    order : Given, optional
+        The order of the perturbation series [default: 9].
+    figure : Path, optional
+        Draw the curves to FILE.svg or FILE.png instead of listing the points.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> backbone = questions.backbone("duffing", amplitudes=[0.5, 1.0], set={"epsilon": 1})
+    >>> backbone.points.frequency.round(9).tolist()
+    [1.089158179, 1.317776065]
+    """
+    return answer(Answer, "backbone", locals())

@@ -1,0 +1,85 @@
+"""`libration derive`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values, text
+
+
+def derive(
+    oscillator: Given | None = None,
+    *,
+    road: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
+    order: Given | None = None,
+    damping_order: Given | None = None,
+    small: Given | None = None,
+    gauge: Given | None = None,
+    set: Values | Sequence[str] | None = None,
+    about: Given | None = None,
+    amplitude: Given | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    exercises: bool = False,
+    format: Literal["markdown", "latex", "html", "ipynb"] | None = None,
+    output: Path | None = None,
+    progress: Say = False,
+) -> str:
+    """A worked derivation, step by step, with each formula checked by computing it.
+
+    Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several amplitudes. With ``amplitude`` each step also
+    shows its numbers for that pendulum.
+
+    Parameters
+    ----------
+    oscillator : Given, optional
+        Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging ``damped_pendulum``, for limit-cycle
+        ``van_der_pol``].
+    road : Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"]
+        Which derivation.
+    order : Given, optional
+        Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4].
+    damping_order : Given, optional
+        Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
+    small : Given, optional
+        Averaging, limit-cycle: which letter is small, where several have no value.
+    gauge : Given, optional
+        Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental].
+    set : Values | Sequence[str], optional
+        Series: the value of a parameter; may be given several times.
+    about : Given, optional
+        Perturbation: which equilibrium, where there are several.
+    amplitude : Given, optional
+        Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number.
+    length : Given, optional
+        Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
+    gravity : Given, optional
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+    exercises : bool
+        Leave out the results, as exercises, and give them as answers at the end.
+    format : Literal["markdown", "latex", "html", "ipynb"], optional
+        How the derivation is written [default: markdown].
+    output : Path, optional
+        Write to this file instead of standard output.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> print(questions.derive(road="elliptic").splitlines()[0])
+    # The period of a pendulum at any amplitude
+    """
+    return text("derive", locals(), progress)

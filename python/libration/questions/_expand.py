@@ -1,0 +1,81 @@
+"""`libration expand`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+
+from .._ask import Given, Say, Values
+from ..answer import Answer, answer
+
+
+def expand(
+    oscillator: Given | None = None,
+    *,
+    set: Values | Sequence[str] | None = None,
+    about: Given | None = None,
+    letters: Given | None = None,
+    order: Given | None = None,
+    gauge: Given | None = None,
+    damping_order: Given | None = None,
+    small: Given | None = None,
+    evaluate: Given | None = None,
+    quantity: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Exact series for an oscillator's frequency, harmonics and period, to any order.
+
+    Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be chosen; frequency, period and
+    harmonics are also given as functions of the amplitude, which is the same in every gauge. Self-excited oscillators with an open parameter, such as
+    ``van_der_pol``, are expanded in that parameter. Other parameters without a value stay letters: the coefficients are then polynomials in them.
+
+    A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the answer is then its
+    scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
+
+    Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′, how the phase
+    runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero, sign(x').
+
+    Parameters
+    ----------
+    oscillator : Given, optional
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
+        [default: pendulum].
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    about : Given, optional
+        Which equilibrium, where there are several [default: the stable one nearest to zero].
+    letters : Given, optional
+        Parameters of a built-in oscillator that stay letters, with commas between.
+    order : Given, optional
+        The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no powers vanish].
+    gauge : Given, optional
+        What the expansion parameter means [default: fundamental, of a slow flow ``x_max``].
+    damping_order : Given, optional
+        Give the slow flow under weak damping or excitation to this power of its strength [default: 2].
+    small : Given, optional
+        The letter that is this strength, where several have no value; the strength left open of a named system.
+    evaluate : Given, optional
+        Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5, or 40deg where the variable is
+        an angle; for a limit cycle, at this value of its parameter.
+    quantity : Given, optional
+        What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt or sin 3Ωt [default: period].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.expand("duffing", order=3)["frequency_ratio"]
+    ['1', '0', '3/8']
+    """
+    return answer(Answer, "expand", locals())

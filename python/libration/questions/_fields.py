@@ -1,0 +1,44 @@
+"""`libration fields`. Written by scripts/questions."""
+
+from .._ask import Given, Say
+from ..answer import Answer, answer
+
+
+def fields(
+    command: Given | None = None,
+    *,
+    progress: Say = False,
+) -> Answer:
+    """What the fields of JSON and CSV answers mean: names, units, meanings.
+
+    In names, [] stands for each entry of a list, and capitals for a name that depends on the question: KEY is the key of a formula, NAME the name of
+    a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is
+    none, or where it depends on the question.
+
+    Parameters
+    ----------
+    command : Given, optional
+        The command, such as period or fit trace [default: all commands].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.fields("fourier").commands[0].json[0].name
+    'schema'
+    """
+    return answer(Answer, "fields", locals())

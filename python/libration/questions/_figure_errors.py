@@ -1,0 +1,63 @@
+"""`libration figure errors`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Given, Say
+from ..picture import Picture, drawn
+
+
+def figure_errors(
+    *,
+    formulas: Given | None = None,
+    from_: Given | None = None,
+    to: Given | None = None,
+    lowest: Given | None = None,
+    highest: Given | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Picture:
+    """The errors of the formulas against the amplitude, as in the first figure of Black and Vel.
+
+    Parameters
+    ----------
+    formulas : Given, optional
+        Keys of formulas (``libration formulas`` lists them).
+    from_ : Given, optional
+        The amplitude at the left end [default: 0deg].
+    to : Given, optional
+        The amplitude at the right end [default: 180deg].
+    lowest : Given, optional
+        The smallest error shown [default: 1e-8].
+    highest : Given, optional
+        The largest error shown [default: 10].
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.figure_errors(formulas=["bernoulli"]).svg[:4]
+    '<svg'
+    """
+    return drawn("figure errors", locals())

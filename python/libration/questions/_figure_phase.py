@@ -1,0 +1,48 @@
+"""`libration figure phase`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Given, Say
+from ..picture import Picture, drawn
+
+
+def figure_phase(
+    *,
+    amplitudes: Given | None = None,
+    energies: Given | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Picture:
+    """The phase portrait: librations, the separatrix, and rotations.
+
+    Parameters
+    ----------
+    amplitudes : Given, optional
+        Amplitudes of the librations [default: 30deg,75deg,120deg,160deg].
+    energies : Given, optional
+        Energies of the rotations, E/(2mgl), each above 1 [default: 1.3,2].
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return drawn("figure phase", locals())

@@ -1,0 +1,68 @@
+"""`libration figure series`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Say, Values
+from ..picture import Picture, drawn
+
+
+def figure_series(
+    oscillator: Given | None = None,
+    *,
+    set: Values | Sequence[str] | None = None,
+    about: Given | None = None,
+    order: Given | None = None,
+    quantity: Given | None = None,
+    amplitudes: Given | None = None,
+    to: Given | None = None,
+    lowest: Given | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Picture:
+    """The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms.
+
+    Parameters
+    ----------
+    oscillator : Given, optional
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
+        [default: pendulum].
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    about : Given, optional
+        Which equilibrium, where there are several [default: the stable one nearest to zero].
+    order : Given, optional
+        The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it [default: 33].
+    quantity : Given, optional
+        What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3 [default: period].
+    amplitudes : Given, optional
+        Plot the error against the highest power of the partial sum instead, at these amplitudes, such as 30deg,90deg,150deg.
+    to : Given, optional
+        The largest amplitude shown [default: a fifth beyond the radius of convergence].
+    lowest : Given, optional
+        The smallest error shown [default: 1e-14].
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return drawn("figure series", locals())

@@ -1,0 +1,51 @@
+"""`libration figure spectrum`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Given, Say
+from ..picture import Picture, drawn
+
+
+def figure_spectrum(
+    *,
+    amplitudes: Given | None = None,
+    lowest: Given | None = None,
+    highest: Given | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Picture:
+    """The harmonics of the angle at several amplitudes.
+
+    Parameters
+    ----------
+    amplitudes : Given, optional
+        The amplitudes [default: 30deg,90deg,150deg,179deg].
+    lowest : Given, optional
+        The smallest coefficient shown, in radians [default: 1e-16].
+    highest : Given, optional
+        The highest harmonic shown [default: 41].
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return drawn("figure spectrum", locals())

@@ -1,0 +1,78 @@
+"""`libration figure trajectories`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Say, Values
+from ..picture import Picture, drawn
+
+
+def figure_trajectories(
+    system: Given,
+    *,
+    set: Values | Sequence[str] | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    initial: Values | Sequence[Values] | None = None,
+    over: Given | None = None,
+    from_: Given | None = None,
+    until: Given | None = None,
+    show: Given | None = None,
+    axes: Given | None = None,
+    spectrum: Given | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Picture:
+    """Motions of any system in one picture: against time, in the plane of two state variables, or their spectra.
+
+    Parameters
+    ----------
+    system : Given
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    length : Given, optional
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration systems`` says].
+    gravity : Given, optional
+        Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
+    initial : Values | Sequence[Values], optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
+        motions.
+    over : Given, optional
+        A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
+    from_ : Given, optional
+        The first time that is drawn, in seconds or with a unit [default: 0].
+    until : Given, optional
+        The last time that is drawn [default: 60].
+    show : Given, optional
+        The state variable that is drawn against time [default: the first coordinate].
+    axes : Given, optional
+        Draw one state variable against another, such as theta,theta'.
+    spectrum : Given, optional
+        Draw the spectrum of a state variable, such as theta.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return drawn("figure trajectories", locals())

@@ -1,0 +1,80 @@
+"""`libration fit lengths`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say
+from ..answer import answer
+from ..fit import Fit
+
+
+def fit_lengths(
+    file: Path | Columns,
+    *,
+    columns: Given | None = None,
+    length_unit: Literal["m", "cm", "mm", "in"] | None = None,
+    amplitude: Given | None = None,
+    amplitude_unit: Literal["rad", "deg"] | None = None,
+    half_periods: bool = False,
+    periods_per_row: Given | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    header: Literal["detect", "present", "absent"] | None = None,
+    bob_radius: Given | None = None,
+    clock: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Fit:
+    """Measured periods against length: gravity, and the offset common to all lengths.
+
+    Parameters
+    ----------
+    file : Path | Columns
+        A table of lengths and periods, optionally with uncertainties; - for standard input.
+    columns : Given, optional
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
+        or 1,2,3,4].
+    length_unit : Literal["m", "cm", "mm", "in"], optional
+        Unit of the lengths and of their uncertainties [default: that of the header, else m].
+    amplitude : Given, optional
+        The amplitude of all swings, such as 10deg [default: negligible].
+    amplitude_unit : Literal["rad", "deg"], optional
+        Unit of a column of amplitudes [default: that of the header, else rad].
+    half_periods : bool
+        The times are half periods, from one side to the other.
+    periods_per_row : Given, optional
+        Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
+    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+        What separates the columns [default: detected].
+    header : Literal["detect", "present", "absent"], optional
+        Whether the first row names the columns [default: detect].
+    bob_radius : Given, optional
+        Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted.
+    clock : Given, optional
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+    figure : Path, optional
+        Draw the data, the line and the residuals to FILE.svg or FILE.png.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Fit, "fit lengths", locals())

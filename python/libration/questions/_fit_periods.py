@@ -1,0 +1,110 @@
+"""`libration fit periods`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say
+from ..answer import answer
+from ..fit import Fit
+
+
+def fit_periods(
+    file: Path | Columns,
+    *,
+    columns: Given | None = None,
+    amplitude_unit: Literal["rad", "deg"] | None = None,
+    half_periods: bool = False,
+    periods_per_row: Given | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    header: Literal["detect", "present", "absent"] | None = None,
+    reject_outliers: Given | None = None,
+    formulas: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    length: Given | None = None,
+    bob_radius: Given | None = None,
+    bob_mass: Given | None = None,
+    bob_density: Given | None = None,
+    rod_mass: Given | None = None,
+    rod_length: Given | None = None,
+    air_density: Given | None = None,
+    stretch: Given | None = None,
+    angle_scale: Given | None = None,
+    clock: Given | None = None,
+    correlation: Given | None = None,
+    linear_damping: Given | None = None,
+    progress: Say = False,
+) -> Fit:
+    """Measured periods against amplitude: T0 under the exact law and every other, a test of the exact law, gravity.
+
+    Parameters
+    ----------
+    file : Path | Columns
+        A table of amplitudes and periods, optionally with uncertainties; - for standard input.
+    columns : Given, optional
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
+        or 1,2,3,4].
+    amplitude_unit : Literal["rad", "deg"], optional
+        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
+    half_periods : bool
+        The times are half periods, from one side to the other.
+    periods_per_row : Given, optional
+        Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
+    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+        What separates the columns [default: detected].
+    header : Literal["detect", "present", "absent"], optional
+        Whether the first row names the columns [default: detect].
+    reject_outliers : Given, optional
+        Leave out rows more than this many robust standard deviations from the exact law.
+    formulas : Given, optional
+        Keys of formulas (``libration formulas`` lists them).
+    figure : Path, optional
+        Draw the data, the laws and the residuals to FILE.svg or FILE.png.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    length : Given, optional
+        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
+    bob_radius : Given, optional
+        Radius of the bob, a sphere, such as 20.0(1)mm.
+    bob_mass : Given, optional
+        Mass of the bob, such as 42.0g±0.5g.
+    bob_density : Given, optional
+        Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
+    rod_mass : Given, optional
+        Mass of the rod or string.
+    rod_length : Given, optional
+        From the pivot to the end of the rod [default: to the surface of the bob].
+    air_density : Given, optional
+        Density of the air [default: 1.20(2)kg/m^3].
+    stretch : Given, optional
+        How much the string is stretched by the hanging bob.
+    angle_scale : Given, optional
+        Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
+    clock : Given, optional
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+    correlation : Given, optional
+        Correlation coefficient of two inputs, such as length,bob-radius=0.9.
+    linear_damping : Given, optional
+        Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Fit, "fit periods", locals())

@@ -1,0 +1,159 @@
+"""`libration fit trace`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say
+from ..answer import answer
+from ..fit import Fit
+
+
+def fit_trace(
+    files: Path | Columns | Sequence[Path | Columns],
+    *,
+    model: Given | None = None,
+    robust: bool = False,
+    free_scale: bool = False,
+    report: Path | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    length: Given | None = None,
+    bob_radius: Given | None = None,
+    bob_mass: Given | None = None,
+    bob_density: Given | None = None,
+    rod_mass: Given | None = None,
+    rod_length: Given | None = None,
+    air_density: Given | None = None,
+    stretch: Given | None = None,
+    angle_scale: Given | None = None,
+    clock: Given | None = None,
+    correlation: Given | None = None,
+    time: Given | None = None,
+    time_unit: Given | None = None,
+    angle: Given | None = None,
+    angular_velocity: Given | None = None,
+    unit: Given | None = None,
+    counts_per_turn: Given | None = None,
+    x: Given | None = None,
+    y: Given | None = None,
+    pivot: Given | None = None,
+    uncertainty: Given | None = None,
+    gate: Given | None = None,
+    from_: Given | None = None,
+    to: Given | None = None,
+    even_times: bool = False,
+    times_as_written: bool = False,
+    run: Given | None = None,
+    sheet: Given | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    header: Given | None = None,
+    progress: Say = False,
+) -> Fit:
+    """Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude.
+
+    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all traces, which share ω0 and the
+    damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the period: T
+    = T0·[1 + β(R − 1)] with β = 1.
+
+    Parameters
+    ----------
+    files : Path | Columns | Sequence[Path | Columns]
+        Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input.
+    model : Given, optional
+        Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear [default: auto].
+    robust : bool
+        Give less weight to rows far from the fitted motion (robust fit).
+    free_scale : bool
+        Fit the scale of the angles too, from how the period depends on the amplitude.
+    report : Path, optional
+        Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it.
+    figure : Path, optional
+        Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    length : Given, optional
+        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
+    bob_radius : Given, optional
+        Radius of the bob, a sphere, such as 20.0(1)mm.
+    bob_mass : Given, optional
+        Mass of the bob, such as 42.0g±0.5g.
+    bob_density : Given, optional
+        Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
+    rod_mass : Given, optional
+        Mass of the rod or string.
+    rod_length : Given, optional
+        From the pivot to the end of the rod [default: to the surface of the bob].
+    air_density : Given, optional
+        Density of the air [default: 1.20(2)kg/m^3].
+    stretch : Given, optional
+        How much the string is stretched by the hanging bob.
+    angle_scale : Given, optional
+        Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
+    clock : Given, optional
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+    correlation : Given, optional
+        Correlation coefficient of two inputs, such as length,bob-radius=0.9.
+    time : Given, optional
+        Column of times, by number or name.
+    time_unit : Given, optional
+        Unit of times: s, ms, us, min.
+    angle : Given, optional
+        Column of angles, by number or name.
+    angular_velocity : Given, optional
+        Column of angular velocities, such as those of a gyroscope.
+    unit : Given, optional
+        Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
+    counts_per_turn : Given, optional
+        Angles are encoder counts, with this many per turn.
+    x : Given, optional
+        Column of horizontal positions, instead of an angle.
+    y : Given, optional
+        Column of vertical positions.
+    pivot : Given, optional
+        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
+    uncertainty : Given, optional
+        Column of uncertainties of the angles or angular velocities.
+    gate : Given, optional
+        Column of the photogate's state, 1 or blocked, 0 or unblocked.
+    from_ : Given, optional
+        Ignore rows before this time, on the clock of the file.
+    to : Given, optional
+        Ignore rows after this time.
+    even_times : bool
+        Take the times in the file to be rounded, and use the equally spaced ones they come from.
+    times_as_written : bool
+        Use the times as written, even where they look like rounded, equally spaced ones.
+    run : Given, optional
+        The run: its name, or its number as in ``Run #3``; several as 1,2,6.
+    sheet : Given, optional
+        Sheet of a workbook or file of an archive, by number or name.
+    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+        What separates the cells.
+    decimal : Literal["point", "comma"], optional
+        Decimal point or decimal comma.
+    header : Given, optional
+        Line that names the columns: detect, present, absent, or its number.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Fit, "fit trace", locals())

@@ -1,0 +1,49 @@
+"""`libration formulas`. Written by scripts/questions."""
+
+from .._ask import Given, Say
+from ..answer import Answer, answer
+
+
+def formulas(
+    *,
+    amplitude: Given | None = None,
+    tolerance: Given | None = None,
+    crossovers: bool = False,
+    formulas: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """The catalogue of formulas for the period: which one is good enough, how far each holds, where one overtakes another.
+
+    Parameters
+    ----------
+    amplitude : Given, optional
+        List only formulas within the tolerance at this amplitude and all smaller ones.
+    tolerance : Given, optional
+        Largest acceptable fractional error of the period, such as 1e-3.
+    crossovers : bool
+        List the amplitudes at which one formula becomes better than another.
+    formulas : Given, optional
+        Keys of formulas (``libration formulas`` lists them).
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.formulas(amplitude="90deg", tolerance=1e-3).rows.key[0]
+    'black_vel_2'
+    """
+    return answer(Answer, "formulas", locals())

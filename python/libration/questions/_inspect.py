@@ -1,0 +1,108 @@
+"""`libration inspect`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say
+from ..answer import Answer, answer
+
+
+def inspect(
+    file: Path | Columns,
+    *,
+    values: bool = False,
+    time: Given | None = None,
+    time_unit: Given | None = None,
+    angle: Given | None = None,
+    angular_velocity: Given | None = None,
+    unit: Given | None = None,
+    counts_per_turn: Given | None = None,
+    x: Given | None = None,
+    y: Given | None = None,
+    pivot: Given | None = None,
+    uncertainty: Given | None = None,
+    gate: Given | None = None,
+    from_: Given | None = None,
+    to: Given | None = None,
+    even_times: bool = False,
+    times_as_written: bool = False,
+    run: Given | None = None,
+    sheet: Given | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
+    header: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted.
+
+    Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options. Where a file leaves
+    something open, it is described together with the options that would settle it.
+
+    Parameters
+    ----------
+    file : Path | Columns
+        What the instrument wrote: text, Excel, or an archive of text files; - for standard input.
+    values : bool
+        In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians.
+    time : Given, optional
+        Column of times, by number or name.
+    time_unit : Given, optional
+        Unit of times: s, ms, us, min.
+    angle : Given, optional
+        Column of angles, by number or name.
+    angular_velocity : Given, optional
+        Column of angular velocities, such as those of a gyroscope.
+    unit : Given, optional
+        Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
+    counts_per_turn : Given, optional
+        Angles are encoder counts, with this many per turn.
+    x : Given, optional
+        Column of horizontal positions, instead of an angle.
+    y : Given, optional
+        Column of vertical positions.
+    pivot : Given, optional
+        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
+    uncertainty : Given, optional
+        Column of uncertainties of the angles or angular velocities.
+    gate : Given, optional
+        Column of the photogate's state, 1 or blocked, 0 or unblocked.
+    from_ : Given, optional
+        Ignore rows before this time, on the clock of the file.
+    to : Given, optional
+        Ignore rows after this time.
+    even_times : bool
+        Take the times in the file to be rounded, and use the equally spaced ones they come from.
+    times_as_written : bool
+        Use the times as written, even where they look like rounded, equally spaced ones.
+    run : Given, optional
+        The run: its name, or its number as in ``Run #3``; several as 1,2,6.
+    sheet : Given, optional
+        Sheet of a workbook or file of an archive, by number or name.
+    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+        What separates the cells.
+    decimal : Literal["point", "comma"], optional
+        Decimal point or decimal comma.
+    header : Given, optional
+        Line that names the columns: detect, present, absent, or its number.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.inspect({"t (s)": [0, 0.1, 0.2], "angle (deg)": [61, 55, 38]}).traces.rows.tolist()
+    [3]
+    """
+    return answer(Answer, "inspect", locals())

@@ -1,0 +1,64 @@
+"""`libration modes`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def modes(
+    system: Given,
+    *,
+    set: Values | Sequence[str] | None = None,
+    about: Values | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and how they change with the amplitude.
+
+    Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the frequency is Ω = ω + κa² as long as a is small.
+
+    Parameters
+    ----------
+    system : Given
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    about : Values, optional
+        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
+    figure : Path, optional
+        Draw the shapes to FILE.svg or FILE.png.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.modes("double_pendulum").modes.exact_frequency.tolist()
+    ['sqrt(2 - sqrt(2))', 'sqrt(2 + sqrt(2))']
+    """
+    return answer(Answer, "modes", locals())

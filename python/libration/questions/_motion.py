@@ -1,0 +1,76 @@
+"""`libration motion`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Given, Path, Say
+from ..answer import Answer, answer
+
+
+def motion(
+    angle: Given,
+    *,
+    velocity: Given | None = None,
+    times: Given | None = None,
+    times_from: Path | None = None,
+    compare: Given | None = None,
+    figure: Path | None = None,
+    animate: bool = False,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Angle and velocity in time, from any starting angle and velocity.
+
+    Parameters
+    ----------
+    angle : Given
+        The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are counted.
+    velocity : Given, optional
+        The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default: 0rad/s].
+    times : Given, optional
+        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24 steps].
+    times_from : Path, optional
+        Read the times from a file, one per line; - for standard input.
+    compare : Given, optional
+        Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7.
+    figure : Path, optional
+        Draw the motion to FILE.svg or FILE.png instead of listing it.
+    animate : bool
+        Animate the pendulum beside its curve (an SVG animation, for browsers).
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    length : Given, optional
+        Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
+    gravity : Given, optional
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> motion = questions.motion("60deg", times=[0.0, 0.5])
+    >>> motion.samples.angle_rad.round(9).tolist()
+    [1.047197551, 0.119684411]
+    """
+    return answer(Answer, "motion", locals())

@@ -1,0 +1,40 @@
+"""`libration oscillators`. Written by scripts/questions."""
+
+from .._ask import Given, Say
+from ..answer import Answer, answer
+
+
+def oscillators(
+    keys: Given | None = None,
+    *,
+    progress: Say = False,
+) -> Answer:
+    """The built-in oscillators: equations, parameters, where they oscillate, and sources.
+
+    Parameters
+    ----------
+    keys : Given, optional
+        List only these.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.oscillators("duffing").oscillators[0].equation
+    "x'' + x + epsilon*x^3 = 0"
+    """
+    return answer(Answer, "oscillators", locals())

@@ -1,0 +1,49 @@
+"""`libration paper`. Written by scripts/questions."""
+
+from .._ask import Given, Say
+from ..answer import Answer, answer
+
+
+def paper(
+    *,
+    only: Given | None = None,
+    document: Given | None = None,
+    label: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Every equation of two published derivations, checked by computation and corrected where it is wrong.
+
+    The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What they print is compared with what the
+    program computes, exactly where possible. Where they state something in words, ``paraphrase`` marks the formula as ours.
+
+    Parameters
+    ----------
+    only : Given, optional
+        Show only statements with this verdict.
+    document : Given, optional
+        Show only one document: black-vel or cote.
+    label : Given, optional
+        Show only labels that contain this number or these words, such as 25, C2 or "Fig. 1".
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> questions.paper(document="black-vel", label=25).equations.verdict.tolist()
+    ['wrong']
+    """
+    return answer(Answer, "paper", locals())

@@ -1,0 +1,57 @@
+"""`libration period`. Written by scripts/questions."""
+
+from typing import Literal
+
+from .._ask import Given, Path, Say
+from ..answer import Answer, answer
+
+
+def period(
+    amplitudes: Given | None = None,
+    *,
+    from_file: Path | None = None,
+    formulas: Given | None = None,
+    sort: Literal["error", "catalogue"] | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """The exact period at one or more amplitudes, and every published formula with its error.
+
+    Parameters
+    ----------
+    amplitudes : Given, optional
+        Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg.
+    from_file : Path, optional
+        Read the amplitudes from a file, one per line; - for standard input.
+    formulas : Given, optional
+        Keys of formulas (``libration formulas`` lists them).
+    sort : Literal["error", "catalogue"], optional
+        The order of the formulas [default: error].
+    length : Given, optional
+        Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
+    gravity : Given, optional
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> round(questions.period("60deg").results[0].ratio, 12)
+    1.073182007149
+    """
+    return answer(Answer, "period", locals())

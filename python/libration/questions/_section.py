@@ -1,0 +1,91 @@
+"""`libration section`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def section(
+    system: Given,
+    *,
+    set: Values | Sequence[str] | None = None,
+    initial: Values | Sequence[Values] | None = None,
+    period: Given | None = None,
+    phase: Given | None = None,
+    at: Given | None = None,
+    direction: Literal["rising", "falling", "any"] | None = None,
+    skip: Given | None = None,
+    points: Given | None = None,
+    tolerance: Given | None = None,
+    fold: bool = False,
+    axes: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Poincaré section: the state once per drive period, or whenever a formula crosses zero.
+
+    Parameters
+    ----------
+    system : Given
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    initial : Values | Sequence[Values], optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
+        motions.
+    period : Given, optional
+        Take a point once per period of this length, in seconds [default: the period of the drive].
+    phase : Given, optional
+        Take it at this fraction of the period, from 0 to 1 [default: 0].
+    at : Given, optional
+        Take a point whenever this formula of coordinates, velocities and t changes its sign.
+    direction : Literal["rising", "falling", "any"], optional
+        Direction in which the formula crosses zero [default: rising].
+    skip : Given, optional
+        Number of points to discard as transient [default: 100; 0 with ``at``].
+    points : Given, optional
+        Number of points to record.
+    tolerance : Given, optional
+        The relative error allowed in each step [default: 1e-12].
+    fold : bool
+        Reduce angles to the range from −π to π, as pictures always do.
+    axes : Given, optional
+        The two state variables that the picture shows [default: a coordinate and its velocity].
+    figure : Path, optional
+        Draw the section to FILE.svg or FILE.png instead of listing the points.
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> drive = {"A": 1.5, "c": "1/2"}
+    >>> questions.section("driven_pendulum", set=drive, initial={"theta": 0.2}, points=3, skip=0).points.state.shape
+    (3, 2)
+    """
+    return answer(Answer, "section", locals())

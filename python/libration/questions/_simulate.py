@@ -1,0 +1,110 @@
+"""`libration simulate`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def simulate(
+    system: Given,
+    *,
+    times: Given,
+    set: Values | Sequence[str] | None = None,
+    length: Given | None = None,
+    gravity: Given | None = None,
+    initial: Values | None = None,
+    each: Path | Columns | None = None,
+    tolerance: Given | None = None,
+    events: Given | None = None,
+    until: Given | None = None,
+    direction: Literal["any", "rising", "falling"] | None = None,
+    count: Given | None = None,
+    columns: Given | None = None,
+    sensitivity: Given | None = None,
+    figure: Path | None = None,
+    axes: Given | None = None,
+    animate: bool = False,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    output: Path | None = None,
+    resume: Path | None = None,
+    progress: Say = False,
+) -> Answer:
+    """The motion of any system in time: damped, driven, coupled, or given by its equations.
+
+    Parameters
+    ----------
+    system : Given
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    times : Given
+        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward.
+    set : Values | Sequence[str], optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    length : Given, optional
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration systems`` says].
+    gravity : Given, optional
+        Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
+    initial : Values, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    each : Path | Columns, optional
+        One motion for each line of a CSV file (- for standard input) whose first line names parameters and initial values, and may have a column
+        ``name``.
+    tolerance : Given, optional
+        The relative error allowed in each step, for all coordinates or each by its name: 1e-12, "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
+    events : Given, optional
+        Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5.
+    until : Given, optional
+        End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; ``times`` says how long it is waited for.
+    direction : Literal["any", "rising", "falling"], optional
+        Which passages count for ``until``: rising, falling, or any [default: any].
+    count : Given, optional
+        End the motion at the n-th passage that counts for ``until`` [default: 1].
+    columns : Given, optional
+        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'".
+    sensitivity : Given, optional
+        How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0).
+    figure : Path, optional
+        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png instead of listing the samples.
+    axes : Given, optional
+        Draw one state variable against another instead of the coordinates against time, such as theta,theta'.
+    animate : bool
+        Animate the bodies beside the curves (an SVG animation, for browsers).
+    size : Literal["page", "column", "slide"], optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : Given, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : Given, optional
+        Height of the picture [default: chosen to suit the picture].
+    output : Path, optional
+        Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the format, - is
+        standard output.
+    resume : Path, optional
+        Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> answer = questions.simulate("pendulum", initial={"theta": "60deg"}, times=[1, 2])
+    >>> answer.samples.state[:, 0].round(9).tolist()
+    [0.634361507, -0.30912778]
+    """
+    return answer(Answer, "simulate", locals())

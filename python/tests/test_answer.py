@@ -1,0 +1,135 @@
+"""Answers as objects: frozen mappings that pickle, copy, compare, print, and are drawn."""
+
+import copy
+import json
+import pickle
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+
+import libration as lb
+from interruption import interrupted_after
+from libration import questions
+
+
+@pytest.fixture
+def decay():
+    return lb.decay("60deg", linear=0.1, cycles=2)
+
+
+def test_they_are_mappings_over_the_json(decay):
+    assert isinstance(decay, Mapping) and list(decay)[:2] == ["schema", "length_m"]
+    assert dict(decay) == decay.to_dict() and json.loads(json.dumps(decay.to_dict())) == decay.to_dict()
+    changed = decay.to_dict()
+    changed["turning_points"].clear()
+    assert len(decay.turning_points) == 5
+
+
+def test_they_do_not_change(decay):
+    for thing in (decay, decay.damping[0], decay.turning_points):
+        with pytest.raises(AttributeError, match="do not change"):
+            thing.length_m = 2
+        with pytest.raises((AttributeError, TypeError)):
+            del thing.length_m
+        with pytest.raises(TypeError):
+            hash(thing)
+
+
+def test_they_pickle_copy_and_compare(decay):
+    fit = lb.lab.fit_periods({"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}, length="1 m ± 1cm")
+    paper = lb.paper("cote")
+    for thing in (decay, fit, paper, decay.damping[0], decay.turning_points):
+        for other in (pickle.loads(pickle.dumps(thing)), copy.copy(thing), copy.deepcopy(thing)):
+            assert other == thing and type(other) is type(thing)
+    assert decay != lb.decay("60deg", linear=0.2, cycles=2) and decay != dict(decay)
+    assert str(pickle.loads(pickle.dumps(fit)).g) == str(fit.g)
+
+
+def test_they_print_well(decay):
+    assert repr(decay).startswith("Answer(schema=1, length_m=1.0") and "turning_points=[…5]" in repr(decay)
+    assert repr(decay.turning_points).startswith("<5 rows of cycle, time_s")
+    page = decay._repr_html_()
+    assert "<td>length_m</td><td>1</td><td>m</td>" in page and "<th>amplitude_rad</th>" in page
+    hostile = lb.Answer({"title": "<script>"}, decay._asked)._repr_html_()
+    assert "<script>" not in hostile and "&lt;script&gt;" in hostile
+    assert "schema" in dir(decay) and "time_s" in dir(decay.turning_points)
+
+
+def test_html_tables_of_many_rows_are_short():
+    answer = questions.motion("60deg", times="0:100:0.1")
+    assert answer._repr_html_().count("<tr>") < 40 and "1001 rows, of which the first 12 are shown" in answer._repr_html_()
+
+
+DRAWN = {
+    "decay": lambda: lb.decay("60deg", linear=0.1, cycles=2),
+    "motion": lambda: questions.motion("60deg"),
+    "backbone": lambda: lb.backbone("duffing", amplitudes=[0.5, 1]),
+    "simulate": lambda: questions.simulate("double_pendulum", initial={"theta1": 1}, times="0:2:0.1"),
+    "modes": lambda: lb.modes("double_pendulum"),
+    "section": lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0),
+    "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),
+    "lyapunov": lambda: lb.lyapunov("pendulum", initial={"theta": 1}, intervals=30),
+    "fit gates": lambda: lb.lab.fit_gates({"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)}, amplitude=0.2, signals="passages"),
+    "fit trace": lambda: lb.lab.fit_trace(lb.lab.recording(t=np.arange(0, 9, 0.05), angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2)), model="undamped"),
+}
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_they_are_drawn(name):
+    pytest.importorskip("matplotlib").use("agg")
+    from matplotlib import pyplot
+
+    answer = DRAWN[name]()
+    ax = answer.plot()
+    assert ax.lines and ax.get_xlabel() and ax.get_ylabel()
+    for line in ax.lines:
+        assert len(line.get_xdata()) > 0
+    assert answer.plot(ax) is ax
+    pyplot.close("all")
+
+
+def test_all_pictures_are_tested():
+    from libration._pictures import PICTURES
+
+    assert set(PICTURES) == set(DRAWN)
+
+
+def test_what_has_no_picture_says_so():
+    with pytest.raises(TypeError, match="no picture of an answer to `systems`, but of motion, decay"):
+        lb.systems("lorenz").plot()
+
+
+def test_the_picture_of_the_command_is_there_too(decay, tmp_path):
+    picture = decay.picture(size="column")
+    assert picture.svg.startswith("<svg") and picture._repr_svg_() == picture.svg and "bytes of SVG" in repr(picture)
+    picture.save(tmp_path / "decay.svg")
+    assert (tmp_path / "decay.svg").read_text() == picture.svg
+
+
+def test_series_are_drawn():
+    pytest.importorskip("matplotlib").use("agg")
+    series = lb.expand("pendulum", order=9)
+    ax = series.plot(amplitudes=np.linspace(0, 2, 11))
+    assert [line.get_label() for line in ax.lines] == ["to A^2", "to A^4", "to A^6", "to A^8"]
+    assert ax.lines[0].get_ydata()[-1] == 1 - 4 / 16
+    with pytest.raises(lb.errors.ExpansionError, match="letters"):
+        lb.expand("x'' + x + a*x^3 = 0", order=3).plot()
+
+
+def test_ctrl_c_leaves_what_is_done():
+    caught = interrupted_after(0.5, lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=1_000_000, skip=1))
+    assert caught.partial["complete"] is False and 0 < len(caught.partial.points) < 1_000_000
+
+
+def test_progress_is_told_in_words():
+    told = []
+
+    def tell(how_far):
+        told.append(how_far)
+        if len(told) == 2:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=10_000_000, skip=1, progress=tell)
+    assert len(told) == 2 and all("point" in it for it in told)
