@@ -36,7 +36,7 @@ Value: TypeAlias = str | SupportsFloat | Fraction
 """A number, in SI units where there are units, or a text such as ``"60deg"``, ``"57cm"``, ``"1/2"``."""
 Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
 """One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
-Values: TypeAlias = Mapping[str, Value] | str
+Values: TypeAlias = Mapping[str, Given] | str
 """By name."""
 Path: TypeAlias = str | os.PathLike[str]
 Columns: TypeAlias = Mapping[str, Any] | Table
@@ -98,7 +98,8 @@ class Asked(NamedTuple):
     @property
     def command(self) -> str:
         """The words of the question itself."""
-        return " ".join(self.words[: 2 if self.words[0] in ("fit", "figure") else 1])
+        two = " ".join(self.words[:2])
+        return two if two in catalogue() else self.words[0]
 
 
 def asked(words: str, given: Mapping[str, Any]) -> Asked:
@@ -141,14 +142,19 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         value = value if isinstance(value, Table) else Table(value)
         read.append(value.text)
         return ["-"]
-    if "NAME=VALUE" in parameter.value and isinstance(value, Mapping):
-        pairs = [f"{name}={text_of(it)}" for name, it in value.items()]
-        return pairs if parameter.value == "NAME=VALUE" else [",".join(pairs)]
-    if isinstance(value, (list, tuple, set, frozenset, np.ndarray, range)) or hasattr(value, "to_numpy"):
-        several = list(np.ravel(value)) if isinstance(value, np.ndarray) or hasattr(value, "to_numpy") else list(value)
-        each = [text for it in several for text in _texts(parameter, it, read)] if parameter.is_repeated else [text_of(it) for it in several]
-        return each if parameter.is_repeated else [",".join(each)]
-    return [text_of(value)]
+    if parameter.value.startswith("NAME=") and isinstance(value, Mapping):
+        pairs = [f"{name}={','.join(map(text_of, _several(it)))}" for name, it in value.items()]
+        return [",".join(pairs)] if parameter.value.endswith("…") else pairs
+    if not parameter.is_repeated:
+        return [",".join(map(text_of, _several(value)))]
+    return [text for it in _several(value) for text in (_texts(parameter, it, read) if isinstance(it, (Mapping, Table)) else [text_of(it)])]
+
+
+def _several(value: Any) -> list[Any]:
+    """What is given, one by one."""
+    if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
+        return list(np.ravel(value))
+    return list(value) if isinstance(value, (list, tuple, set, frozenset, range)) else [value]
 
 
 def text_of(value: Any) -> str:

@@ -169,7 +169,8 @@ class Answer(Fields):
     def rows(self) -> Rows:
         """The longest list of things with fields."""
         lists: list[list[Any]] = [it for it in self._fields.values() if isinstance(it, list) and it and isinstance(it[0], dict)]
-        return Rows(max(lists, key=len, default=[]))
+        longest: list[Any] = max(lists, key=len, default=[])
+        return Rows(longest)
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The rows, with a column for each number of a state."""

@@ -65,7 +65,7 @@ def test_the_json_is_that_of_the_command(function, given, options, line):
 
 def test_every_question_is_asked_both_ways():
     asked = {function.__name__ for function, *_ in PAIRS}
-    others = {"derive", *(name for name in questions.__all__ if name.startswith("figure_"))}
+    others = {"derive", "sweep", "sweep_join", "sweep_status", *(name for name in questions.__all__ if name.startswith("figure_"))}
     assert asked | others == set(questions.__all__)
 
 
@@ -81,6 +81,19 @@ def test_pictures_are_those_of_the_command(words, tmp_path):
     assert {**picture.to_dict(), "output": ""} == {**answer, "output": ""}
     picture.save(tmp_path / "b.png")
     assert (tmp_path / "b.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_sweeps_are_those_of_the_command(tmp_path):
+    over = {"A": [1.0, 1.25], "theta": np.array([0.0, 0.5])}
+    question = ["lyapunov", "driven_pendulum", "--set", "c=1/2", "--intervals", "5"]
+    told = questions.sweep(question, over=over, output=tmp_path / "here")
+    there = ["sweep", "--over", "A=1.0,1.25", "--over", "theta=0.0,0.5", "--output", str(tmp_path / "there"), "--", *question]
+    assert told == command(there)
+    for name in ("here", "there"):
+        questions.sweep_join(tmp_path / name, output=tmp_path / f"{name}.csv")
+    assert (tmp_path / "here.csv").read_text() == (tmp_path / "there.csv").read_text()
+    status = questions.sweep_status(tmp_path / "here").to_dict()
+    assert status == json.loads(command(["sweep", "status", "--json", str(tmp_path / "here")]))
 
 
 def test_derivations_are_those_of_the_command():

@@ -62,15 +62,13 @@ pub fn questions() -> Vec<Question> {
     leaves(&command, "")
 }
 
-/// The commands below this one that have none below them.
+/// The commands below this one that can be asked by themselves.
 fn leaves(command: &Command, words: &str) -> Vec<Question> {
     let below = command.get_subcommands().filter(|it| it.get_name() != "help");
     let each = below.flat_map(|it| {
         let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
-        match it.has_subcommands() {
-            true => leaves(it, &words),
-            false => vec![question(it, words)],
-        }
+        let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
+        itself.into_iter().chain(leaves(it, &words)).collect::<Vec<_>>()
     });
     each.collect()
 }

@@ -27,6 +27,9 @@ from ._paper import paper
 from ._period import period
 from ._section import section
 from ._simulate import simulate
+from ._sweep import sweep
+from ._sweep_join import sweep_join
+from ._sweep_status import sweep_status
 from ._systems import systems
 
 __all__ = [
@@ -57,5 +60,8 @@ __all__ = [
     "period",
     "section",
     "simulate",
+    "sweep",
+    "sweep_join",
+    "sweep_status",
     "systems",
 ]

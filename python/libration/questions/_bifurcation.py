@@ -10,7 +10,7 @@ from ..answer import Answer, answer
 def bifurcation(
     system: Given,
     *,
-    over: Given,
+    over: Values | Sequence[str],
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     sweep: Literal["up", "down", "both"] | None = None,
@@ -35,13 +35,14 @@ def bifurcation(
     ----------
     system : Given
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
-    over : Given
+        order, such as "x' = x - x\\*y; y' = x\\*y - y".
+    over : Values | Sequence[str]
         The parameter and its values, from A to B in steps, such as A=1:1.5:0.01.
     set : Values | Sequence[str], optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
+        rest.
     sweep : Literal["up", "down", "both"], optional
         Start each motion where the previous one ended, taking the values in this order.
     period : Given, optional

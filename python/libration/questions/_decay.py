@@ -29,9 +29,9 @@ def decay(
 ) -> Answer:
     """How the swings of a damped pendulum die down, cycle by cycle.
 
-    The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy falls at
-    its mean rate over an undamped cycle (exact at any amplitude), and with the small-amplitude law. The duration of each cycle is compared with the
-    exact period at the amplitude in its middle.
+    The amplitudes are found by integrating θ″ + Σ cₙ θ′\\|θ′\\|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy
+    falls at its mean rate over an undamped cycle (exact at any amplitude), and with the small-amplitude law. The duration of each cycle is compared
+    with the exact period at the amplitude in its middle.
 
     Parameters
     ----------

@@ -26,11 +26,12 @@ def expand(
     harmonics are also given as functions of the amplitude, which is the same in every gauge. Self-excited oscillators with an open parameter, such as
     ``van_der_pol``, are expanded in that parameter. Other parameters without a value stay letters: the coefficients are then polynomials in them.
 
-    A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the answer is then its
-    scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
+    A force in proportion to one power of the displacement, such as x^3 or x\\*abs(x), has no small oscillations to expand about; the answer is then
+    its scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
 
     Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′, how the phase
-    runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero, sign(x').
+    runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'\\*abs(x'), and zero,
+    sign(x').
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ def figure_trajectories(
     length: Given | None = None,
     gravity: Given | None = None,
     initial: Values | Sequence[Values] | None = None,
-    over: Given | None = None,
+    over: Values | Sequence[str] | None = None,
     from_: Given | None = None,
     until: Given | None = None,
     show: Given | None = None,
@@ -31,7 +31,7 @@ def figure_trajectories(
     ----------
     system : Given
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        order, such as "x' = x - x\\*y; y' = x\\*y - y".
     set : Values | Sequence[str], optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : Given, optional
@@ -41,7 +41,7 @@ def figure_trajectories(
     initial : Values | Sequence[Values], optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
         motions.
-    over : Given, optional
+    over : Values | Sequence[str], optional
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
     from_ : Given, optional
         The first time that is drawn, in seconds or with a unit [default: 0].

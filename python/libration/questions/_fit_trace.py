@@ -54,9 +54,9 @@ def fit_trace(
 ) -> Fit:
     """Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude.
 
-    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all traces, which share ω0 and the
-    damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the period: T
-    = T0·[1 + β(R − 1)] with β = 1.
+    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′\\|θ′\\| is integrated and fitted to all rows of all traces, which share ω0 and
+    the damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the
+    period: T = T0·[1 + β(R − 1)] with β = 1.
 
     Parameters
     ----------

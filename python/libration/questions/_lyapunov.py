@@ -28,11 +28,12 @@ def lyapunov(
     ----------
     system : Given
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        order, such as "x' = x - x\\*y; y' = x\\*y - y".
     set : Values | Sequence[str], optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
+        rest.
     intervals : Given, optional
         Number of intervals to measure, each about one period of the motion [default: 1000].
     time : Given, optional

@@ -21,7 +21,7 @@ def simulate(
     until: Given | None = None,
     direction: Literal["any", "rising", "falling"] | None = None,
     count: Given | None = None,
-    columns: Given | None = None,
+    columns: Values | Sequence[str] | None = None,
     sensitivity: Given | None = None,
     figure: Path | None = None,
     axes: Given | None = None,
@@ -39,7 +39,7 @@ def simulate(
     ----------
     system : Given
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        order, such as "x' = x - x\\*y; y' = x\\*y - y".
     times : Given
         Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward.
     set : Values | Sequence[str], optional
@@ -49,7 +49,8 @@ def simulate(
     gravity : Given, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
+        rest.
     each : Path | Columns, optional
         One motion for each line of a CSV file (- for standard input) whose first line names parameters and initial values, and may have a column
         ``name``.
@@ -63,8 +64,8 @@ def simulate(
         Which passages count for ``until``: rising, falling, or any [default: any].
     count : Given, optional
         End the motion at the n-th passage that counts for ``until`` [default: 1].
-    columns : Given, optional
-        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'".
+    columns : Values | Sequence[str], optional
+        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2\\*x'".
     sensitivity : Given, optional
         How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0).
     figure : Path, optional

@@ -1,0 +1,54 @@
+"""`libration sweep`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+
+from .._ask import Given, Path, Say, Values, text
+
+
+def sweep(
+    question: Given,
+    *,
+    over: Values | Sequence[str],
+    output: Path,
+    keep: Given | None = None,
+    shard: Given | None = None,
+    chunk: Given | None = None,
+    progress: Say = False,
+) -> str:
+    """Ask a question at all points of a grid, in chunks that survive interruptions.
+
+    Each ``over`` is an axis. Its values go where the question has {NAME}, or to its option or argument of this name, or they are initial values or
+    parameters of its system.
+
+    Parameters
+    ----------
+    question : Given
+        The command and its options, as behind ``libration``; ``json`` is implied.
+    over : Values | Sequence[str]
+        An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas.
+    output : Path
+        The directory for the chunks; that of the same sweep is gone on with.
+    keep : Given, optional
+        Keep this number of the answer, by its way in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as
+        angle=samples[-1].state[0] [default: all that stand alone].
+    shard : Given, optional
+        Answer this part of the sweep only, such as 3/64.
+    chunk : Given, optional
+        Number of points in a chunk, at most [default: about 256 chunks].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return text("sweep", locals(), progress)

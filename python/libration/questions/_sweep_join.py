@@ -1,0 +1,41 @@
+"""`libration sweep join`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+
+from .._ask import Path, Say
+from ..answer import Answer, answer
+
+
+def sweep_join(
+    directories: Path | Sequence[Path],
+    *,
+    output: Path | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Put the shards of a sweep together as one file of CSV or JSON.
+
+    The file is the same, byte for byte, however many shards, threads and interruptions there were.
+
+    Parameters
+    ----------
+    directories : Path | Sequence[Path]
+        The directories of the shards; one where all have written to the same.
+    output : Path, optional
+        The file, whose ending says its form: .csv or .json [default: CSV on the standard output].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Answer, "sweep join", locals())

@@ -1,0 +1,36 @@
+"""`libration sweep status`. Written by scripts/questions."""
+
+from collections.abc import Sequence
+
+from .._ask import Path, Say
+from ..answer import Answer, answer
+
+
+def sweep_status(
+    directories: Path | Sequence[Path],
+    *,
+    progress: Say = False,
+) -> Answer:
+    """Say how far a sweep is, and which shards are missing.
+
+    Parameters
+    ----------
+    directories : Path | Sequence[Path]
+        The directories of the shards; one where all write to the same.
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Answer, "sweep status", locals())
