@@ -16,7 +16,7 @@ myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 nb_execution_mode = "force"
 nb_execution_show_tb = True
-nb_execution_timeout = 100
+nb_execution_timeout = 600
 nb_merge_streams = True
 nb_output_stderr = "warn"
 

@@ -2,6 +2,7 @@
 
 import inspect
 import re
+import sys
 
 import numpy as np
 from sphinx.util import logging
@@ -13,7 +14,8 @@ LOG = logging.getLogger(__name__)
 
 def setup(app):
     app.connect("autodoc-process-signature", signature, priority=100)  # before numpydoc
-    app.connect("autodoc-process-docstring", begin_with_type, priority=900)  # after numpydoc
+    app.connect("autodoc-process-docstring", keep_formulas, priority=100)  # before numpydoc
+    app.connect("autodoc-process-docstring", begin_with_type, priority=900)  # after it
     app.connect("env-check-consistency", warn_of_missing_names)
     return {"parallel_read_safe": True}
 
@@ -28,10 +30,22 @@ def signature(app, what, name, obj, options, arguments, answer):
     return None
 
 
+def keep_formulas(app, what, name, obj, options, lines):
+    """Bars, and stars behind a prime, belong to formulas, |θ'| and x'*abs(x'), and are no markup."""
+    is_example = False
+    for i, line in enumerate(lines):
+        is_example = bool(line.strip()) and (is_example or line.lstrip().startswith(">>>"))
+        if not is_example:
+            parts = line.split("``")
+            parts[::2] = [re.sub(r"\||(?<=')\*", r"\\\g<0>", part) for part in parts[::2]]
+            lines[i] = "``".join(parts)
+
+
 def begin_with_type(app, what, name, obj, options, lines):
     """Fields and properties begin with their type."""
     kind, _, member = name.rpartition(".")
-    of = getattr(libration, kind.rpartition(".")[2], None)
+    module, _, kind = kind.rpartition(".")
+    of = getattr(sys.modules.get(module), kind, None)
     if not lines or not inspect.isclass(of) or what not in ("attribute", "property"):
         return
     getter = getattr(vars(of).get(member), "fget", None)
