@@ -52,7 +52,7 @@ impl Source {
                 .iter()
                 .map(|part| part.to_str().unwrap().to_owned())
                 .collect();
-            if module.last().is_some_and(|last| last == "tests") {
+            if module.iter().any(|part| part == "tests") {
                 continue;
             }
             module.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
