@@ -67,3 +67,29 @@ fn run_wide<K: Kernel>(kernel: K) -> K::Output {
 fn run_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
+
+/// How many elements ahead: two pages of memory, beyond which the processor does not look by itself. With 512, 1024, 2048 and 4096 a
+/// million periods out of memory took 0.88 to 0.93 of the time without, prepared states 0.85 to 0.91.
+#[cfg(target_arch = "x86_64")]
+const AHEAD: usize = 1024;
+
+/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before is no matter.
+#[inline(always)]
+pub(crate) fn fetch_ahead(block: &[f64]) {
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = block;
+    #[cfg(target_arch = "x86_64")]
+    for line in block.chunks(LINE) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        let place = line.as_ptr().wrapping_add(AHEAD);
+        // SAFETY: a hint, which is allowed for every address and reads nothing.
+        #[expect(unsafe_code, reason = "a hint to the processor")]
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T0>(place.cast());
+        }
+    }
+}
+
+/// Elements in a line of the cache.
+#[cfg(target_arch = "x86_64")]
+const LINE: usize = 8;

@@ -74,24 +74,12 @@ pub(crate) fn square<E: Copy>(on: &impl Rounded<E>, a: &[E]) -> E {
     }
 }
 
-/// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁, b₀ … bₙ and, where it is at hand, the reciprocal of b₀.
+/// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ.
 #[inline(always)]
-pub(crate) fn quotient<E: Copy>(
-    on: &impl Rounded<E>,
-    a_n: E,
-    c: &[E],
-    b: &[E],
-    reciprocal: Option<&E>,
-) -> Option<E> {
+pub(crate) fn quotient<E: Copy>(on: &impl Rounded<E>, a_n: E, c: &[E], b: &[E]) -> Option<E> {
     let n = c.len();
     let known = on.multiply_add(b[n], c[0], before_the_last(on, &b[1..n], &c[1..]));
-    match reciprocal {
-        Some(reciprocal) => {
-            let known = on.multiply(&known, reciprocal);
-            Some(on.multiply_add(a_n, *reciprocal, on.negate(&known)))
-        }
-        None => on.divide(&on.subtract(&a_n, &known), &b[0]),
-    }
+    on.divide(&on.subtract(&a_n, &known), &b[0])
 }
 
 /// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁: what aₙ contributes is not weighted.
@@ -139,10 +127,8 @@ mod tests {
             b[0] = 4.0;
             let a_n = c.iter().zip(b.iter().rev()).fold(0.0, |sum, (c, b)| sum + c * b);
             let (c, last) = c.split_at(n as usize);
-            for reciprocal in [None, Some(&[0.25])] {
-                let found = quotient(&Lanes::<1>, [a_n], c.as_chunks().0, b.as_chunks().0, reciprocal);
-                assert_eq!(found, Some([last[0]]), "{n}");
-            }
+            let found = quotient(&Lanes::<1>, [a_n], c.as_chunks().0, b.as_chunks().0);
+            assert_eq!(found, Some([last[0]]), "{n}");
         }
     }
 

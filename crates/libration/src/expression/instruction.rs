@@ -7,10 +7,6 @@ use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };
 
-/// From this order on quotients are made products with a reciprocal, where there is one. Its rounding is the same at all orders; below,
-/// it would be felt.
-const RECIPROCAL_FROM: usize = 8;
-
 /// How a zeroth coefficient comes about from those in the rows P, with exponents X.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value<P, X> {
@@ -62,12 +58,12 @@ pub(crate) enum Instruction<P, X> {
     /// A divisor that does not depend on the variable.
     Unscale {
         a: P,
-        divisor: Divisor<P>,
+        divisor: P,
         out: P,
     },
     Divide {
         a: P,
-        b: Divisor<P>,
+        b: P,
         out: P,
     },
     Power {
@@ -116,13 +112,6 @@ pub(crate) struct Weighted<P> {
     pub(crate) weighted: P,
 }
 
-/// A row, and one whose first coefficient is the reciprocal of its first.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Divisor<P> {
-    pub(crate) plain: P,
-    pub(crate) reciprocal: Option<P>,
-}
-
 /// Where series are kept, and what is special to it.
 pub(crate) trait Evaluator<P, X> {
     type Ring: Ring;
@@ -142,14 +131,13 @@ pub(crate) trait Evaluator<P, X> {
     fn square(&self, a: &[<Self::Ring as Ring>::Element]) -> <Self::Ring as Ring>::Element {
         self.ring().convolution(a, a)
     }
-    /// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁, b₀ … bₙ and, where it is at hand, the reciprocal of b₀.
+    /// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ.
     #[inline(always)]
     fn quotient(
         &self,
         a_n: &<Self::Ring as Ring>::Element,
         c: &[<Self::Ring as Ring>::Element],
         b: &[<Self::Ring as Ring>::Element],
-        _: Option<&<Self::Ring as Ring>::Element>,
     ) -> Option<<Self::Ring as Ring>::Element> {
         quotient(self.ring(), a_n, c, b)
     }
@@ -224,7 +212,6 @@ impl<P: Copy, X> Instruction<P, X> {
         operation: &'a Operation,
         place: usize,
         rows: impl Fn(usize) -> Weighted<P>,
-        divisor: impl Fn(usize) -> Divisor<P>,
         degree: impl Fn(usize) -> usize,
         exponent: impl Fn(&'a Rational) -> X,
     ) -> Option<Self> {
@@ -240,8 +227,8 @@ impl<P: Copy, X> Instruction<P, X> {
             Operation::Multiply(a, b) if constant(b) => Self::Scale { factor: at(b), a: at(a), out },
             Operation::Multiply(a, b) if a == b => Self::Square { a: at(a), out },
             Operation::Multiply(a, b) => Self::Multiply { a: at(a), b: at(b), out },
-            Operation::Divide(a, b) if constant(b) => Self::Unscale { a: at(a), divisor: divisor(b), out },
-            Operation::Divide(a, b) => Self::Divide { a: at(a), b: divisor(b), out },
+            Operation::Divide(a, b) if constant(b) => Self::Unscale { a: at(a), divisor: at(b), out },
+            Operation::Divide(a, b) => Self::Divide { a: at(a), b: at(b), out },
             Operation::Power(a, ref power) => {
                 Self::Power { exponent: exponent(power), a: rows(a), out: rows(place) }
             }
@@ -277,7 +264,6 @@ impl<P: Copy, X> Instruction<P, X> {
         let through = |row: P| &on.row(row)[..=n];
         let behind = |row: P| &on.row(row)[1..=n];
         let over_n = |weighted| over_integer(ring, &weighted, n);
-        let reciprocal = |of: Divisor<P>| of.reciprocal.filter(|_| n >= RECIPROCAL_FROM).map(first);
         let signed = |slope: Slope, value| if slope == Slope::Plus { value } else { ring.negate(&value) };
         Some(match *self {
             Self::Weight { a, out } => (out, ring.times_integer(at(a), i64::try_from(n).unwrap_or(i64::MAX))),
@@ -287,13 +273,8 @@ impl<P: Copy, X> Instruction<P, X> {
             Self::Scale { factor, a, out } => (out, ring.multiply(first(factor), at(a))),
             Self::Multiply { a, b, out } => (out, ring.convolution(through(a), through(b))),
             Self::Square { a, out } => (out, on.square(through(a))),
-            Self::Unscale { a, divisor, out } => match reciprocal(divisor) {
-                Some(reciprocal) => (out, ring.multiply(at(a), reciprocal)),
-                None => (out, ring.divide(at(a), first(divisor.plain))?),
-            },
-            Self::Divide { a, b, out } => {
-                (out, on.quotient(at(a), before(out), through(b.plain), reciprocal(b))?)
-            }
+            Self::Unscale { a, divisor, out } => (out, ring.divide(at(a), first(divisor))?),
+            Self::Divide { a, b, out } => (out, on.quotient(at(a), before(out), through(b))?),
             Self::Power { ref exponent, a, out } => {
                 let own = Both { plain: before(out.plain), weighted: before(out.weighted) };
                 let of = Both { plain: through(a.plain), weighted: through(a.weighted) };

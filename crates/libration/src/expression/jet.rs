@@ -1,6 +1,6 @@
 //! A tape evaluated on power series, one power of the variable after the other.
 
-use super::instruction::{Divisor, Evaluator, Instruction, Value, Weighted};
+use super::instruction::{Evaluator, Instruction, Value, Weighted};
 use super::tape::{Operation, Tape};
 use crate::algebra::{Rational, Ring};
 
@@ -147,8 +147,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         let rows =
             |place: usize| Weighted { plain: plain(place), weighted: SeriesRow { place, weighted: true } };
         let degree = |place: usize| if self.tape.is_constant(place) { 0 } else { usize::MAX };
-        let divisor = |place: usize| Divisor { plain: plain(place), reciprocal: None };
-        let instruction = Instruction::new(operation, place, rows, divisor, degree, |exponent| exponent)?;
+        let instruction = Instruction::new(operation, place, rows, degree, |exponent| exponent)?;
         instruction.evaluate(self, self.places[place].plain.len()).map(|(_, value)| value)
     }
 }

@@ -44,7 +44,7 @@ use crate::algebra::Rational;
 pub use crate::algebra::Function;
 pub use equation::{Equation, EquationError, NotSecondOrder, Order};
 pub use error::{Fault, ParseError};
-pub(crate) use instruction::{Divisor, Evaluator, Instruction, Value, Weighted};
+pub(crate) use instruction::{Evaluator, Instruction, Value, Weighted};
 pub(crate) use jet::{Jet, NoSeries};
 pub use letters::greek_letter;
 pub use lexer::LONGEST_TEXT;

@@ -9,7 +9,7 @@ use super::period::{
     EXCESS, Excess, LOG_NOME, Nearer, OfAmplitude, One, PeriodFunction, Ratio, RatioNearTop, excess_with,
     log_inverse_nome_with, nearer_of_amplitude, ratio_above,
 };
-use crate::dispatch::{Kernel, dispatch_slices};
+use crate::dispatch::{Kernel, dispatch_slices, fetch_ahead};
 use crate::double_double::DoubleDouble;
 use crate::double_double::block::{BLOCK, Words};
 use crate::elementary::{Logarithm, ReducedLogarithm, polynomial};
@@ -25,6 +25,8 @@ impl<P: PeriodFunction> Kernel for Each<'_, P> {
         let (values, rest_values) = self.2.as_chunks_mut::<BLOCK>();
         let mut stages = Stages::ZERO;
         for (x, y) in arguments.iter().zip(values) {
+            fetch_ahead(x);
+            fetch_ahead(y);
             stages.block::<P>(x, y);
         }
         for (x, y) in rest.iter().zip(rest_values) {

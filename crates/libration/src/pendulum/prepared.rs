@@ -5,7 +5,7 @@ use super::LengthMismatch;
 use super::motion::Motion;
 use super::state::{State, whole_turns};
 use super::table::{Cycle, Segment, Table};
-use crate::dispatch::{Kernel, dispatch, dispatch_slices};
+use crate::dispatch::{Kernel, dispatch, dispatch_slices, fetch_ahead};
 use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{nearest_integer, nearest_integer_bits};
@@ -240,6 +240,9 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
         let mut stages = Stages::ZERO;
         let blocks = times.chunks(BLOCK).zip(angles.chunks_mut(BLOCK)).zip(velocities.chunks_mut(BLOCK));
         for ((times, angles), velocities) in blocks {
+            fetch_ahead(times);
+            fetch_ahead(angles);
+            fetch_ahead(velocities);
             let done = match (times.as_array(), angles.as_mut_array(), velocities.as_mut_array()) {
                 (Some(times), Some(angles), Some(velocities)) => {
                     stages.block(table, unwrap, times, angles, velocities)

@@ -5,7 +5,7 @@ use super::period::{Nearer, amplitude_above, nearer_of_amplitude, root_of_nome};
 use super::period_stages::Stages;
 use super::state::{DoubledArctangent, ReducedRatio};
 use super::varying::{Factors, One, ReleaseSide, gauss, phase, tangent, velocity};
-use crate::dispatch::{Kernel, dispatch_slices};
+use crate::dispatch::{Kernel, dispatch_slices, fetch_ahead};
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 use crate::elementary::ReducedArctangent;
@@ -46,6 +46,10 @@ impl Kernel for Each<'_> {
         let mut stages = ReleaseStages::new(self.angular_frequency);
         let mut place = 0;
         while place < self.amplitudes.len() {
+            let end = (place + BLOCK).min(self.amplitudes.len());
+            for slice in [self.amplitudes, self.times, &*self.angles, &*self.velocities] {
+                fetch_ahead(&slice[place..end]);
+            }
             // So many that neither queue overflows, and counted outside of memory.
             let room = BLOCK - above.count.max(below.count);
             let (mut above_count, mut below_count) = (above.count, below.count);

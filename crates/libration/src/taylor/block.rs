@@ -110,6 +110,12 @@ impl<const N: usize> Block<N> {
         &self[self.row(number)]
     }
 
+    /// The last coefficients of all numbers of the state.
+    #[inline(always)]
+    pub(super) fn last_coefficients(&self) -> impl Iterator<Item = &[f64; N]> {
+        (0..self.numbers()).filter_map(|number| self.series(number).last())
+    }
+
     /// Brings a lane to a time and a state.
     pub(super) fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);

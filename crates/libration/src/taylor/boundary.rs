@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::block::{Block, Row};
 use super::contacts::Stretch;
-use super::largest_change::largest_change;
+use super::largest_change::largest_changes;
 use super::sign_change::scaled;
 use crate::algebra::Function;
 use crate::expression::{Operation, Tape};
@@ -87,13 +87,21 @@ fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
 }
 
 impl Boundary<Row> {
-    /// Whether in a step of this length, in units of the block, its value is known to come nowhere near what is forbidden: a zero that is
-    /// farther than it changes, and than the widest blur, a hundredth of all that it is made of.
-    pub(super) fn is_far<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
+    /// Whether in steps of these lengths, in units of the block, its values are known to come nowhere near what is forbidden: a zero that
+    /// is farther than they change, and than the widest blur, a hundredth of all that they are made of.
+    #[inline(always)]
+    pub(super) fn is_far<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
         const WITH_BLUR: f64 = 1.05;
+        if self.forbidden != Forbidden::Zero {
+            return false;
+        }
         let series = &block[self.of];
-        let change = largest_change(series, lane, length);
-        self.forbidden == Forbidden::Zero && WITH_BLUR * change < series[0][lane].abs()
+        let changes = largest_changes(series, lengths);
+        let mut is_far = true;
+        for lane in 0..N {
+            is_far &= WITH_BLUR * changes[lane] < series[0][lane].abs();
+        }
+        is_far
     }
 
     /// The part of a step of this length, in units of the block, after which its value comes first to what is forbidden.

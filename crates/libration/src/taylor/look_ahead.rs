@@ -15,7 +15,7 @@ impl<const N: usize> Stepper<'_, N> {
         let mut outcomes = self.expand_in_fitting_units();
         let goal_bound = self.goal_bound;
         let lengths = dispatch_lanes::<N, _>(Lengths { stepper: self });
-        match self.ends_on_open_ways(&lengths) {
+        match dispatch_lanes::<N, _>(EndsOnOpenWays { stepper: self, lengths: &lengths }) {
             Some(ends) => (self.block.end, self.unit) = (ends, lanes(|lane| unit_for(lengths[lane]))),
             None => self.look_for_ends(&lengths, &mut outcomes),
         }
@@ -36,26 +36,6 @@ impl<const N: usize> Stepper<'_, N> {
             |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
         let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
         std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
-    }
-
-    /// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
-    fn ends_on_open_ways(&self, lengths: &[f64; N]) -> Option<[f64; N]> {
-        if self.expander.system.moduli() > 0 {
-            return None;
-        }
-        let (start, goal) = (&self.block.start, &self.goal);
-        let ends = lanes(|lane| start[lane] + lengths[lane].copysign(goal[lane] - start[lane]));
-        let mut open = true;
-        for lane in 0..N {
-            open &= lengths[lane] < (goal[lane] - start[lane]).abs();
-            open &= (ends[lane] - start[lane]).abs() > SHORTEST * start[lane].abs();
-        }
-        let is_open = |lane: usize| {
-            let units = (ends[lane] - start[lane]) / self.block.unit[lane];
-            let mut boundaries = self.expander.boundaries.iter();
-            self.is_regular(lane) && boundaries.all(|boundary| boundary.is_far(&self.block, lane, units))
-        };
-        (open && (0..N).all(is_open)).then_some(ends)
     }
 
     /// The ends of the steps, lane by lane.
@@ -196,8 +176,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// Whether the last coefficients are finite, into which the ones before enter.
     fn is_regular(&self, lane: usize) -> bool {
-        let last = |number| self.block.series(number).last().is_some_and(|c| c[lane].is_finite());
-        (0..self.block.numbers()).all(last)
+        self.block.last_coefficients().all(|c| c[lane].is_finite())
     }
 
     /// The farthest end in which series that seem to be polynomials do not overflow.
@@ -209,6 +188,36 @@ impl<const N: usize> Stepper<'_, N> {
         let is_finite =
             |end: f64| self.block.step(lane).state_at(end).iter().all(|number| number.is_finite());
         ends.find(|&end| is_finite(end)).ok_or(Cause::StepUnderflow)
+    }
+}
+
+/// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
+struct EndsOnOpenWays<'f, 'a, const N: usize> {
+    stepper: &'f Stepper<'a, N>,
+    lengths: &'f [f64; N],
+}
+
+impl<const N: usize> Kernel for EndsOnOpenWays<'_, '_, N> {
+    type Output = Option<[f64; N]>;
+
+    #[inline(always)]
+    fn run(self) -> Option<[f64; N]> {
+        let Self { stepper: Stepper { expander, block, goal, .. }, lengths } = self;
+        let (start, unit) = (&block.start, &block.unit);
+        let ends = lanes(|lane| start[lane] + lengths[lane].copysign(goal[lane] - start[lane]));
+        let units: [f64; N] = lanes(|lane| (ends[lane] - start[lane]) / unit[lane]);
+        let mut open = expander.system.moduli() == 0;
+        for lane in 0..N {
+            open &= lengths[lane] < (goal[lane] - start[lane]).abs();
+            open &= (ends[lane] - start[lane]).abs() > SHORTEST * start[lane].abs();
+        }
+        for last in block.last_coefficients() {
+            open &= !any(last, |c| !c.is_finite());
+        }
+        for boundary in &expander.boundaries {
+            open = open && boundary.is_far(block, &units);
+        }
+        open.then_some(ends)
     }
 }
 

@@ -3,12 +3,10 @@
 //! A `Jet` asks at every order what is constant, weighted or linear in the time. Integrations go through the tape millions
 //! of times, so here that is asked once.
 
-use std::collections::HashMap;
-
 use super::block::{Block, Row};
 use crate::algebra::{Function, Lanes, Rational, integral, lanes, quotient, sin_cos_in_lanes, square};
 use crate::elementary::count;
-use crate::expression::{Divisor, Evaluator, Instruction, Operation, Tape, Value, Weighted};
+use crate::expression::{Evaluator, Instruction, Operation, Tape, Value, Weighted};
 
 /// Instructions for the coefficients of the formulas on a tape.
 #[derive(Clone, Debug)]
@@ -34,7 +32,6 @@ pub(super) struct Program {
 enum Zeroth {
     One { out: Row, value: Value<Row, f64> },
     SineAndCosine { of: Row, sine: Row, cosine: Row },
-    Reciprocal { of: Row, out: Row },
 }
 
 /// The degree in the time of what is not known to be a polynomial.
@@ -54,17 +51,8 @@ impl Program {
             rows: tape.inputs(),
         };
         let (places, input_degrees) = (vec![], degrees);
-        let mut writer = Writer {
-            tape,
-            terms,
-            program,
-            places,
-            degrees: vec![],
-            delays: vec![],
-            last,
-            reciprocals: HashMap::new(),
-            input_degrees,
-        };
+        let delays = delays(tape, last);
+        let mut writer = Writer { tape, terms, program, places, degrees: vec![], delays, input_degrees };
         for place in 0..tape.operations().len() {
             writer.write(place);
         }
@@ -82,9 +70,6 @@ impl Program {
                 Zeroth::SineAndCosine { of, sine, cosine } => {
                     [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
                 }
-                Zeroth::Reciprocal { of, out } => {
-                    block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
-                }
             }
         }
     }
@@ -93,7 +78,7 @@ impl Program {
     pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
         for zeroth in &self.values {
             match *zeroth {
-                Zeroth::One { out, .. } | Zeroth::Reciprocal { out, .. } => block[out][0] = other[out][0],
+                Zeroth::One { out, .. } => block[out][0] = other[out][0],
                 Zeroth::SineAndCosine { sine, cosine, .. } => {
                     [block[sine][0], block[cosine][0]] = [other[sine][0], other[cosine][0]];
                 }
@@ -154,14 +139,8 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
     }
 
     #[inline(always)]
-    fn quotient(
-        &self,
-        a_n: &[f64; N],
-        c: &[[f64; N]],
-        b: &[[f64; N]],
-        reciprocal: Option<&[f64; N]>,
-    ) -> Option<[f64; N]> {
-        quotient(&Lanes, *a_n, c, b, reciprocal)
+    fn quotient(&self, a_n: &[f64; N], c: &[[f64; N]], b: &[[f64; N]]) -> Option<[f64; N]> {
+        quotient(&Lanes, *a_n, c, b)
     }
 
     #[inline(always)]
@@ -202,13 +181,22 @@ struct Writer<'a> {
     places: Vec<Weighted<Row>>,
     /// Their degrees in the time.
     degrees: Vec<usize>,
-    /// How many operations lie between what is known first at an order and the results.
+    /// How late the results are known at each order.
     delays: Vec<usize>,
-    /// Of the first coefficients of divisors.
-    reciprocals: HashMap<usize, Row>,
     input_degrees: &'a [usize],
-    /// Which inputs are known an order later than others.
-    last: &'a [bool],
+}
+
+/// How many operations lie between what is known first at an order and the results, some inputs being known last.
+fn delays(tape: &Tape, last: &[bool]) -> Vec<usize> {
+    /// More than there are operations between two orders.
+    const ORDER: usize = 1000;
+    let mut delays: Vec<usize> = vec![];
+    for operation in tape.operations() {
+        let before = operation.operands().map(|place| delays[place] + 1).max().unwrap_or(0);
+        let is_last = matches!(*operation, Operation::Input(number) if last.get(number) == Some(&true));
+        delays.push(if is_last { ORDER } else { before });
+    }
+    delays
 }
 
 impl Writer<'_> {
@@ -228,37 +216,14 @@ impl Writer<'_> {
         let plain =
             if let Operation::Input(number) = *operation { Row::new(number, self.terms) } else { self.row() };
         let weighted = if self.tape.is_weighted(place) { self.row() } else { plain };
-        self.prepare_divisor(operation, degree);
         self.places.push(Weighted { plain, weighted });
         self.degrees.push(degree);
-        self.delays.push(self.delay(operation));
         self.write_value(operation, plain);
         if degree > 0 {
             let instruction = self.instruction(operation, place);
             let weight = (weighted != plain).then_some(Instruction::Weight { a: plain, out: weighted });
             let list = if degree == 1 { &mut self.program.linear } else { &mut self.program.nonlinear };
             list.extend(instruction.into_iter().chain(weight));
-        }
-    }
-
-    fn delay(&self, operation: &Operation) -> usize {
-        /// More than there are operations between two orders.
-        const ORDER: usize = 1000;
-        match *operation {
-            Operation::Input(number) if self.last.get(number) == Some(&true) => ORDER,
-            _ => operation.operands().map(|place| self.delays[place] + 1).max().unwrap_or(0),
-        }
-    }
-
-    /// Further coefficients of a quotient are products with the reciprocal of the divisor's first.
-    fn prepare_divisor(&mut self, operation: &Operation, degree: usize) {
-        if let Operation::Divide(_, divisor) = *operation
-            && degree > 0
-            && !self.reciprocals.contains_key(&divisor)
-        {
-            let (of, out) = (self.places[divisor].plain, self.row());
-            self.program.values.push(Zeroth::Reciprocal { of, out });
-            self.reciprocals.insert(divisor, out);
         }
     }
 
@@ -323,15 +288,12 @@ impl Writer<'_> {
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
         let rows = |place: usize| self.places.get(place).copied().unwrap_or(next);
         let swapped = match *operation {
-            // The newest coefficient of the first factor enters last.
+            // The newest coefficient of the first factor enters last. Double pendulums at 1e-12, single or two hundred side by side, take
+            // 0.96 of the time.
             Operation::Multiply(a, b) if self.delays[a] < self.delays[b] => Some(Operation::Multiply(b, a)),
             _ => None,
         };
         let operation = swapped.as_ref().unwrap_or(operation);
-        let divisor = |place: usize| Divisor {
-            plain: self.places[place].plain,
-            reciprocal: self.reciprocals.get(&place).copied(),
-        };
-        Instruction::new(operation, place, rows, divisor, |place| self.degrees[place], Rational::to_f64)
+        Instruction::new(operation, place, rows, |place| self.degrees[place], Rational::to_f64)
     }
 }

@@ -5,7 +5,7 @@
 
 use super::block::{Block, Row};
 use super::boundary::reached;
-use super::largest_change::largest_change;
+use super::largest_change::{largest_change, largest_changes};
 use super::sign_change::{scaled, sign_changes};
 use crate::algebra::Growth;
 use crate::elementary::count;
@@ -28,16 +28,21 @@ enum Enters {
 pub(super) struct Steep<P> {
     pub(super) of: P,
     enters: Enters,
+    followed: Followed,
 }
 
 impl<P> Steep<P> {
+    fn new(of: P, enters: Enters) -> Self {
+        Self { of, enters, followed: enters.followed() }
+    }
+
     pub(super) fn divisor(of: P) -> Self {
-        Self { of, enters: Enters::Divisor }
+        Self::new(of, Enters::Divisor)
     }
 
     /// The same by another place.
     pub(super) fn moved<Q>(&self, of: Q) -> Steep<Q> {
-        Steep { of, enters: self.enters }
+        Steep { of, enters: self.enters, followed: self.followed }
     }
 }
 
@@ -46,15 +51,14 @@ impl<P> Steep<P> {
 pub(super) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
     let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
     let powers = powers(tape, formulas).into_iter().filter(high);
-    let mut found: Vec<_> =
-        powers.map(|(of, exponent)| Steep { of, enters: Enters::Power(exponent) }).collect();
+    let mut found: Vec<_> = powers.map(|(of, exponent)| Steep::new(of, Enters::Power(exponent))).collect();
     for place in reached(tape, formulas) {
         let steep = match tape.operations()[place] {
-            Operation::Exp(of) => Steep { of, enters: Enters::Exponent },
+            Operation::Exp(of) => Steep::new(of, Enters::Exponent),
             Operation::Paired { function, of, .. } | Operation::Tangent { function, of }
                 if function.growth() == Growth::Hyperbolic =>
             {
-                Steep { of, enters: Enters::Hyperbolic }
+                Steep::new(of, Enters::Hyperbolic)
             }
             _ => continue,
         };
@@ -86,16 +90,34 @@ fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
     largest
 }
 
-/// A change of so many powers of e is followed by the series: the terms of eᶻ fall behind the order z, and the least order is 6.
-const FOLLOWED: f64 = 6.0;
+/// Changes that the series follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Followed {
+    /// Of what the value enters, in powers of e.
+    powers: f64,
+    /// Of the value, for all changes below which those powers are less: a number, and a part of its size.
+    change: f64,
+    part: f64,
+}
 
 impl Enters {
-    /// Of a divisor so little that its tenth power, or its hundredth, is not lost either.
-    fn followed(self) -> f64 {
+    fn followed(self) -> Followed {
+        /// The terms of eᶻ fall behind the order z, and the least order is 6.
+        const POWERS: f64 = 6.0;
+        let no_change = Followed { powers: POWERS, change: 0.0, part: 0.0 };
         match self {
-            Self::Exponent | Self::Hyperbolic | Self::Power(_) => FOLLOWED,
-            Self::Divisor => 1.0,
+            Self::Exponent | Self::Hyperbolic => Followed { change: POWERS, ..no_change },
+            Self::Power(exponent) => Followed { part: libm::expm1(POWERS / exponent), ..no_change },
+            // So little that its tenth power, or its hundredth, is not lost either.
+            Self::Divisor => Followed { powers: 1.0, part: -libm::expm1(-1.0), ..no_change },
         }
+    }
+}
+
+impl Followed {
+    #[inline(always)]
+    fn includes(&self, change: f64, value: f64) -> bool {
+        change < self.change + self.part * value.abs()
     }
 }
 
@@ -106,16 +128,20 @@ impl Steep<Row> {
     /// Whether it changes by more than the series follow in a step of this length, in units of the block.
     pub(super) fn is_unseen<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
         let series = &block[self.of];
-        let change = largest_change(series, lane, length);
-        let is_below = |bound: f64| matches!(change.partial_cmp(&bound), Some(std::cmp::Ordering::Less));
-        match self.enters {
-            Enters::Exponent | Enters::Hyperbolic => !is_below(FOLLOWED),
-            Enters::Power(exponent) => !is_below(series[0][lane].abs() * libm::expm1(FOLLOWED / exponent)),
-            Enters::Divisor => {
-                !is_below(series[0][lane].abs() * -libm::expm1(-self.enters.followed()))
-                    && self.first_turn(block, lane, length).is_some()
-            }
+        !self.followed.includes(largest_change(series, lane, length), series[0][lane])
+            && (self.enters != Enters::Divisor || self.first_turn(block, lane, length).is_some())
+    }
+
+    /// Whether it changes by less in all lanes, in steps of these lengths.
+    #[inline(always)]
+    pub(super) fn is_seen<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
+        let series = &block[self.of];
+        let changes = largest_changes(series, lengths);
+        let mut is_seen = true;
+        for lane in 0..N {
+            is_seen &= self.followed.includes(changes[lane], series[0][lane]);
         }
+        is_seen
     }
 
     /// The part of a step of this length after which what it enters has first come to its largest or smallest, if that is far
@@ -150,7 +176,7 @@ impl<P> Steep<P> {
         let touches = |value: f64| self.enters == Enters::Divisor && value.abs() <= blur;
         let is_far = |part: &f64| {
             let value = value(*part);
-            self.change(series[0], value) > self.enters.followed() && !touches(value)
+            self.change(series[0], value) > self.followed.powers && !touches(value)
         };
         turns.into_iter().filter(is_far).reduce(f64::min)
     }

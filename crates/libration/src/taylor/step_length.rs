@@ -82,7 +82,7 @@ pub(super) fn step_lengths<const N: usize>(
 ) -> [f64; N] {
     let mut radius = radius_of_state(block, usize::MAX, allowances, absolute);
     for row in others {
-        radius = radius.smaller(&log2_radius(&block[row], &block[row][0]));
+        radius = radius.smaller(&log2_radius(&Sizes::new(&block[row], &block[row][0])));
     }
     let radius = radius.known();
     lanes(|lane| {
@@ -111,6 +111,14 @@ struct Log2Radius<const N: usize> {
 }
 
 impl<const N: usize> Log2Radius<N> {
+    const ENDLESS: Self = Self { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
+
+    /// That of one lane in all lanes.
+    #[inline(always)]
+    fn lane<const M: usize>(&self, lane: usize) -> Log2Radius<M> {
+        Log2Radius { of_sizes: [self.of_sizes[lane]; M], of_nothing: [self.of_nothing[lane]; M] }
+    }
+
     #[inline(always)]
     fn smaller(&self, other: &Self) -> Self {
         Self {
@@ -120,10 +128,10 @@ impl<const N: usize> Log2Radius<N> {
     }
 
     #[inline(always)]
-    fn longer(&self, by: f64) -> Self {
+    fn longer(&self, by: &[f64; N]) -> Self {
         Self {
-            of_sizes: lanes(|lane| self.of_sizes[lane] + by),
-            of_nothing: lanes(|lane| self.of_nothing[lane] + by),
+            of_sizes: lanes(|lane| self.of_sizes[lane] + by[lane]),
+            of_nothing: lanes(|lane| self.of_nothing[lane] + by[lane]),
         }
     }
 
@@ -145,16 +153,33 @@ fn radius_of_state<const N: usize>(
     allowances: &[Allowance],
     absolute: f64,
 ) -> Log2Radius<N> {
-    let mut radius = Log2Radius { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
-    for (number, allowance) in allowances.iter().enumerate() {
+    /// Numbers of the state of a single motion fill a register.
+    const BESIDE: usize = 4;
+    let sizes = |number: usize, allowance: &Allowance| {
         let series = block.series(number);
         let floor = absolute / allowance.relative;
         // Of a coordinate the zeroth coefficient only says where it is; one of the first order may be a phase or a temperature, which
         // moves by as little of itself as any other.
         let velocity = block.layout().is_velocity(number);
         let size = lanes(|lane| if velocity { series[0][lane].abs().max(floor) } else { floor });
-        let own = log2_radius(&series[..terms.min(series.len())], &size);
-        radius = radius.smaller(&own.longer(allowance.log2_longer));
+        Sizes::new(&series[..terms.min(series.len())], &size)
+    };
+    let mut radius = Log2Radius::<N>::ENDLESS;
+    if N > 1 {
+        for (number, allowance) in allowances.iter().enumerate() {
+            let own = log2_radius(&sizes(number, allowance));
+            radius = radius.smaller(&own.longer(&[allowance.log2_longer; N]));
+        }
+        return radius;
+    }
+    for (place, allowances) in allowances.chunks(BESIDE).enumerate() {
+        let last = allowances.len() - 1;
+        let own = std::array::from_fn(|i| sizes(BESIDE * place + i.min(last), &allowances[i.min(last)]));
+        let longer: [f64; BESIDE] = lanes(|i| allowances[i.min(last)].log2_longer);
+        let beside = log2_radius(&Sizes::beside(&own)).longer(&longer);
+        for i in 0..BESIDE {
+            radius = radius.smaller(&beside.lane(i));
+        }
     }
     radius
 }
@@ -164,21 +189,52 @@ fn smaller<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     lanes(|lane| if b[lane] < a[lane] { b[lane] } else { a[lane] })
 }
 
+/// What series tell of their radii of convergence.
+#[derive(Clone, Copy, Debug)]
+struct Sizes<const N: usize> {
+    /// The sizes of the first coefficients, or what stands for that of the zeroth.
+    first: [[f64; N]; FIRST],
+    /// Those of the last.
+    last: [[f64; N]; LAST],
+    /// How many there are.
+    terms: usize,
+}
+
+impl<const N: usize> Sizes<N> {
+    /// Of series with a size for the zeroth coefficients; NaN of too few terms.
+    #[inline(always)]
+    fn new(series: &[[f64; N]], size: &[f64; N]) -> Self {
+        let (first, last) = (series.first_chunk(), series.last_chunk());
+        let [mut first, last] = [first.copied(), last.copied()].map(|it| it.unwrap_or([[f64::NAN; N]; LAST]));
+        first[0] = *size;
+        let first = [first[0], first[1], first[2]];
+        Self { first, last, terms: series.len() }
+    }
+
+    /// Those of the first lanes of others, which have as many terms.
+    #[inline(always)]
+    fn beside<const M: usize>(others: &[Sizes<M>; N]) -> Self {
+        Self {
+            first: std::array::from_fn(|n| lanes(|lane| others[lane].first[n][0])),
+            last: std::array::from_fn(|n| lanes(|lane| others[lane].last[n][0])),
+            terms: others[0].terms,
+        }
+    }
+}
+
 /// The radius of convergence, (|cₙ|/|cₖ|)^{1/(k−n)} with n among the first and k among the last; infinite where the last
 /// vanish.
 ///
 /// All of a lane in one closure, which becomes one run of vector instructions: as loops over rows it took five times as long.
 #[inline(always)]
-fn log2_radius<const N: usize>(series: &[[f64; N]], size: &[f64; N]) -> Log2Radius<N> {
+fn log2_radius<const N: usize>(sizes: &Sizes<N>) -> Log2Radius<N> {
     /// Of the least number there is.
     const LEAST: f64 = -1074.0;
     /// Next to numbers so small others may have underflowed.
     const TINY: f64 = -600.0;
-    let from = series.len() - LAST;
-    let (Some(&[_, second, third]), Some(&[a, b, c, d])) = (series.first_chunk(), series.last_chunk()) else {
-        return Log2Radius { of_sizes: [f64::NAN; N], of_nothing: [f64::NAN; N] };
-    };
-    let parts = |k: usize| [RECIPROCALS[from + k], RECIPROCALS[from + k - 1], RECIPROCALS[from + k - 2]];
+    let Sizes { first: [size, second, third], last: [a, b, c, d], terms } = sizes;
+    let from = terms.saturating_sub(LAST);
+    let parts = |k: usize| [0, 1, 2].map(|n| RECIPROCALS[(from + k).saturating_sub(n)]);
     let [of_a, of_b, of_c, of_d] = [parts(0), parts(1), parts(2), parts(3)];
     let mut radii = [f64::INFINITY; N];
     let mut largest = [LEAST; N];

@@ -225,14 +225,8 @@ impl Evaluator<Row, f64> for Recording {
         square(&self.recorder, a)
     }
 
-    fn quotient(
-        &self,
-        a_n: &Recorded,
-        c: &[Recorded],
-        b: &[Recorded],
-        reciprocal: Option<&Recorded>,
-    ) -> Option<Recorded> {
-        quotient(&self.recorder, *a_n, c, b, reciprocal)
+    fn quotient(&self, a_n: &Recorded, c: &[Recorded], b: &[Recorded]) -> Option<Recorded> {
+        quotient(&self.recorder, *a_n, c, b)
     }
 
     fn integral(&self, a_n: &Recorded, weighted_a: &[Recorded], b: &[Recorded]) -> Option<Recorded> {

@@ -25,10 +25,10 @@ struct Trial {
 impl<const N: usize> Stepper<'_, N> {
     /// Shortens the steps until the equations of motion confirm them.
     pub(super) fn confirm(&mut self, outcomes: &mut [Result<(), Cause>; N]) {
-        let misfits = dispatch_lanes::<N, _>(Misfits { stepper: self });
+        let Trials { misfits, is_seen } = dispatch_lanes::<N, _>(StepTrials { stepper: self });
         // The next steps begin with what was found here, unless another state is tried in the same room.
         self.ends_known = self.expander.system.moduli() == 0;
-        if self.expander.steep.is_empty() && !any(&misfits, |misfit| !self.is_confirmed(misfit)) {
+        if is_seen && !any(&misfits, |misfit| !self.is_confirmed(misfit)) {
             return;
         }
         let mut shortened = false;
@@ -220,16 +220,23 @@ fn part_of(change: f64, size: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / size }
 }
 
-/// The states at the ends of the steps and the misfits there, in all lanes.
-struct Misfits<'f, 'a, const N: usize> {
+/// What is found at the ends of the steps of all lanes.
+struct Trials<const N: usize> {
+    misfits: [f64; N],
+    /// Whether nothing is inside the steps that is not felt there.
+    is_seen: bool,
+}
+
+/// The states at the ends of the steps, and what is found there.
+struct StepTrials<'f, 'a, const N: usize> {
     stepper: &'f mut Stepper<'a, N>,
 }
 
-impl<const N: usize> Kernel for Misfits<'_, '_, N> {
-    type Output = [f64; N];
+impl<const N: usize> Kernel for StepTrials<'_, '_, N> {
+    type Output = Trials<N>;
 
     #[inline(always)]
-    fn run(self) -> [f64; N] {
+    fn run(self) -> Trials<N> {
         StepEnds { stepper: &mut *self.stepper }.run();
         let Stepper { expander, block, scratch, surroundings, next, effort, allowances, .. } = self.stepper;
         scratch.start = block.end;
@@ -258,7 +265,11 @@ impl<const N: usize> Kernel for Misfits<'_, '_, N> {
                 larger_or_nan(misfits[lane], part_of(error * length[lane], size) * allowances[i].weight)
             });
         }
-        misfits
+        let mut is_seen = true;
+        for steep in &expander.steep {
+            is_seen &= steep.is_seen(block, &units);
+        }
+        Trials { misfits, is_seen }
     }
 }
 
