@@ -7,6 +7,7 @@
 
 pub(crate) mod block;
 
+use crate::fused::FusedMultiplyAdd;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An unevaluated sum of two `f64` with `|lo| ≤ ulp(hi)/2`.
@@ -41,7 +42,7 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
 #[inline(always)]
 pub(crate) fn two_prod(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
-    DoubleDouble { hi, lo: a.mul_add(b, -hi) }
+    DoubleDouble { hi, lo: a.fma(b, -hi) }
 }
 
 /// A choice word by word, which the compiler turns into selections.
@@ -116,7 +117,7 @@ impl DoubleDouble {
         let tiny = self.hi < TINY;
         let raised = if tiny { self.scaled(TWO_TO_200) } else { self };
         let root = raised.hi.sqrt();
-        let residual = (-root).mul_add(root, raised.hi) + raised.lo;
+        let residual = (-root).fma(root, raised.hi) + raised.lo;
         let correction = residual / (2.0 * root);
         let sum = fast_two_sum(root, if root == 0.0 { 0.0 } else { correction });
         if tiny { sum.scaled(1.0 / TWO_TO_100) } else { sum }
@@ -128,7 +129,7 @@ impl DoubleDouble {
     pub(crate) fn over(self, other: Self) -> Self {
         let inverse = 1.0 / other.hi;
         let quotient = self.hi * inverse;
-        let residual = (-quotient).mul_add(other.lo, (-quotient).mul_add(other.hi, self.hi) + self.lo);
+        let residual = (-quotient).fma(other.lo, (-quotient).fma(other.hi, self.hi) + self.lo);
         fast_two_sum(quotient, residual * inverse)
     }
 
@@ -209,7 +210,7 @@ impl Mul for DoubleDouble {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let p = two_prod(self.hi, other.hi);
-        let cross = self.lo.mul_add(other.hi, self.hi.mul_add(other.lo, self.lo * other.lo));
+        let cross = self.lo.fma(other.hi, self.hi.fma(other.lo, self.lo * other.lo));
         fast_two_sum(p.hi, p.lo + cross)
     }
 }
@@ -220,7 +221,7 @@ impl Mul<f64> for DoubleDouble {
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
         let p = two_prod(self.hi, other);
-        fast_two_sum(p.hi, self.lo.mul_add(other, p.lo))
+        fast_two_sum(p.hi, self.lo.fma(other, p.lo))
     }
 }
 

@@ -121,5 +121,8 @@ mod elementary;
 
 mod dispatch;
 
+mod fused;
+pub use fused::rounds_once;
+
 #[cfg(feature = "serde")]
 pub mod serialize;

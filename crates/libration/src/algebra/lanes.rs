@@ -7,6 +7,7 @@ use libration_jit::{MultiplyAdd, inner_product};
 use super::lanewise::{Rounded, any, convolution, lanes};
 use super::{Doubles, Function, Rational, Ring};
 use crate::elementary::{LARGEST_ANGLE, sin_cos};
+use crate::fused::FusedMultiplyAdd;
 
 /// N independent `f64`s; NaN where there is no value. Each lane has the bits that it has alone.
 #[derive(Clone, Copy, Debug)]
@@ -156,6 +157,6 @@ impl<const N: usize> MultiplyAdd for Lanes<N> {
 
     #[inline(always)]
     fn multiply_add(&self, a: [f64; N], b: [f64; N], c: [f64; N]) -> [f64; N] {
-        lanes(|lane| a[lane].mul_add(b[lane], c[lane]))
+        lanes(|lane| a[lane].fma(b[lane], c[lane]))
     }
 }

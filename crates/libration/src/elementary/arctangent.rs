@@ -2,6 +2,7 @@
 
 use super::polynomial;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use crate::fused::FusedMultiplyAdd;
 
 /// (atan t − t)/t³ in t² for |t| ≤ √2 − 1, relative error 1.3e-16 (of a term below 6 % of the arctangent).
 const ARCTANGENT: [f64; 11] = [
@@ -46,21 +47,20 @@ impl ReducedArctangent {
         // A weight of one or zero in place of a selection, which would become a selection of two divisions.
         let upper = if small.hi > TAN_PI_8 * large.hi { 1.0 } else { 0.0 };
         // tan(a − π/4) = (small − large)/(small + large); the difference of the first words is exact.
-        let numerator = large.hi.mul_add(-upper, small.hi);
-        let numerator_lo = large.lo.mul_add(-upper, small.lo);
+        let numerator = large.hi.fma(-upper, small.hi);
+        let numerator_lo = large.lo.fma(-upper, small.lo);
         let denominator = fast_two_sum(large.hi, upper * small.hi);
-        let denominator_lo = denominator.lo + small.lo.mul_add(upper, large.lo);
+        let denominator_lo = denominator.lo + small.lo.fma(upper, large.lo);
         let inverse = 1.0 / denominator.hi;
         let t = numerator * inverse;
-        let residual = (-t).mul_add(denominator.hi, numerator) + (-t).mul_add(denominator_lo, numerator_lo);
+        let residual = (-t).fma(denominator.hi, numerator) + (-t).fma(denominator_lo, numerator_lo);
         Self { upper, t, t_lo: residual * inverse }
     }
 
     #[inline(always)]
     pub(crate) fn angle(&self) -> DoubleDouble {
         let x = self.t * self.t;
-        let tail =
-            (self.t * x).mul_add(polynomial(x, &ARCTANGENT), self.upper.mul_add(FRAC_PI_4.lo, self.t_lo));
+        let tail = (self.t * x).fma(polynomial(x, &ARCTANGENT), self.upper.fma(FRAC_PI_4.lo, self.t_lo));
         // Above, π/4 is the larger of the two; below, it is absent.
         let leading = two_sum(self.upper * FRAC_PI_4.hi, self.t);
         fast_two_sum(leading.hi, leading.lo + tail)

@@ -2,6 +2,7 @@
 
 use super::{nearest_integer, polynomial, power_of_two};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
+use crate::fused::FusedMultiplyAdd;
 
 /// (sinh r − r)/r³ in r² for |r| ≤ ln 2/2, relative error 1.1e-16 (of a term below 2 % of the sine).
 const SINH: [f64; 5] = [
@@ -27,14 +28,14 @@ const COSH: [f64; 5] = [
 pub(crate) fn sinh_cosh(z: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let n = nearest_integer(z.hi * std::f64::consts::LOG2_E);
     // Exact: both words are multiples of 2⁻⁵⁴ whenever n ≠ 0.
-    let r = (-n).mul_add(DoubleDouble::LN_2.hi, z.hi);
-    let r_lo = (-n).mul_add(DoubleDouble::LN_2.lo, z.lo);
+    let r = (-n).fma(DoubleDouble::LN_2.hi, z.hi);
+    let r_lo = (-n).fma(DoubleDouble::LN_2.lo, z.lo);
     let x = r * r;
-    let sinh_tail = (r * x).mul_add(polynomial(x, &SINH), 0.5f64.mul_add(x, 1.0) * r_lo);
+    let sinh_tail = (r * x).fma(polynomial(x, &SINH), 0.5f64.fma(x, 1.0) * r_lo);
     // cosh r − 1; its leading r²/2 with its rounding error.
-    let square_lo = r.mul_add(r, -x);
+    let square_lo = r.fma(r, -x);
     let half = 0.5 * x;
-    let cosh_tail = (x * x).mul_add(polynomial(x, &COSH), r.mul_add(r_lo, 0.5 * square_lo));
+    let cosh_tail = (x * x).fma(polynomial(x, &COSH), r.fma(r_lo, 0.5 * square_lo));
     let (up, down) = (0.5 * power_of_two(n), 0.5 * power_of_two(-n));
     let (difference, sum) = (up - down, up + down);
     (
@@ -49,6 +50,6 @@ pub(crate) fn sinh_cosh(z: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 fn combination(a: f64, b: f64, half: f64, cosh_tail: f64, r: f64, sinh_tail: f64) -> DoubleDouble {
     let product = two_prod(b, r);
     let leading = fast_two_sum(a, product.hi);
-    let rest = a.mul_add(half, leading.lo + a.mul_add(cosh_tail, b.mul_add(sinh_tail, product.lo)));
+    let rest = a.fma(half, leading.lo + a.fma(cosh_tail, b.fma(sinh_tail, product.lo)));
     fast_two_sum(leading.hi, rest)
 }

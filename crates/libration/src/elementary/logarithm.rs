@@ -2,6 +2,7 @@
 
 use super::polynomial;
 use crate::double_double::DoubleDouble;
+use crate::fused::FusedMultiplyAdd;
 
 /// (2 atanh q − 2q)/q³ in q² for |q| ≤ (√2−1)/(√2+1), relative error 5.5e-17 (of a term below 1 %).
 const ATANH: [f64; 8] = [
@@ -51,7 +52,7 @@ impl ReducedLogarithm {
         let denominator_lo = (f - (denominator - 1.0)) + f_lo;
         let inverse = reciprocal(denominator);
         let q = numerator * inverse;
-        let residual = (-q).mul_add(denominator, numerator) + (f_lo - q * denominator_lo);
+        let residual = (-q).fma(denominator, numerator) + (f_lo - q * denominator_lo);
         Self { exponent, q, q_lo: residual * inverse }
     }
 
@@ -63,7 +64,7 @@ impl ReducedLogarithm {
     #[inline(always)]
     pub(crate) fn tail(&self) -> f64 {
         let square = self.q * self.q;
-        (self.q * square).mul_add(polynomial(square, &ATANH), 2.0 * self.q_lo)
+        (self.q * square).fma(polynomial(square, &ATANH), 2.0 * self.q_lo)
     }
 }
 
@@ -76,7 +77,7 @@ const RECIPROCAL: [f64; 4] = [1.97034285, -1.44853978, 0.470943465, -0.057135023
 pub(super) fn reciprocal(x: f64) -> f64 {
     let start = polynomial(x, &RECIPROCAL);
     let better = start * (2.0 - x * start);
-    better.mul_add((-x).mul_add(better, 1.0), better)
+    better.fma((-x).fma(better, 1.0), better)
 }
 
 /// e and 2⁻ᵉ with x·2⁻ᵉ within [√½, √2), for a normal positive x; anything for others.

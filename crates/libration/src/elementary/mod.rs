@@ -4,6 +4,8 @@
 //! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
 //! printed by `reference/kernel_coefficients.py`.
 
+use crate::fused::FusedMultiplyAdd;
+
 pub(crate) mod rough;
 pub(crate) mod two_word;
 
@@ -39,12 +41,12 @@ pub(crate) fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64
     while i > 0 {
         i -= 1;
         if i.is_multiple_of(2) {
-            even = y.mul_add(even, coefficients[i]);
+            even = y.fma(even, coefficients[i]);
         } else {
-            odd = y.mul_add(odd, coefficients[i]);
+            odd = y.fma(odd, coefficients[i]);
         }
     }
-    x.mul_add(odd, even)
+    x.fma(odd, even)
 }
 
 /// The nearest integer, by pushing the fraction out of the word; |x| < 2⁵¹.

@@ -2,6 +2,7 @@
 
 use super::{nearest_integer, nearest_integer_bits, polynomial};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_sum};
+use crate::fused::FusedMultiplyAdd;
 
 const TAU: DoubleDouble = DoubleDouble::new(6.283185307179586, 2.4492935982947064e-16);
 
@@ -29,7 +30,7 @@ const COSINE: [f64; 6] = [
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let r = y.hi * TAU.hi;
-    let r_lo = y.hi.mul_add(TAU.hi, -r) + y.hi.mul_add(TAU.lo, y.lo * TAU.hi);
+    let r_lo = y.hi.fma(TAU.hi, -r) + y.hi.fma(TAU.lo, y.lo * TAU.hi);
     sin_cos_of_part(r, r_lo)
 }
 
@@ -38,11 +39,11 @@ pub(crate) fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) 
 fn sin_cos_of_part(r: f64, r_lo: f64) -> (DoubleDouble, DoubleDouble) {
     let x = r * r;
     let half = 0.5 * x;
-    let sine = fast_two_sum(r, (r * x).mul_add(polynomial(x, &SINE), r_lo * (1.0 - half)));
+    let sine = fast_two_sum(r, (r * x).fma(polynomial(x, &SINE), r_lo * (1.0 - half)));
     let leading = 1.0 - half;
-    let square_lo = r.mul_add(r, -x);
+    let square_lo = r.fma(r, -x);
     let rounding = ((1.0 - leading) - half) - 0.5 * square_lo;
-    let cosine = fast_two_sum(leading, (x * x).mul_add(polynomial(x, &COSINE), rounding - r * r_lo));
+    let cosine = fast_two_sum(leading, (x * x).fma(polynomial(x, &COSINE), rounding - r * r_lo));
     (sine, cosine)
 }
 
@@ -57,11 +58,11 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
     let quarters = x * std::f64::consts::FRAC_2_PI;
     let whole = nearest_integer(quarters);
     // Exact: a multiple of 2⁻⁵³ below one.
-    let first = whole.mul_add(-FRAC_PI_2[0], x);
+    let first = whole.fma(-FRAC_PI_2[0], x);
     let product = whole * FRAC_PI_2[1];
-    let product_lo = whole.mul_add(FRAC_PI_2[1], -product);
+    let product_lo = whole.fma(FRAC_PI_2[1], -product);
     let r = two_sum(first, -product);
-    let (sine, cosine) = sin_cos_of_part(r.hi, r.lo - whole.mul_add(FRAC_PI_2[2], product_lo));
+    let (sine, cosine) = sin_cos_of_part(r.hi, r.lo - whole.fma(FRAC_PI_2[2], product_lo));
     let quarter = nearest_integer_bits(quarters) as u64;
     let (sine, cosine) = if quarter & 1 == 0 { (sine.hi, cosine.hi) } else { (cosine.hi, sine.hi) };
     let signed = |value: f64, half_turns: u64| f64::from_bits(value.to_bits() ^ ((half_turns & 2) << 62));

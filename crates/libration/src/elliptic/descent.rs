@@ -10,6 +10,7 @@
 use super::nearer::Nearer;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::fine_logarithm;
+use crate::fused::FusedMultiplyAdd;
 
 /// 2K/π of the modulus 4ε².
 const QUARTER: [f64; 8] = [1.0, 4.0, 36.0, 400.0, 4900.0, 63504.0, 853776.0, 11778624.0];
@@ -99,7 +100,7 @@ impl Descent {
         let exponent = log.exponent - if raised { 1200.0 } else { 0.0 };
         // An integer times ln 2 in three words of which the first is short.
         let powers = two_prod(-exponent, DoubleDouble::LN_2.hi);
-        let powers = fast_two_sum(powers.hi, (-exponent).mul_add(DoubleDouble::LN_2.lo, powers.lo));
+        let powers = fast_two_sum(powers.hi, (-exponent).fma(DoubleDouble::LN_2.lo, powers.lo));
         let sum = powers - log.fraction - series(self.fourth, &LOG_NOME) * self.fourth;
         if self.epsilon.hi == 0.0 { DoubleDouble::from(f64::INFINITY) } else { sum }
     }
@@ -136,7 +137,7 @@ fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDou
     let mut i = N;
     while i > 4 {
         i -= 1;
-        tail = x.hi.mul_add(tail, coefficients[i]);
+        tail = x.hi.fma(tail, coefficients[i]);
     }
     let third = fast_two_sum(coefficients[3], x.hi * tail);
     let second = DoubleDouble::from(coefficients[2]).plus_smaller(x * third);

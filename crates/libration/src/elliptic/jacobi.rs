@@ -9,6 +9,7 @@ use super::{
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, magnitude, pick};
 use crate::elementary::{atan_of_ratio, sinh_cosh, two_word};
+use crate::fused::FusedMultiplyAdd;
 
 /// Jacobi's functions at one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +187,7 @@ pub(crate) fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble)
     let acute = atan_of_ratio(pick(steep, below, size), pick(steep, size, below));
     let angle = pick(steep, DoubleDouble::FRAC_PI_2 - acute, acute);
     let signed = pick(above.hi < 0.0, -angle, angle);
-    let quarters = phase.turns.mul_add(4.0, phase.quarter);
+    let quarters = phase.turns.fma(4.0, phase.quarter);
     (DoubleDouble::FRAC_PI_2 * quarters + signed).to_f64()
 }
 

@@ -22,6 +22,7 @@ use super::nearer::Nearer;
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{polynomial, split_logarithm};
+use crate::fused::FusedMultiplyAdd;
 use std::marker::PhantomData;
 
 /// (2K/π − 1 − p/4 − 9p²/64)/p³ in p on [0, ½]: relative error 1.5e-16.
@@ -201,8 +202,8 @@ fn quarter(p: DoubleDouble) -> DoubleDouble {
     let leading = fast_two_sum(1.0, 0.25 * p.hi);
     let sum = fast_two_sum(leading.hi, second.hi);
     let slope = slope(p.hi, [0.25, 0.28125, 3.0 * QUARTER[0], 4.0 * QUARTER[1], 6.0 * QUARTER[2]]);
-    let rest = (square.hi * p.hi).mul_add(polynomial(p.hi, &QUARTER), second.lo);
-    let rest = slope.mul_add(p.lo, square.lo.mul_add(0.140625, rest));
+    let rest = (square.hi * p.hi).fma(polynomial(p.hi, &QUARTER), second.lo);
+    let rest = slope.fma(p.lo, square.lo.fma(0.140625, rest));
     DoubleDouble::new(sum.hi, sum.lo + (leading.lo + rest))
 }
 
@@ -217,7 +218,7 @@ fn slope<const N: usize>(p: f64, coefficients: [f64; N]) -> f64 {
 fn second_near(p: DoubleDouble) -> DoubleDouble {
     let leading = fast_two_sum(1.0, -0.25 * p.hi);
     let slope = slope(p.hi, [-0.25, 2.0 * SECOND[0], 3.0 * SECOND[1], 5.0 * SECOND[2]]);
-    let rest = (p.hi * p.hi).mul_add(polynomial(p.hi, &SECOND), slope * p.lo);
+    let rest = (p.hi * p.hi).fma(polynomial(p.hi, &SECOND), slope * p.lo);
     DoubleDouble::new(leading.hi, leading.lo + rest)
 }
 
@@ -228,7 +229,7 @@ pub(super) fn log_of_inverse(smaller: DoubleDouble, raised: bool) -> DoubleDoubl
     let powers = if raised { RAISED + 4.0 } else { 4.0 } - log.exponent;
     let sum = fast_two_sum(powers * LN_2_SHORT.hi, -log.leading);
     let hi = if smaller.hi > 0.0 { sum.hi } else { f64::INFINITY };
-    DoubleDouble::new(hi, powers.mul_add(LN_2_SHORT.lo, sum.lo - log.tail))
+    DoubleDouble::new(hi, powers.fma(LN_2_SHORT.lo, sum.lo - log.tail))
 }
 
 /// ln(1/q), given ln(16/p).
@@ -239,8 +240,8 @@ fn log_inverse_nome(p: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
     let difference = fast_two_sum(log.hi, -0.5 * p.hi);
     let sum = fast_two_sum(difference.hi, -second.hi);
     let slope = slope(p.hi, [0.5, 0.40625, 3.0 * LOG_NOME[0], 4.0 * LOG_NOME[1], 6.0 * LOG_NOME[2]]);
-    let rest = (square.hi * p.hi).mul_add(polynomial(p.hi, &LOG_NOME), second.lo);
-    let rest = slope.mul_add(p.lo, square.lo.mul_add(0.203125, rest));
+    let rest = (square.hi * p.hi).fma(polynomial(p.hi, &LOG_NOME), second.lo);
+    let rest = slope.fma(p.lo, square.lo.fma(0.203125, rest));
     DoubleDouble::new(sum.hi, sum.lo + (difference.lo + (log.lo - rest)))
 }
 
@@ -262,7 +263,7 @@ fn second_far(p: DoubleDouble, log: DoubleDouble) -> f64 {
 fn one_plus(p: DoubleDouble, slope: f64, tail: f64) -> DoubleDouble {
     let first = two_prod(slope, p.hi);
     let sum = fast_two_sum(1.0, first.hi);
-    let rest = (p.hi * p.hi).mul_add(tail, slope.mul_add(p.lo, first.lo));
+    let rest = (p.hi * p.hi).fma(tail, slope.fma(p.lo, first.lo));
     DoubleDouble::new(sum.hi, sum.lo + rest)
 }
 
@@ -270,7 +271,7 @@ fn one_plus(p: DoubleDouble, slope: f64, tail: f64) -> DoubleDouble {
 #[inline(always)]
 fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let product = two_prod(a.hi, b.hi);
-    DoubleDouble::new(product.hi, a.hi.mul_add(b.lo, a.lo.mul_add(b.hi + b.lo, product.lo)))
+    DoubleDouble::new(product.hi, a.hi.fma(b.lo, a.lo.fma(b.hi + b.lo, product.lo)))
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@
 use super::first_of_point;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{sin_cos_of_turns, sinh_cosh};
+use crate::fused::FusedMultiplyAdd;
 
 /// The series for one nome q ≤ e^−π, each less its leading 1.
 #[derive(Clone, Copy, Debug)]
@@ -119,10 +120,10 @@ impl ThetaSeries {
     /// The same where the side, given by its `SQUARE`, is known only when the code runs.
     #[inline(always)]
     pub(crate) fn at_square(&self, sine: DoubleDouble, cosine: DoubleDouble, square: f64) -> ThetaValues {
-        let y = self.q * square.mul_add(sine.hi * sine.hi, 2.0);
+        let y = self.q * square.fma(sine.hi * sine.hi, 2.0);
         let [even, slope, square, cube] = self.third;
-        let even = (y * y).mul_add(square, even);
-        let odd = y * (y * y).mul_add(cube, slope);
+        let even = (y * y).fma(square, even);
+        let odd = y * (y * y).fma(cube, slope);
         ThetaValues {
             first: raised(sine, cubic(&self.sine, y)),
             second: raised(cosine, cubic(&self.cosine, y)),
@@ -135,7 +136,7 @@ impl ThetaSeries {
 /// x·(1 + change) for a change below 0.3.
 #[inline(always)]
 fn raised(x: DoubleDouble, change: f64) -> DoubleDouble {
-    fast_two_sum(x.hi, x.hi.mul_add(change, x.lo))
+    fast_two_sum(x.hi, x.hi.fma(change, x.lo))
 }
 
 /// factor·above/below, rounded once.
@@ -149,15 +150,15 @@ pub(crate) fn quotient(factor: DoubleDouble, above: DoubleDouble, below: DoubleD
 pub(crate) fn ratio(numerator: DoubleDouble, below: DoubleDouble) -> f64 {
     let inverse = 1.0 / below.hi;
     let quotient = numerator.hi * inverse;
-    let residual = (-quotient).mul_add(below.hi, numerator.hi) + (-quotient).mul_add(below.lo, numerator.lo);
-    residual.mul_add(inverse, quotient)
+    let residual = (-quotient).fma(below.hi, numerator.hi) + (-quotient).fma(below.lo, numerator.lo);
+    residual.fma(inverse, quotient)
 }
 
 /// factor·x, the words not normalised.
 #[inline(always)]
 pub(crate) fn scaled_by(factor: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     let product = two_prod(factor.hi, x.hi);
-    DoubleDouble::new(product.hi, factor.hi.mul_add(x.lo, factor.lo.mul_add(x.hi, product.lo)))
+    DoubleDouble::new(product.hi, factor.hi.fma(x.lo, factor.lo.fma(x.hi, product.lo)))
 }
 
 /// The expansion of the smaller nome, known when the code is compiled.
@@ -211,7 +212,7 @@ impl Side for HyperbolicSide {
 
 #[inline(always)]
 fn cubic(c: &[f64; 4], y: f64) -> f64 {
-    y.mul_add(y.mul_add(y.mul_add(c[3], c[2]), c[1]), c[0])
+    y.fma(y.fma(y.fma(c[3], c[2]), c[1]), c[0])
 }
 
 /// A point of a periodic motion: whole turns, quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn.
@@ -280,7 +281,7 @@ impl PhaseClock {
     pub(crate) fn phase(&self, t: f64) -> Phase {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
-        let lo = t.mul_add(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
+        let lo = t.fma(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
         Phase::from_turns(DoubleDouble::new(sum.hi, lo), t).advanced(self.quarter)
     }
 }
@@ -298,7 +299,7 @@ impl Phase {
         let quarter = (4.0 * fraction_hi).round_ties_even();
         let known = whole.abs() < MOST_TURNS;
         let rest = fast_two_sum(
-            if known { (-0.25f64).mul_add(quarter, fraction_hi) } else { 0.0 * time },
+            if known { (-0.25f64).fma(quarter, fraction_hi) } else { 0.0 * time },
             if known { fraction.lo } else { 0.0 },
         );
         Self {
@@ -315,7 +316,7 @@ impl Phase {
         let over = if quarter > 2.0 { 1.0 } else { 0.0 };
         let under = if quarter < -2.0 { 1.0 } else { 0.0 };
         let turn = over - under;
-        Self { turns: self.turns + turn, quarter: (-4.0f64).mul_add(turn, quarter), rest: self.rest }
+        Self { turns: self.turns + turn, quarter: (-4.0f64).fma(turn, quarter), rest: self.rest }
     }
 
     /// Whether the nearest quarter is odd.

@@ -25,6 +25,7 @@
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{Logarithm, polynomial, split_logarithm, two_word};
+use crate::fused::FusedMultiplyAdd;
 
 /// (G − 1 − u/16)/u² in u on [0, (π/2)²]: relative error of (G − 1)/u 1.2e-17.
 pub(super) const EXCESS: [f64; 14] = [
@@ -100,13 +101,13 @@ pub(super) fn excess_below(u: DoubleDouble) -> DoubleDouble {
 #[inline(always)]
 pub(super) fn excess_with(u: DoubleDouble, polynomial: f64) -> DoubleDouble {
     let sum = fast_two_sum(0.0625 * u.hi, (u.hi * u.hi) * polynomial);
-    DoubleDouble::new(sum.hi, slope(u.hi, 0.0625, &EXCESS).mul_add(u.lo, sum.lo))
+    DoubleDouble::new(sum.hi, slope(u.hi, 0.0625, &EXCESS).fma(u.lo, sum.lo))
 }
 
 /// The slope of leading·u + u²·Σ tailᵢuⁱ, by which the second word of u counts, to half a percent.
 #[inline(always)]
 fn slope<const N: usize>(u: f64, leading: f64, tail: &[f64; N]) -> f64 {
-    u.mul_add(u.mul_add(u.mul_add(4.0 * tail[2], 3.0 * tail[1]), 2.0 * tail[0]), leading)
+    u.fma(u.fma(u.fma(4.0 * tail[2], 3.0 * tail[1]), 2.0 * tail[0]), leading)
 }
 
 /// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
@@ -118,15 +119,14 @@ pub(super) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble
 /// [`log_inverse_nome`] from ln s and the value of the polynomial.
 #[inline(always)]
 pub(super) fn log_inverse_nome_with(log: &Logarithm, u: DoubleDouble, polynomial: f64) -> DoubleDouble {
-    let powers = 2.0f64.mul_add(-log.exponent, 6.0);
+    let powers = 2.0f64.fma(-log.exponent, 6.0);
     let first = two_prod(u.hi, LOG_NOME_LEADING.hi);
-    let first_lo = u
-        .hi
-        .mul_add(LOG_NOME_LEADING.lo, u.lo.mul_add(slope(u.hi, LOG_NOME_LEADING.hi, &LOG_NOME), first.lo));
-    let rest = (u.hi * u.hi).mul_add(polynomial, first_lo);
+    let first_lo =
+        u.hi.fma(LOG_NOME_LEADING.lo, u.lo.fma(slope(u.hi, LOG_NOME_LEADING.hi, &LOG_NOME), first.lo));
+    let rest = (u.hi * u.hi).fma(polynomial, first_lo);
     let sum = fast_two_sum(powers * LN_2_SHORT.hi, -2.0 * log.leading);
     let difference = fast_two_sum(sum.hi, -first.hi);
-    let lo = powers.mul_add(LN_2_SHORT.lo, sum.lo + difference.lo) - 2.0f64.mul_add(log.tail, rest);
+    let lo = powers.fma(LN_2_SHORT.lo, sum.lo + difference.lo) - 2.0f64.fma(log.tail, rest);
     DoubleDouble::new(difference.hi, lo)
 }
 
@@ -134,7 +134,7 @@ pub(super) fn log_inverse_nome_with(log: &Logarithm, u: DoubleDouble, polynomial
 #[inline(always)]
 pub(super) fn root_of_nome(s: DoubleDouble, u: f64) -> DoubleDouble {
     let eighth = s.scaled(0.125);
-    fast_two_sum(eighth.hi, eighth.hi.mul_add(u * polynomial(u, &ROOT_NOME), eighth.lo))
+    fast_two_sum(eighth.hi, eighth.hi.fma(u * polynomial(u, &ROOT_NOME), eighth.lo))
 }
 
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.
@@ -143,9 +143,9 @@ pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDoub
     let gauss = fast_two_sum(1.0, excess.hi);
     let product = two_prod(gauss.hi, log.hi);
     let gauss_lo = gauss.lo + excess.lo;
-    let product_lo = gauss.hi.mul_add(log.lo, gauss_lo.mul_add(log.hi + log.lo, product.lo));
+    let product_lo = gauss.hi.fma(log.lo, gauss_lo.fma(log.hi + log.lo, product.lo));
     let ratio = two_prod(product.hi, FRAC_1_PI.hi);
-    let ratio_lo = product.hi.mul_add(FRAC_1_PI.lo, product_lo.mul_add(FRAC_1_PI.hi, ratio.lo));
+    let ratio_lo = product.hi.fma(FRAC_1_PI.lo, product_lo.fma(FRAC_1_PI.hi, ratio.lo));
     DoubleDouble::new(ratio.hi, ratio_lo)
 }
 
@@ -164,7 +164,7 @@ impl Nearer {
             if above { complement.lo } else { amplitude.lo },
         );
         let u = s.hi * s.hi;
-        Self { s, u: DoubleDouble::new(u, (2.0 * s.hi).mul_add(s.lo, s.hi.mul_add(s.hi, -u))) }
+        Self { s, u: DoubleDouble::new(u, (2.0 * s.hi).fma(s.lo, s.hi.fma(s.hi, -u))) }
     }
 }
 

@@ -9,6 +9,7 @@ use crate::dispatch::{Kernel, dispatch, dispatch_slices, fetch_ahead};
 use crate::double_double::block::BLOCK;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};
 use crate::elementary::{nearest_integer, nearest_integer_bits};
+use crate::fused::FusedMultiplyAdd;
 
 /// Beyond this many segments the index would lose bits.
 const MOST_GONE: f64 = 1125899906842624.0;
@@ -100,7 +101,7 @@ impl Evaluated {
         let y = place.rest;
         #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
         let start = place.gone - index as f64;
-        let (away, velocity) = (y.mul_add(odd, even), y.mul_add(odd_slope, even_slope));
+        let (away, velocity) = (y.fma(odd, even), y.fma(odd_slope, even_slope));
         Self { base, start, away, velocity }
     }
 }
@@ -117,7 +118,7 @@ impl Place {
     fn new(table: &Table, time: f64) -> Self {
         let product = two_prod(time, table.rate.hi);
         let sum = two_sum(product.hi, table.offset.hi);
-        let lo = time.mul_add(table.rate.lo, product.lo) + (sum.lo + table.offset.lo);
+        let lo = time.fma(table.rate.lo, product.lo) + (sum.lo + table.offset.lo);
         let gone = nearest_integer(sum.hi);
         Self { gone: gone + table.start, rest: (sum.hi - gone) + lo }
     }
@@ -162,7 +163,7 @@ impl Segment {
         for (lane, sum) in sums.iter_mut().enumerate() {
             let mut value = self.rows[0][lane];
             for row in &self.rows[1..] {
-                value = square.mul_add(value, row[lane]);
+                value = square.fma(value, row[lane]);
             }
             *sum = value;
         }

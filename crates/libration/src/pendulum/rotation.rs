@@ -7,6 +7,7 @@ use crate::double_double::{DoubleDouble, magnitude, pick};
 use crate::elliptic::{
     Expansion, Modulus, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero, quotient, scaled_by,
 };
+use crate::fused::FusedMultiplyAdd;
 
 /// A rotation, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -157,7 +158,7 @@ impl TurnQuotients {
         let tangent = scaled_by(pick(odd, self.tangent[1], self.tangent[0]), first);
         let speed = pick(odd, self.velocity[1], self.velocity[0]);
         Turn {
-            half_turns: phase.turns.mul_add(4.0, phase.quarter),
+            half_turns: phase.turns.fma(4.0, phase.quarter),
             half: DoubledArctangent::from_quotient(magnitude(tangent), beside),
             sign: 1f64.copysign(tangent.hi),
             velocity: quotient(speed, pick(odd, other, third), pick(odd, third, other)),

@@ -5,6 +5,7 @@ use super::state::{DoubledArctangent, State, unwrapped};
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
 use crate::elementary::{sinh_cosh, two_word};
 use crate::elliptic::first_of_point;
+use crate::fused::FusedMultiplyAdd;
 
 /// A motion on the separatrix, prepared for evaluation at any time.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +79,7 @@ impl Separatrix {
         if product.hi.is_infinite() {
             return DoubleDouble::from(product.hi);
         }
-        let product_lo = time.mul_add(self.angular_frequency.lo, product.lo);
+        let product_lo = time.fma(self.angular_frequency.lo, product.lo);
         fast_two_sum(product.hi, product_lo) + self.offset
     }
 }

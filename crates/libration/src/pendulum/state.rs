@@ -2,6 +2,7 @@
 
 use crate::double_double::{DoubleDouble, pick, two_sum};
 use crate::elementary::ReducedArctangent;
+use crate::fused::FusedMultiplyAdd;
 
 /// A state: near the top the angle alone would lose its complement, in rotation it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +71,7 @@ impl DoubledArctangent {
 #[inline(always)]
 pub(super) fn unwrapped(base: DoubleDouble, sign: f64, angle: DoubleDouble) -> f64 {
     let sum = two_sum(base.hi, sign * angle.hi);
-    sum.hi + (sum.lo + sign.mul_add(angle.lo, base.lo))
+    sum.hi + (sum.lo + sign.fma(angle.lo, base.lo))
 }
 
 /// A count of turns held in an `f64`, as an integer.

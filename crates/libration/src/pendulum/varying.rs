@@ -12,6 +12,7 @@ use super::state::{DoubledArctangent, State};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, fast_two_sum, magnitude, pick, two_prod, two_sum};
 use crate::elliptic::{CircularSide, HyperbolicSide, Phase, Side, ThetaSeries, ThetaValues, scaled_by};
+use crate::fused::FusedMultiplyAdd;
 
 const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.839338337591243e-18);
 
@@ -104,10 +105,10 @@ pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> P
     let angle = two_prod(angular_frequency, time);
     let turns = angle.hi * FRAC_1_TAU.hi;
     let turns_lo =
-        angle.hi.mul_add(FRAC_1_TAU.hi, -turns) + angle.hi.mul_add(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
+        angle.hi.fma(FRAC_1_TAU.hi, -turns) + angle.hi.fma(FRAC_1_TAU.lo, angle.lo * FRAC_1_TAU.hi);
     let inverse = 1.0 / ratio.hi;
     let quotient = turns * inverse;
-    let residual = (-quotient).mul_add(ratio.hi, turns) + quotient.mul_add(-ratio.lo, turns_lo);
+    let residual = (-quotient).fma(ratio.hi, turns) + quotient.fma(-ratio.lo, turns_lo);
     let sum = two_sum(quotient, 0.25);
     Phase::from_turns(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), angle.hi)
 }

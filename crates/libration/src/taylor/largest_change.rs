@@ -2,6 +2,7 @@
 
 use crate::algebra::lanes;
 use crate::dispatch::{Kernel, dispatch_lanes};
+use crate::fused::FusedMultiplyAdd;
 
 /// By how much a series changes at most in steps of these lengths: Σ|cₙhⁿ| without c₀, in two sums, neither of which waits for the other.
 #[inline(always)]
@@ -11,13 +12,13 @@ pub(super) fn largest_changes<const N: usize>(series: &[[f64; N]], lengths: &[f6
     let left_over = pairs.remainder();
     let [mut lower, mut higher]: [[f64; N]; 2] = [[0.0; N]; 2];
     for pair in pairs {
-        lower = lanes(|lane| lower[lane].mul_add(squares[lane], pair[0][lane].abs()));
-        higher = lanes(|lane| higher[lane].mul_add(squares[lane], pair[1][lane].abs()));
+        lower = lanes(|lane| lower[lane].fma(squares[lane], pair[0][lane].abs()));
+        higher = lanes(|lane| higher[lane].fma(squares[lane], pair[1][lane].abs()));
     }
     let first: [f64; N] = left_over.first().copied().unwrap_or([0.0; N]);
     lanes(|lane| {
         let length = lengths[lane].abs();
-        let sum = higher[lane].mul_add(length, lower[lane]) * length;
+        let sum = higher[lane].fma(length, lower[lane]) * length;
         if left_over.is_empty() { sum } else { (sum + first[lane].abs()) * length }
     })
 }

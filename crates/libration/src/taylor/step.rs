@@ -6,6 +6,7 @@ use super::StateLayout;
 use crate::algebra::{any, lanes};
 use crate::dispatch::{Kernel, dispatch};
 use crate::double_double::{DoubleDouble, two_prod, two_sum};
+use crate::fused::FusedMultiplyAdd;
 
 /// A step of an integration, which gives the state at every time inside it.
 #[derive(Clone, Copy, Debug)]
@@ -143,10 +144,10 @@ fn even_and_odd<const N: usize>(
     while n > 2 {
         n -= 2;
         let (c, d) = (coefficient(n), coefficient(n + 1));
-        even = lanes(|lane| even[lane].mul_add(square[lane], c[lane]));
-        odd = lanes(|lane| odd[lane].mul_add(square[lane], d[lane]));
+        even = lanes(|lane| even[lane].fma(square[lane], c[lane]));
+        odd = lanes(|lane| odd[lane].fma(square[lane], d[lane]));
     }
-    lanes(|lane| odd[lane].mul_add(h[lane], even[lane]) * h[lane])
+    lanes(|lane| odd[lane].fma(h[lane], even[lane]) * h[lane])
 }
 
 /// The time since the start, exactly, in two words if need be.

@@ -10,6 +10,7 @@ use super::larger::{larger, larger_or_nan};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use crate::algebra::{any, lanes};
 use crate::dispatch::{Kernel, dispatch_lanes};
+use crate::fused::FusedMultiplyAdd;
 
 /// The errors that are left for: terms that are missing, 1.25³⁹·39·2⁻¹⁴ = 14 tolerances where series have the most, seven times.
 const TOLERANCES: f64 = 100.0;
@@ -283,8 +284,8 @@ fn slopes<const N: usize>(series: &[[f64; N]], units: &[f64; N]) -> [f64; N] {
     let pairs = series[1..].rchunks_exact(2);
     let first = pairs.remainder();
     for pair in pairs {
-        high = lanes(|lane| high[lane].mul_add(squares[lane], factor * pair[1][lane]));
-        low = lanes(|lane| low[lane].mul_add(squares[lane], (factor - 1.0) * pair[0][lane]));
+        high = lanes(|lane| high[lane].fma(squares[lane], factor * pair[1][lane]));
+        low = lanes(|lane| low[lane].fma(squares[lane], (factor - 1.0) * pair[0][lane]));
         factor -= 2.0;
     }
     match first {

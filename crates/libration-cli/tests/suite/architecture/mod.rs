@@ -11,7 +11,7 @@ use map::{CRATES, Map};
 use source::Source;
 
 /// Modules of `libration` that all others may use.
-const COMMON: [&str; 4] = ["quantity", "double_double", "dispatch", "elementary"];
+const COMMON: [&str; 5] = ["quantity", "double_double", "dispatch", "fused", "elementary"];
 
 /// What the files of each top module use of other top modules, unit tests left out.
 fn uses(source: &Source) -> BTreeMap<String, BTreeSet<String>> {
