@@ -2,8 +2,8 @@
 
 >>> import libration as lb
 >>> fit = lb.lab.fit_periods({"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}, length="1.00(1) m")
->>> print(fit.g)
-9.84+/-0.10
+>>> round(fit.g.nominal_value, 3), round(fit.g.std_dev, 3)
+(9.838, 0.099)
 >>> fit.laws[0]["key"], round(fit.laws[0]["t0_s"], 4)
 ('exact', 2.0032)
 """
@@ -42,7 +42,7 @@ class Measured(NamedTuple):
         return self.nominal_value
 
     def __str__(self) -> str:
-        """Two digits of the uncertainty, as uncertainties writes it."""
+        """With two digits of the uncertainty."""
         if not 0 < self.std_dev < np.inf:
             return f"{self.nominal_value!r}+/-{self.std_dev!r}"
         digits = max(0, 1 - int(np.floor(np.log10(self.std_dev))))
