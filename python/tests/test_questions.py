@@ -40,6 +40,7 @@ PAIRS = [
     (questions.section, ("driven_pendulum",), {"set": DRIVE, "initial": [{"theta": 0.2}, {"theta": 0.3}], "points": 3, "skip": 0, "fold": True}, "section driven_pendulum --set A=1.5 --set c=1/2 --initial theta=0.2 --initial theta=0.3 --points 3 --skip 0 --fold"),
     (questions.bifurcation, ("driven_pendulum",), {"set": {"c": 0.5}, "over": "A=1:1.2:0.1", "initial": {"theta": 0.2}, "points": 2, "skip": 0, "sweep": "both"}, "bifurcation driven_pendulum --set c=0.5 --over A=1:1.2:0.1 --initial theta=0.2 --points 2 --skip 0 --sweep both"),
     (questions.lyapunov, ("driven_pendulum",), {"set": DRIVE, "initial": {"theta": 0.2}, "intervals": 20, "transient": 1}, "lyapunov driven_pendulum --set A=1.5 --set c=1/2 --initial theta=0.2 --intervals 20 --transient 1"),
+    (questions.plan, (), {"g_to": 1e-3, "length": "1.00(1) m", "angle_noise": "0.2deg", "rate": 60}, "plan --g-to 1e-3 --length '1.00(1) m' --angle-noise 0.2deg --rate 60"),
     (questions.paper, (), {"only": "wrong"}, "paper --only wrong"),
     (questions.inspect, (SWING,), {"from_": 2, "values": True}, f"inspect {SWING} --from 2 --values"),
     (questions.fit_periods, (ROOT / "examples/period_table_synthetic.csv",), {"length": "0.994m±0.001m"}, f"fit periods {ROOT}/examples/period_table_synthetic.csv --length 0.994m±0.001m"),

@@ -25,6 +25,7 @@ from ._motion import motion
 from ._oscillators import oscillators
 from ._paper import paper
 from ._period import period
+from ._plan import plan
 from ._section import section
 from ._simulate import simulate
 from ._sweep import sweep
@@ -58,6 +59,7 @@ __all__ = [
     "oscillators",
     "paper",
     "period",
+    "plan",
     "section",
     "simulate",
     "sweep",

@@ -59,8 +59,8 @@ pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions};
 pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
-    angle, angular_velocity, count, displacement, finite_time, length_with_uncertainty, not_negative, part,
-    positive,
+    angle, angular_velocity, count, displacement, finite_time, gravity, length_with_uncertainty,
+    not_negative, part, positive, rate_with_uncertainty,
 };
 pub(crate) use times::{TimeOptions, Times, times};
 pub(crate) use tolerances::{Tolerances, tolerances};

@@ -39,7 +39,7 @@ pub(super) fn density_with_uncertainty(text: &str) -> Result<Quantity, String> {
 }
 
 /// A rate above zero with the uncertainty it was given.
-pub(super) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
+pub(crate) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
     above_zero(text, Dimension::Rate)?;
     parse(text, Dimension::Rate).map_err(|error| error.to_string())
 }

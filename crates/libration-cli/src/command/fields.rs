@@ -2,7 +2,8 @@
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
-    fourier, inspect, lyapunov, modes, motion, oscillators, paper, period, section, simulate, sweep, systems,
+    fourier, inspect, lyapunov, modes, motion, oscillators, paper, period, plan, section, simulate, sweep,
+    systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -56,6 +57,7 @@ fn catalogue() -> Vec<Answers> {
         paper::answers(),
         figure::answers(),
         inspect::answers(),
+        plan::answers(),
         fit_periods::answers(),
         fit_lengths::answers(),
         fit_gates::answers(),

@@ -21,6 +21,7 @@ mod motion;
 mod oscillators;
 mod paper;
 mod period;
+mod plan;
 mod section;
 mod simulate;
 mod sweep;
@@ -100,6 +101,7 @@ enum Question {
     Derive(derive::Derive),
     Figure(figure::Figure),
     Inspect(Box<inspect::Inspect>),
+    Plan(plan::PlanQuestion),
     Fit(FitQuestion),
     Fields(fields::FieldsQuestion),
     Completions(completions::Completions),
@@ -148,6 +150,7 @@ impl Libration {
             Question::Derive(question) => question.answer(out),
             Question::Figure(question) => question.answer(out),
             Question::Inspect(question) => question.answer(out),
+            Question::Plan(question) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Periods(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Lengths(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),

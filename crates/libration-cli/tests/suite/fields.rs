@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 42] = [
+const FURTHER: [&str; 43] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -236,6 +236,7 @@ const FURTHER: [&str; 42] = [
     "simulate|x''=-x;y''=-9*y|--initial|x=1|--times|0,1|--tolerance|y=1e-6",
     "paper",
     "figure|spectrum|--amplitudes|60deg|--output|FILE",
+    "plan|--g-to|1e-3|--length|1.00(1)m|--angle-noise|0.2deg|--rate|60",
     "inspect|examples/period_table_synthetic.csv",
     "inspect|WEIGHTED|--values",
     "fit|periods|examples/period_table_synthetic.csv",

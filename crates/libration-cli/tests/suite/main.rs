@@ -31,6 +31,7 @@ mod modes;
 mod motion;
 mod paper;
 mod period;
+mod plan;
 mod resume;
 mod screen;
 mod simulate;

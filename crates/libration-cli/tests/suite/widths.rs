@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 48] = [
+pub(crate) const QUESTIONS: [&str; 49] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -56,6 +56,7 @@ pub(crate) const QUESTIONS: [&str; 48] = [
     "bifurcation|driven_pendulum|--set|c=1/2|--over|A=1:1.2:0.1|--initial|theta=0.2|--points|2|--skip|2",
     "lyapunov|double_pendulum|--initial|theta1=1,theta2=1|--intervals|4|--transient|1",
     "lyapunov|x''=-x|--initial|x=1|--intervals|8|--transient|1",
+    "plan|--g-to|1e-3|--length|1.0000(5)m|--angle-noise|0.2deg|--rate|60",
     "fields|period",
     "paper|--label|25",
     "paper|--document|cote",

@@ -26,6 +26,7 @@ mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
+pub mod plan;
 mod scatter;
 mod significance;
 mod small_angle_period;

@@ -15,6 +15,7 @@ mod fit_lengths;
 mod fitted_pivot;
 mod malformed;
 mod measurement;
+mod plan;
 mod recording;
 mod rounded_times;
 mod swings;

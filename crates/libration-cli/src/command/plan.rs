@@ -1,0 +1,201 @@
+//! `libration plan`: which swings to record for g.
+
+use crate::arguments;
+use crate::failure::Failure;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::table::{Table, sheet};
+use crate::output::{Form, FormOptions, csv, json};
+use libration::pendulum::Amplitude;
+use libration::quantity::{Angle, Quantity, angles};
+use libration_lab::fit::plan::{Plan, PlannedRecording, PlannedSwings, plan};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// Plan a measurement of g: from which amplitude, how many swings, how well the length must be known
+///
+/// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace` does. What they leave open of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+#[derive(Debug, clap::Args)]
+#[command(override_usage = USAGE, after_help = "Examples:
+  libration plan --g-to 1e-3 --length 1m±0.5mm --angle-noise 0.2deg --rate 60
+  libration plan --g-to 0.01% --length 0.5m±10um --angle-noise 0.01deg \\
+    --rate 240 --angle-scale 0.1% --clock 1e-6
+  libration plan --g-to 2e-3 --length 57cm±1mm --angle-noise 1deg --rate 30 \\
+    --linear-damping 0.03/s --amplitudes 5deg:60deg:5deg --csv")]
+pub(crate) struct PlanQuestion {
+    /// The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%
+    #[arg(long, value_name = "PART", value_parser = arguments::part)]
+    g_to: f64,
+    /// From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m
+    #[arg(long, value_parser = arguments::length_with_uncertainty)]
+    length: Quantity,
+    /// Standard deviation of the angle in a row, such as 0.2deg
+    #[arg(long, value_name = "ANGLE", value_parser = arguments::angle)]
+    angle_noise: Angle,
+    /// Rows per second, such as 60
+    #[arg(long, value_name = "ROWS", value_parser = arguments::positive)]
+    rate: f64,
+    /// Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg
+    #[arg(long, value_name = "A,A", default_value = "5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg", value_parser = amplitudes)]
+    amplitudes: Choices,
+    /// Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default: none]
+    #[arg(long, value_name = "RATE", value_parser = arguments::rate_with_uncertainty)]
+    linear_damping: Option<Quantity>,
+    /// Relative uncertainty of the scale of all angles
+    #[arg(long, value_name = "PART", default_value = "1%", value_parser = arguments::part)]
+    angle_scale: f64,
+    /// Relative uncertainty of the clock or frame rate
+    #[arg(long, value_name = "PART", default_value = "0", value_parser = arguments::part)]
+    clock: f64,
+    /// Acceleration of free fall, about
+    #[arg(long, default_value = "9.80665m/s^2", value_parser = arguments::gravity)]
+    gravity: f64,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+const USAGE: &str = "libration plan --g-to <PART> --length <LENGTH> --angle-noise <ANGLE>
+                      --rate <ROWS> [OPTIONS]";
+
+/// The amplitudes to choose from.
+#[derive(Clone, Debug)]
+struct Choices(Vec<Amplitude>);
+
+/// More than these nobody tries.
+const MOST: usize = 1000;
+
+fn amplitudes(text: &str) -> Result<Choices, String> {
+    let angles = angles(text).map_err(|error| error.to_string())?;
+    arguments::say_radians(text);
+    if angles.len() > MOST {
+        return Err(format!("{} amplitudes are too many: give at most {MOST}", angles.len()));
+    }
+    let amplitudes = angles.into_iter().map(Amplitude::new).collect::<Result<Vec<_>, _>>();
+    amplitudes.map(Choices).map_err(|error| error.to_string())
+}
+
+/// A choice, and whether it is the best.
+struct Choice<'a> {
+    swings: &'a PlannedSwings,
+    is_best: bool,
+}
+
+impl PlanQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let recording = PlannedRecording {
+            length: self.length,
+            gravity: self.gravity,
+            angle_noise: self.angle_noise.radians(),
+            rate: self.rate,
+            linear_damping: self.linear_damping.map_or(0.0, |damping| damping.value),
+            angle_scale: self.angle_scale,
+            clock: self.clock,
+        };
+        let found = plan(&recording, self.g_to, &self.amplitudes.0);
+        let found = found.map_err(|error| Failure::no_answer("plan", error))?;
+        match self.form.form() {
+            Form::Json => json::document(out, of_plan().record(&found))?,
+            Form::Csv => write_csv(out, &found)?,
+            Form::Table => write_table(out, &found)?,
+        }
+        Ok(())
+    }
+}
+
+fn choices(plan: &Plan) -> Vec<Choice<'_>> {
+    let choices = plan.choices.iter().enumerate();
+    choices.map(|(place, swings)| Choice { swings, is_best: plan.best == Some(place) }).collect()
+}
+
+fn write_csv(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
+    let of_choice = of_choice();
+    csv::line(out, &of_choice.csv_names())?;
+    choices(plan).iter().try_for_each(|choice| csv::line(out, &of_choice.csv_cells(choice)))
+}
+
+fn write_table(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
+    sheet(out, &of_plan().lines(plan))?;
+    writeln!(out)?;
+    let of_choice = of_choice();
+    let mut table = Table::new(of_choice.columns());
+    choices(plan).iter().try_for_each(|choice| table.row(out, of_choice.cells(choice)))?;
+    table.finish(out)
+}
+
+fn of_plan() -> Fields<Plan> {
+    type Of = Field<Plan>;
+    Fields::from([
+        Of::number("wanted", "1", "wanted standard uncertainty of g, as a part of g", |it| it.target)
+            .line("u(g)/g wanted", 3),
+        Of::number(
+            "left_for_recording",
+            "1",
+            "what noise and scale of the angles may contribute to it, as a part of g",
+            |it| it.left_for_recording,
+        )
+        .line("for the recording", 3),
+        Of::nullable(
+            "length_uncertainty_needed_m",
+            "m",
+            "to how much the length must be known, or null where it is known well enough",
+            |it| it.length_needed,
+        ),
+        Of::value("swings", "1", "fewest swings that do, or null where none do", |it| {
+            it.best().and_then(|best| best.swings).into()
+        }),
+        Of::nullable("amplitude_rad", "rad", "amplitude of their release, or null", |it| {
+            it.best().map(|best| best.amplitude)
+        }),
+        Of::nullable("duration_s", "s", "how long they take, or null", |it| {
+            it.best().map(|best| best.duration)
+        }),
+        Of::value("advice[]", "", "what to do, in sentences", |it| json::list(it.advice()))
+            .line_of("advice", |it| it.advice().join("; ")),
+        Of::nested("choices[].", &of_choice(), |it| of_choice().records(&choices(it))),
+    ])
+}
+
+fn of_choice<'a>() -> Fields<Choice<'a>> {
+    type Of<'a> = Field<Choice<'a>>;
+    let part = |name, meaning, title, value: fn(&Choice<'a>) -> f64| {
+        Of::number(name, "1", meaning, value).short(title, 3)
+    };
+    Fields::from([
+        Of::number("amplitude_rad", "rad", "amplitude of the release", |it| it.swings.amplitude)
+            .degrees("amplitude / °", 4),
+        Of::value("swings", "1", "fewest swings that do, or null where 10000 do not", |it| {
+            it.swings.swings.map_or(Value::Null, Value::from)
+        })
+        .numeral("swings", |it| it.swings.swings.map_or("–".to_owned(), |swings| swings.to_string())),
+        Of::nullable("duration_s", "s", "how long they take, or null", |it| {
+            it.swings.swings.map(|_| it.swings.duration)
+        })
+        .short("time / s", 4)
+        .or("–"),
+        part("noise", "uncertainty of g by the noise of the angles, as a part of g", "noise", |it| {
+            it.swings.expected.noise
+        }),
+        part(
+            "angle_scale",
+            "the same by the scale of the angles; where swings is null, of 10000",
+            "scale",
+            |it| it.swings.expected.angle_scale,
+        ),
+        part("length", "the same by the length, as it is known now", "length", |it| {
+            it.swings.expected.length
+        }),
+        part("clock", "the same by the clock", "clock", |it| it.swings.expected.clock),
+        part("total", "the same by all of them", "u(g)/g", |it| it.swings.expected.total()),
+        Of::value("is_best", "", "whether it has the fewest swings", |it| it.is_best.into())
+            .words("", |it| if it.is_best { "best".to_owned() } else { String::new() }),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    vec![Answers {
+        command: "plan",
+        option: "",
+        json: of_plan().described(""),
+        csv: of_choice().described_in_csv(),
+    }]
+}

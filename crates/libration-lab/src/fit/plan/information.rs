@@ -1,0 +1,83 @@
+//! What rows of angles tell of ω0.
+//!
+//! A swing θ ≈ A cos φ, with A = A0·exp(−bt/2) and φ′ = ω0/R(A), depends on ln ω0, φ0, ln A0 and bT. A row with the error σ adds
+//! ∂ᵢθ·∂ⱼθ/σ² to their Fisher information; over a swing cos² φ and sin² φ are a half each and their product is nothing, so that f rows
+//! a second give
+//!
+//! Fᵢⱼ = (f/2σ²)·∫ A²·(aᵢaⱼ + pᵢpⱼ) dt,  aᵢ = ∂ᵢ ln A,  pᵢ = ∂ᵢφ.
+//!
+//! With the condition c = dlnR/dlnA of the period: a = (0, 0, 1, −t/2T) and p = (∫ω0/R, 1, −∫ω0c/R, ∫(t/2T)·ω0c/R). Angles that are
+//! all too large by a part s make a phase that is s·p₃ wrong, and what the fit then makes of ω0 is the least-squares solution for it.
+
+use super::PlannedRecording;
+use libration::pendulum::Amplitude;
+use libration::quantity::Angle;
+use nalgebra::{Matrix4, Vector4};
+
+/// Places on the way: the amplitude changes slowly.
+const PLACES: u32 = 128;
+
+/// The relative uncertainty of ω0, and by how much of itself it changes with the scale of the angles.
+pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, duration: f64) -> [f64; 2] {
+    let way = Way::new(recording, amplitude, duration);
+    let weight = recording.rate / (2.0 * recording.angle_noise * recording.angle_noise);
+    let (mut information, mut wrong) = (Matrix4::zeros(), Vector4::zeros());
+    for place in way {
+        let square = place.amplitude * place.amplitude * weight * duration / f64::from(PLACES);
+        let by_amplitude = Vector4::new(0.0, 0.0, 1.0, -place.part / 2.0);
+        let by_phase = place.by_phase;
+        information += square * (by_amplitude * by_amplitude.transpose() + by_phase * by_phase.transpose());
+        wrong += square * by_phase[2] * by_phase;
+    }
+    match information.cholesky() {
+        Some(factor) => [factor.inverse()[(0, 0)].sqrt(), factor.solve(&wrong)[0]],
+        None => [f64::INFINITY, f64::INFINITY],
+    }
+}
+
+/// The middle of a part of the recording.
+struct Place {
+    /// Of the whole.
+    part: f64,
+    amplitude: f64,
+    /// Derivatives of the phase.
+    by_phase: Vector4<f64>,
+}
+
+/// From place to place.
+struct Way<'a> {
+    recording: &'a PlannedRecording,
+    first: f64,
+    duration: f64,
+    done: u32,
+    /// ∫ω0/R, ∫ω0c/R and ∫(t/2T)·ω0c/R up to the next place.
+    integrals: [f64; 3],
+}
+
+impl<'a> Way<'a> {
+    fn new(recording: &'a PlannedRecording, amplitude: &Amplitude, duration: f64) -> Self {
+        Self { recording, first: amplitude.radians(), duration, done: 0, integrals: [0.0; 3] }
+    }
+}
+
+impl Iterator for Way<'_> {
+    type Item = Place;
+
+    fn next(&mut self) -> Option<Place> {
+        if self.done == PLACES {
+            return None;
+        }
+        let part = (f64::from(self.done) + 0.5) / f64::from(PLACES);
+        let decay = self.recording.linear_damping * part * self.duration / 2.0;
+        let amplitude = self.first * libm::exp(-decay);
+        // Where nothing is left of the swings, they are small.
+        let swing = Angle::from_radians(amplitude).ok().and_then(|angle| Amplitude::new(angle).ok());
+        let (ratio, condition) = swing.map_or((1.0, 0.0), |it| (it.period_ratio(), it.condition()));
+        let half = self.recording.angular_frequency() / ratio * self.duration / f64::from(2 * PLACES);
+        let rates = [half, half * condition, half * condition * part / 2.0];
+        let middle = [0, 1, 2].map(|it| self.integrals[it] + rates[it]);
+        self.integrals = [0, 1, 2].map(|it| middle[it] + rates[it]);
+        self.done += 1;
+        Some(Place { part, amplitude, by_phase: Vector4::new(middle[0], 1.0, -middle[1], middle[2]) })
+    }
+}

@@ -1,0 +1,68 @@
+"""`libration plan`. Written by scripts/questions."""
+
+from .._ask import Given, Say
+from ..answer import Answer, answer
+
+
+def plan(
+    *,
+    g_to: Given,
+    length: Given,
+    angle_noise: Given,
+    rate: Given,
+    amplitudes: Given | None = None,
+    linear_damping: Given | None = None,
+    angle_scale: Given | None = None,
+    clock: Given | None = None,
+    gravity: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Plan a measurement of g: from which amplitude, how many swings, how well the length must be known.
+
+    The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as ``libration fit trace`` does. What they leave
+    open of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+
+    Parameters
+    ----------
+    g_to : Given
+        The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%.
+    length : Given
+        From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m.
+    angle_noise : Given
+        Standard deviation of the angle in a row, such as 0.2deg.
+    rate : Given
+        Rows per second, such as 60.
+    amplitudes : Given, optional
+        Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default: 5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
+    linear_damping : Given, optional
+        Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default: none].
+    angle_scale : Given, optional
+        Relative uncertainty of the scale of all angles [default: 1%].
+    clock : Given, optional
+        Relative uncertainty of the clock or frame rate [default: 0].
+    gravity : Given, optional
+        Acceleration of free fall, about [default: 9.80665m/s^2].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> plan = questions.plan(g_to=1e-3, length="1.0000(5)m", angle_noise="0.2deg", rate=60)
+    >>> plan.advice.tolist()
+    ['release at 15 degrees and record 2 swings, 4.03 s']
+    """
+    return answer(Answer, "plan", locals())
