@@ -31,13 +31,13 @@ def signature(app, what, name, obj, options, arguments, answer):
 
 
 def keep_formulas(app, what, name, obj, options, lines):
-    """Bars, and stars behind a prime, belong to formulas, |θ'| and x'*abs(x'), and are no markup."""
+    """Bars, stars and backslashes belong to formulas and are no markup."""
     is_example = False
     for i, line in enumerate(lines):
         is_example = bool(line.strip()) and (is_example or line.lstrip().startswith(">>>"))
         if not is_example:
             parts = line.split("``")
-            parts[::2] = [re.sub(r"\||(?<=')\*", r"\\\g<0>", part) for part in parts[::2]]
+            parts[::2] = [re.sub(r"[|\\]|(?<!\*)\*(?!\*)", r"\\\g<0>", part) for part in parts[::2]]
             lines[i] = "``".join(parts)
 
 
