@@ -31,6 +31,7 @@ from .polynomial import Polynomial
 from .published import Paper, paper
 from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, modes, oscillators, section, systems
 from .simulation import Events, Simulation, States, simulate
+from .sweeps import sweep
 
 formulas = PeriodFormulas()
 
@@ -85,5 +86,6 @@ __all__ = [
     "simulate",
     "special",
     "state",
+    "sweep",
     "systems",
 ]

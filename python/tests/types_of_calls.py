@@ -3,6 +3,7 @@
 from typing import Any
 
 import numpy as np
+import xarray
 from numpy.typing import NDArray
 from typing_extensions import assert_type
 
@@ -25,6 +26,7 @@ motion = lb.Pendulum("99.4cm", 9.81).release("60deg")
 assert_type(motion.period, float)
 assert_type(motion.harmonics().angle, NDArray[np.float64])
 assert_type(lb.formulas["bernoulli"].error("60deg"), float)
+assert_type(lb.sweep("period", {"amplitude": array, "length": ["1m", "2m"]}, "periods.zarr"), xarray.Dataset)
 
 lb.period(1.0, 1.0)  # type: ignore[call-overload]  # pyright: ignore
 lb.state(array, 1.0, 3.0, out=array)  # type: ignore[call-overload]  # pyright: ignore

@@ -14,11 +14,13 @@ mod output;
 mod parallel;
 mod program;
 mod questions;
+mod sweep;
 
 pub use failure::Failure;
 pub use host::Host;
 pub use program::program;
 pub use questions::{Parameter, ParameterKind, Question, questions};
+pub use sweep::{AxisValues, SweepChunk, SweepPlan};
 
 use call::Call;
 use std::ffi::OsString;

@@ -72,7 +72,7 @@ pub(crate) fn ask(
     Ok((answer, notes, stopped_by.or(answered.err().map(|failure| raised(&failure)))))
 }
 
-fn raised(failure: &Failure) -> PyErr {
+pub(crate) fn raised(failure: &Failure) -> PyErr {
     match failure {
         Failure::Usage(_) => refusal::<UsageError>(failure),
         Failure::NoAnswer(_) | Failure::Interrupted(_) => refusal::<NoAnswer>(failure),

@@ -9,6 +9,7 @@ mod motion;
 mod patience;
 mod quantity;
 mod simulation;
+mod sweeping;
 mod ufunc;
 
 use pyo3::prelude::*;
@@ -30,5 +31,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(asking::ask, module)?)?;
     module.add_function(wrap_pyfunction!(asking::program, module)?)?;
     module.add_function(wrap_pyfunction!(asking::questions, module)?)?;
+    module.add_function(wrap_pyfunction!(sweeping::sweep_plan, module)?)?;
+    module.add_function(wrap_pyfunction!(sweeping::sweep_chunk, module)?)?;
     batches::add_all(module)
 }

@@ -27,6 +27,11 @@ mod simulate;
 mod sweep;
 mod systems;
 
+pub(crate) use sweep::{
+    Asked as SweepAsked, Axis as SweepAxis, Plan as SweepPlanned, axis as sweep_axis,
+    outcomes as sweep_outcomes,
+};
+
 use crate::arguments::{protect_negative_values, sweep_options_first};
 use crate::failure::Failure;
 use clap::{CommandFactory, FromArgMatches};
@@ -73,6 +78,11 @@ pub(crate) fn question(arguments: Vec<OsString>) -> Result<Libration, clap::Erro
         let matches = command.try_get_matches_from_mut(protect_negative_values(named))?;
         Libration::from_arg_matches(&matches).map_err(|error| error.format(command))
     })
+}
+
+/// The plan of a sweep.
+pub(crate) fn sweep_plan(asked: SweepAsked<'_>) -> Result<SweepPlanned, Failure> {
+    SweepPlanned::new(asked, fields::of_question)
 }
 
 thread_local! {

@@ -1,7 +1,7 @@
 //! Questions that another program asks in its own process.
 
 use crate::command::{message, run};
-use libration_cli::{Failure, Host, ask};
+use libration_cli::{AxisValues, Failure, Host, SweepPlan, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -190,4 +190,48 @@ fn the_question_of_a_thread_ends_with_it_even_by_a_panic() {
     let asks = || ask(["period", "1"].map(OsString::from), Arc::new(Panics));
     assert!(std::panic::catch_unwind(asks).is_err());
     assert_eq!(answer(&["period", "1"]), run(&["period", "1"]).stdout);
+}
+
+fn planned() -> SweepPlan {
+    let question =
+        ["section", "driven_pendulum", "--set", "c=1/2", "--points", "2", "--skip", "9"].map(str::to_owned);
+    let axes = [
+        ("A".to_owned(), AxisValues::Text("1:1.2:0.1".to_owned())),
+        ("theta".to_owned(), AxisValues::List(vec!["0.1".to_owned(), "x".to_owned()])),
+    ];
+    let keep = ["omega=points[0:2].state[1]".to_owned()];
+    SweepPlan::new(&question, &axes, &keep, Some(2), Arc::new(Memory::default())).unwrap()
+}
+
+#[test]
+fn a_plan_and_its_text_answer_chunks_alike() {
+    let plan = planned();
+    let read = SweepPlan::from_json(&plan.to_json()).unwrap();
+    assert_eq!((&read, read.to_json()), (&plan, plan.to_json()));
+    for chunk in 0..3 {
+        let [one, other] = [&plan, &read].map(|it| it.answers(chunk, Arc::new(Memory::default())).unwrap());
+        // NaN is not itself.
+        assert_eq!(format!("{one:?}"), format!("{other:?}"));
+        assert_eq!(one.status, [0, 2], "an initial angle x is not understood");
+        assert!(
+            one.numbers[..2].iter().all(|it| it.is_finite()) && one.numbers[2..].iter().all(|it| it.is_nan())
+        );
+        assert!(one.messages[0].is_empty() && one.messages[1].contains("--initial"), "{:?}", one.messages);
+    }
+}
+
+#[test]
+fn chunks_that_cannot_be_are_refused_and_others_end_early() {
+    let plan = planned();
+    let refused = plan.answers(3, Arc::new(Memory::default())).unwrap_err();
+    assert!(refused.to_string().contains("no chunk 3: the sweep has 3"), "{refused}");
+    let impatient = Memory { patience: Some(1), ..Memory::default() };
+    assert!(matches!(plan.answers(0, Arc::new(impatient)), Err(Failure::Interrupted(_))));
+    let text = plan.to_json();
+    for (from, to) in
+        [("\"format\":1", "\"format\":2"), ("[3,2]", "[3,3]"), ("[1,2]", "[0,2]"), ("path", "way"), ("{", "")]
+    {
+        assert!(text.contains(from), "{from} in {text}");
+        assert!(SweepPlan::from_json(&text.replace(from, to)).is_err(), "{from}");
+    }
 }

@@ -11,8 +11,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// What is kept of the answer at a point, or why there is none: exit status and reason.
 pub(crate) type Outcome = Result<Vec<f64>, (u8, String)>;
 
-/// The outcomes at the points of a chunk, in their order; `done` counts them. `None` when somebody asks for an early end before.
-pub(crate) fn outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<Outcome>> {
+/// The outcomes at the points of a chunk, in their order. `None` when somebody asks for an early end before.
+pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<Outcome>> {
+    counted_outcomes(plan, chunk, &AtomicUsize::new(0))
+}
+
+/// The same; `done` counts them.
+pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<Outcome>> {
     let outcome = |point| {
         if interrupt::asked() {
             return None;

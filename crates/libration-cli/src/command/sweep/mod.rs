@@ -19,8 +19,11 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::Form;
 use crate::output::description::Answers;
-use axis::{Axis, axis};
-use plan::{Asked, Described, Plan};
+pub(crate) use axis::{Axis, axis};
+pub(crate) use chunk::outcomes;
+pub(crate) use plan::{Asked, Plan};
+
+use plan::Described;
 use progress::Progress;
 use shard::{Shard, shard};
 use std::io::Write;

@@ -7,7 +7,7 @@ use super::point;
 use super::question::Template;
 use crate::failure::Failure;
 use crate::output::description::Description;
-use crate::output::json::Record;
+use crate::output::json::{self, Record};
 use serde_json::Value;
 
 /// The version of what is written of a plan and of its chunks.
@@ -77,31 +77,32 @@ impl Plan {
     pub(crate) fn to_json(&self) -> Record {
         let axis = |axis: &Axis| {
             let record = Record::new().with("name", axis.name.as_str()).with("unit", axis.unit.as_str());
-            record.with("values", axis.values.clone())
+            let numbers = axis.numbers.as_deref().map(json::numbers);
+            record.with("values", axis.values.clone()).with("numbers", numbers)
         };
         let field = |field: &KeptField| {
             let record = Record::new().with("name", field.kept.name.as_str());
-            let record = record.with("path", field.kept.path.as_str());
+            let record = record.with("path", field.kept.path.as_str()).with("length", field.kept.length());
             record.with("unit", field.unit.as_str()).with("meaning", field.meaning.as_str())
         };
         Record::new()
             .with("format", FORMAT)
             .with("version", env!("CARGO_PKG_VERSION"))
             .with("question", self.template.0.clone())
-            .with("axes", crate::output::json::records(self.axes.iter().map(axis)))
-            .with("fields", crate::output::json::records(self.kept.iter().map(field)))
-            .with("shape", crate::output::json::list(self.grid.shape.clone()))
-            .with("chunk_shape", crate::output::json::list(self.grid.block.clone()))
+            .with("axes", json::records(self.axes.iter().map(axis)))
+            .with("fields", json::records(self.kept.iter().map(field)))
+            .with("shape", json::list(self.grid.shape.clone()))
+            .with("chunk_shape", json::list(self.grid.block.clone()))
     }
 
     /// From its JSON; an error is the reason why it is none.
-    pub(crate) fn read(json: &Value) -> Result<Self, String> {
-        let format = json["format"].as_u64();
+    pub(crate) fn read(written: &Value) -> Result<Self, String> {
+        let format = written["format"].as_u64();
         if format != Some(FORMAT) {
             let found = format.map_or("none".to_owned(), |format| format.to_string());
             return Err(format!("its format is {found}, and this program knows format {FORMAT}"));
         }
-        read_plan(json).ok_or_else(|| "it is no plan of a sweep".to_owned())
+        read_plan(written).ok_or_else(|| "it is no plan of a sweep".to_owned())
     }
 
     /// What differs from another plan of the same format, in words.
@@ -142,7 +143,7 @@ impl Plan {
     }
 }
 
-fn read_plan(json: &Value) -> Option<Plan> {
+fn read_plan(written: &Value) -> Option<Plan> {
     let texts = |value: &Value| -> Option<Vec<String>> {
         value.as_array()?.iter().map(|it| it.as_str().map(str::to_owned)).collect()
     };
@@ -155,12 +156,12 @@ fn read_plan(json: &Value) -> Option<Plan> {
         let (unit, meaning) = (it["unit"].as_str()?.to_owned(), it["meaning"].as_str()?.to_owned());
         Some(KeptField { kept, unit, meaning })
     };
-    let axes: Vec<Axis> = json["axes"].as_array()?.iter().map(axis).collect::<Option<_>>()?;
-    let kept = json["fields"].as_array()?.iter().map(field).collect::<Option<_>>()?;
-    let grid = Grid { shape: counts(&json["shape"])?, block: counts(&json["chunk_shape"])? };
+    let axes: Vec<Axis> = written["axes"].as_array()?.iter().map(axis).collect::<Option<_>>()?;
+    let kept = written["fields"].as_array()?.iter().map(field).collect::<Option<_>>()?;
+    let grid = Grid { shape: counts(&written["shape"])?, block: counts(&written["chunk_shape"])? };
     let lengths: Vec<usize> = axes.iter().map(|axis| axis.values.len()).collect();
     (grid.shape == lengths && grid.block.len() == lengths.len()).then_some(())?;
-    Some(Plan { template: Template(texts(&json["question"])?), axes, kept, grid })
+    Some(Plan { template: Template(texts(&written["question"])?), axes, kept, grid })
 }
 
 /// The first answer that some points of the grid have.

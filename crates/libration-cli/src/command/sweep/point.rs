@@ -5,13 +5,15 @@ use crate::command;
 use crate::failure::Failure;
 use crate::host::Host;
 use serde_json::Value;
+use std::ffi::OsString;
 use std::io;
 use std::sync::Arc;
 
 /// The answer to a question as JSON, in this process.
 pub(crate) fn answer(words: &[String]) -> Result<Value, Failure> {
-    let words: Vec<std::ffi::OsString> =
-        words.iter().map(String::as_str).chain(["--json"]).map(Into::into).collect();
+    let mut words: Vec<OsString> = words.iter().map(Into::into).collect();
+    let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
+    words.insert(end, "--json".into());
     let call = Call::new(words.clone(), Arc::new(Point(call::current())));
     call::within(&call, || {
         let question = command::question(words).map_err(|error| Failure::refused(&error))?;

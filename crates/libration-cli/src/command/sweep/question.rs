@@ -23,9 +23,7 @@ impl Template {
                 continue;
             }
             match place_in(asked.command, &axis.name) {
-                Some(Place::Option(name)) => {
-                    template.0.extend([format!("--{name}"), placeholder(&axis.name)]);
-                }
+                Some(Place::Option(name)) => template.add_option(&name, placeholder(&axis.name)),
                 Some(Place::Argument) => template.0.insert(asked.words, placeholder(&axis.name)),
                 None => others.push(axis),
             }
@@ -35,7 +33,7 @@ impl Template {
             for axis in others {
                 match axis.name.contains('[') || states.contains(&axis.name) {
                     true => template.add_initial(&axis.name),
-                    false => template.0.extend(["--set".to_owned(), assignment(&axis.name)]),
+                    false => template.add_option("set", assignment(&axis.name)),
                 }
             }
         }
@@ -56,6 +54,12 @@ impl Template {
         self.0.iter().any(|word| word.contains(&placeholder(name)))
     }
 
+    /// Behind the other options, before a `--`.
+    fn add_option(&mut self, name: &str, value: String) {
+        let end = self.0.iter().position(|word| word == "--").unwrap_or(self.0.len());
+        self.0.splice(end..end, [format!("--{name}"), value]);
+    }
+
     fn add_initial(&mut self, name: &str) {
         let mut is_given = false;
         for place in 0..self.0.len() {
@@ -66,7 +70,7 @@ impl Template {
             }
         }
         if !is_given {
-            self.0.extend(["--initial".to_owned(), assignment(name)]);
+            self.add_option("initial", assignment(name));
         }
     }
 
@@ -184,6 +188,16 @@ mod tests {
         assert_eq!(
             words("lyapunov x''=-k*x", &["x=1", "k=2"]),
             "lyapunov x''=-k*x --initial x={x} --set k={k}"
+        );
+    }
+
+    #[test]
+    fn options_stay_before_two_dashes() {
+        let words =
+            template("lyapunov --initial=theta=0.2 -- driven_pendulum", &["A=1,2", "theta'=1"]).unwrap();
+        assert_eq!(
+            words.join(" "),
+            "lyapunov --initial=theta=0.2,theta'={theta'} --set A={A} -- driven_pendulum"
         );
     }
 

@@ -23,7 +23,7 @@ pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), Failure> {
         if failed.load(Ordering::Relaxed) {
             return Ok(());
         }
-        let Some(outcomes) = chunk::outcomes(&store.plan, *chunk, &done) else { return Ok(()) };
+        let Some(outcomes) = chunk::counted_outcomes(&store.plan, *chunk, &done) else { return Ok(()) };
         let written = store.write(*chunk, &outcomes);
         failed.fetch_or(written.is_err(), Ordering::Relaxed);
         written
