@@ -6,6 +6,8 @@
 # Perturbation theory of an oscillator, order by order
 """
 
+from __future__ import annotations
+
 import html
 import os
 import re

@@ -12,6 +12,8 @@
 9.807+/-0.017
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

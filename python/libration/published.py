@@ -6,6 +6,8 @@
 ['(25)', '(27)']
 """
 
+from __future__ import annotations
+
 from typing import Literal
 
 from ._ask import Given

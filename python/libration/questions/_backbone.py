@@ -1,5 +1,7 @@
 """`libration backbone`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -27,24 +29,24 @@ def backbone(
 
     Parameters
     ----------
-    oscillator : Given, optional
+    oscillator : number or text, optional
         A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
         [default: pendulum].
-    amplitudes : Given
+    amplitudes : number or text, or several
         Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle.
-    set : Values | Sequence[str], optional
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    about : Given, optional
+    about : number or text, optional
         Which equilibrium, where there are several [default: the stable one nearest to zero].
-    order : Given, optional
+    order : number or text, optional
         The order of the perturbation series [default: 9].
-    figure : Path, optional
+    figure : str or path, optional
         Draw the curves to FILE.svg or FILE.png instead of listing the points.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration bifurcation`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -33,43 +35,42 @@ def bifurcation(
 
     Parameters
     ----------
-    system : Given
+    system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x\\*y; y' = x\\*y - y".
-    over : Values | Sequence[str]
+        order, such as "x' = x - x*y; y' = x*y - y".
+    over : dict
         The parameter and its values, from A to B in steps, such as A=1:1.5:0.01.
-    set : Values | Sequence[str], optional
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
-        rest.
-    sweep : Literal["up", "down", "both"], optional
+    initial : dict, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    sweep : {"up", "down", "both"}, optional
         Start each motion where the previous one ended, taking the values in this order.
-    period : Given, optional
+    period : number or text, optional
         Take a point once per period of this length, in seconds [default: the period of the drive].
-    phase : Given, optional
+    phase : number or text, optional
         Take it at this fraction of the period, from 0 to 1 [default: 0].
-    at : Given, optional
+    at : number or text, optional
         Take a point whenever this formula of coordinates, velocities and t changes its sign.
-    direction : Literal["rising", "falling", "any"], optional
+    direction : {"rising", "falling", "any"}, optional
         Direction in which the formula crosses zero [default: rising].
-    skip : Given, optional
+    skip : number or text, optional
         Number of points to discard as transient [default: 100; 0 with ``at``].
-    points : Given, optional
+    points : number or text, optional
         Number of points to record.
-    tolerance : Given, optional
+    tolerance : number or text, optional
         The relative error allowed in each step [default: 1e-12].
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
-    axis : Given, optional
+    axis : number or text, optional
         The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle].
-    figure : Path, optional
+    figure : str or path, optional
         Draw the diagram to FILE.svg or FILE.png instead of listing the points.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

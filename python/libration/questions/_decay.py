@@ -1,5 +1,7 @@
 """`libration decay`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Given, Path, Say
@@ -29,45 +31,45 @@ def decay(
 ) -> Answer:
     """How the swings of a damped pendulum die down, cycle by cycle.
 
-    The amplitudes are found by integrating θ″ + Σ cₙ θ′\\|θ′\\|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy
-    falls at its mean rate over an undamped cycle (exact at any amplitude), and with the small-amplitude law. The duration of each cycle is compared
-    with the exact period at the amplitude in its middle.
+    The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy falls at
+    its mean rate over an undamped cycle (exact at any amplitude), and with the small-amplitude law. The duration of each cycle is compared with the
+    exact period at the amplitude in its middle.
 
     Parameters
     ----------
-    amplitude : Given
+    amplitude : number or text
         The release angle, such as 60deg, 1.2rad or pi-1e-6.
-    dry : Given, optional
+    dry : number or text, optional
         Dry friction, a constant deceleration in rad/s².
-    linear : Given, optional
+    linear : number or text, optional
         Viscous damping, proportional to the velocity, in 1/s.
-    quadratic : Given, optional
+    quadratic : number or text, optional
         Damping proportional to the square of the velocity, in 1/rad.
-    cubic : Given, optional
+    cubic : number or text, optional
         Damping proportional to the cube of the velocity, in s/rad².
-    power : Given, optional
+    power : number or text, or several, optional
         Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several times.
-    cycles : Given, optional
+    cycles : number or text, optional
         Number of cycles to follow, if the motion lasts that long [default: 20].
-    until : Given, optional
+    until : number or text, optional
         Follow the cycles completed by this time, such as 60s; plain numbers are seconds.
-    order : Given, optional
+    order : number or text, optional
         Compare with the slow flow too, its amplitude law to this power of the amplitude (whole powers of the velocity).
-    damping_order : Given, optional
+    damping_order : number or text, optional
         Power of the damping to which the slow flow is expanded [default: 2].
-    figure : Path, optional
+    figure : str or path, optional
         Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the cycles.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
-    length : Given, optional
+    length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
-    omega0 : Given, optional
+    omega0 : number or text, optional
         The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

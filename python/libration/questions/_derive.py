@@ -1,5 +1,7 @@
 """`libration derive`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -31,34 +33,34 @@ def derive(
 
     Parameters
     ----------
-    oscillator : Given, optional
+    oscillator : number or text, optional
         Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging ``damped_pendulum``, for limit-cycle
         ``van_der_pol``].
-    road : Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"]
+    road : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
         Which derivation.
-    order : Given, optional
+    order : number or text, optional
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4].
-    damping_order : Given, optional
+    damping_order : number or text, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
-    small : Given, optional
+    small : number or text, optional
         Averaging, limit-cycle: which letter is small, where several have no value.
-    gauge : Given, optional
+    gauge : number or text, optional
         Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental].
-    set : Values | Sequence[str], optional
+    set : dict, optional
         Series: the value of a parameter; may be given several times.
-    about : Given, optional
+    about : number or text, optional
         Perturbation: which equilibrium, where there are several.
-    amplitude : Given, optional
+    amplitude : number or text, optional
         Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number.
-    length : Given, optional
+    length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
     exercises : bool
         Leave out the results, as exercises, and give them as answers at the end.
-    format : Literal["markdown", "latex", "html", "ipynb"], optional
+    format : {"markdown", "latex", "html", "ipynb"}, optional
         How the derivation is written [default: markdown].
-    output : Path, optional
+    output : str or path, optional
         Write to this file instead of standard output.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

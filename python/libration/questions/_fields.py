@@ -1,5 +1,7 @@
 """`libration fields`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -17,7 +19,7 @@ def fields(
 
     Parameters
     ----------
-    command : Given, optional
+    command : number or text, or several, optional
         The command, such as period or fit trace [default: all commands].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

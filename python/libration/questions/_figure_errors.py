@@ -1,5 +1,7 @@
 """`libration figure errors`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Given, Say
@@ -22,21 +24,21 @@ def figure_errors(
 
     Parameters
     ----------
-    formulas : Given, optional
+    formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
-    from_ : Given, optional
+    from_ : number or text, optional
         The amplitude at the left end [default: 0deg].
-    to : Given, optional
+    to : number or text, optional
         The amplitude at the right end [default: 180deg].
-    lowest : Given, optional
+    lowest : number or text, optional
         The smallest error shown [default: 1e-8].
-    highest : Given, optional
+    highest : number or text, optional
         The largest error shown [default: 10].
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

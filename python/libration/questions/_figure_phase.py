@@ -1,5 +1,7 @@
 """`libration figure phase`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Given, Say
@@ -19,15 +21,15 @@ def figure_phase(
 
     Parameters
     ----------
-    amplitudes : Given, optional
+    amplitudes : number or text, or several, optional
         Amplitudes of the librations [default: 30deg,75deg,120deg,160deg].
-    energies : Given, optional
+    energies : number or text, or several, optional
         Energies of the rotations, E/(2mgl), each above 1 [default: 1.3,2].
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

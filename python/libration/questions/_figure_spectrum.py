@@ -1,5 +1,7 @@
 """`libration figure spectrum`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Given, Say
@@ -20,17 +22,17 @@ def figure_spectrum(
 
     Parameters
     ----------
-    amplitudes : Given, optional
+    amplitudes : number or text, or several, optional
         The amplitudes [default: 30deg,90deg,150deg,179deg].
-    lowest : Given, optional
+    lowest : number or text, optional
         The smallest coefficient shown, in radians [default: 1e-16].
-    highest : Given, optional
+    highest : number or text, optional
         The highest harmonic shown [default: 41].
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration figure trajectories`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -29,35 +31,35 @@ def figure_trajectories(
 
     Parameters
     ----------
-    system : Given
+    system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x\\*y; y' = x\\*y - y".
-    set : Values | Sequence[str], optional
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    length : Given, optional
+    length : number or text, optional
         Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration systems`` says].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
-    initial : Values | Sequence[Values], optional
+    initial : dict, or several, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
         motions.
-    over : Values | Sequence[str], optional
+    over : dict, optional
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
-    from_ : Given, optional
+    from_ : number or text, optional
         The first time that is drawn, in seconds or with a unit [default: 0].
-    until : Given, optional
+    until : number or text, optional
         The last time that is drawn [default: 60].
-    show : Given, optional
+    show : number or text, optional
         The state variable that is drawn against time [default: the first coordinate].
-    axes : Given, optional
+    axes : number or text, or several, optional
         Draw one state variable against another, such as theta,theta'.
-    spectrum : Given, optional
+    spectrum : number or text, optional
         Draw the spectrum of a state variable, such as theta.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration fit gates`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Columns, Given, Path, Say
@@ -56,87 +58,87 @@ def fit_gates(
 
     Parameters
     ----------
-    file : Path | Columns
+    file : str or path or columns
         Times of one photogate, optionally with its state (blocked or not); - for standard input.
-    signals : Literal["edges", "passages"], optional
+    signals : {"edges", "passages"}, optional
         What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern].
-    diameter : Given, optional
+    diameter : number or text, optional
         Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is].
-    gate_distance : Given, optional
+    gate_distance : number or text, optional
         Distance of the gate from the pivot [default: the length of the pendulum].
-    amplitude : Given, optional
+    amplitude : number or text, optional
         Amplitude of the release, a quarter period before the first passage, such as 20deg.
-    figure : Path, optional
+    figure : str or path, optional
         Draw the periods against time to FILE.svg or FILE.png.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
-    length : Given, optional
+    length : number or text, optional
         From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
-    bob_radius : Given, optional
+    bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
-    bob_mass : Given, optional
+    bob_mass : number or text, optional
         Mass of the bob, such as 42.0g±0.5g.
-    bob_density : Given, optional
+    bob_density : number or text, optional
         Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
-    rod_mass : Given, optional
+    rod_mass : number or text, optional
         Mass of the rod or string.
-    rod_length : Given, optional
+    rod_length : number or text, optional
         From the pivot to the end of the rod [default: to the surface of the bob].
-    air_density : Given, optional
+    air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
-    stretch : Given, optional
+    stretch : number or text, optional
         How much the string is stretched by the hanging bob.
-    angle_scale : Given, optional
+    angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
-    clock : Given, optional
+    clock : number or text, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
-    correlation : Given, optional
+    correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : Given, optional
+    linear_damping : number or text, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected].
-    time : Given, optional
+    time : number or text, optional
         Column of times, by number or name.
-    time_unit : Given, optional
+    time_unit : number or text, optional
         Unit of times: s, ms, us, min.
-    angle : Given, optional
+    angle : number or text, optional
         Column of angles, by number or name.
-    angular_velocity : Given, optional
+    angular_velocity : number or text, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : Given, optional
+    unit : number or text, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
-    counts_per_turn : Given, optional
+    counts_per_turn : number or text, optional
         Angles are encoder counts, with this many per turn.
-    x : Given, optional
+    x : number or text, optional
         Column of horizontal positions, instead of an angle.
-    y : Given, optional
+    y : number or text, optional
         Column of vertical positions.
-    pivot : Given, optional
+    pivot : number or text, or several, optional
         Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
-    uncertainty : Given, optional
+    uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
-    gate : Given, optional
+    gate : number or text, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
-    from_ : Given, optional
+    from_ : number or text, optional
         Ignore rows before this time, on the clock of the file.
-    to : Given, optional
+    to : number or text, optional
         Ignore rows after this time.
     even_times : bool
         Take the times in the file to be rounded, and use the equally spaced ones they come from.
     times_as_written : bool
         Use the times as written, even where they look like rounded, equally spaced ones.
-    run : Given, optional
+    run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
-    sheet : Given, optional
+    sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
-    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the cells.
-    decimal : Literal["point", "comma"], optional
+    decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
-    header : Given, optional
+    header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

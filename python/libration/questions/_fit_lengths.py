@@ -1,5 +1,7 @@
 """`libration fit lengths`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Columns, Given, Path, Say
@@ -30,36 +32,36 @@ def fit_lengths(
 
     Parameters
     ----------
-    file : Path | Columns
+    file : str or path or columns
         A table of lengths and periods, optionally with uncertainties; - for standard input.
-    columns : Given, optional
+    columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
         or 1,2,3,4].
-    length_unit : Literal["m", "cm", "mm", "in"], optional
+    length_unit : {"m", "cm", "mm", "in"}, optional
         Unit of the lengths and of their uncertainties [default: that of the header, else m].
-    amplitude : Given, optional
+    amplitude : number or text, optional
         The amplitude of all swings, such as 10deg [default: negligible].
-    amplitude_unit : Literal["rad", "deg"], optional
+    amplitude_unit : {"rad", "deg"}, optional
         Unit of a column of amplitudes [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
-    periods_per_row : Given, optional
+    periods_per_row : number or text, optional
         Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
-    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
-    header : Literal["detect", "present", "absent"], optional
+    header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
-    bob_radius : Given, optional
+    bob_radius : number or text, optional
         Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted.
-    clock : Given, optional
+    clock : number or text, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
-    figure : Path, optional
+    figure : str or path, optional
         Draw the data, the line and the residuals to FILE.svg or FILE.png.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration fit periods`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Columns, Given, Path, Say
@@ -40,56 +42,56 @@ def fit_periods(
 
     Parameters
     ----------
-    file : Path | Columns
+    file : str or path or columns
         A table of amplitudes and periods, optionally with uncertainties; - for standard input.
-    columns : Given, optional
+    columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
         or 1,2,3,4].
-    amplitude_unit : Literal["rad", "deg"], optional
+    amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
-    periods_per_row : Given, optional
+    periods_per_row : number or text, optional
         Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
-    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
-    header : Literal["detect", "present", "absent"], optional
+    header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
-    reject_outliers : Given, optional
+    reject_outliers : number or text, optional
         Leave out rows more than this many robust standard deviations from the exact law.
-    formulas : Given, optional
+    formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
-    figure : Path, optional
+    figure : str or path, optional
         Draw the data, the laws and the residuals to FILE.svg or FILE.png.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
-    length : Given, optional
+    length : number or text, optional
         From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
-    bob_radius : Given, optional
+    bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
-    bob_mass : Given, optional
+    bob_mass : number or text, optional
         Mass of the bob, such as 42.0g±0.5g.
-    bob_density : Given, optional
+    bob_density : number or text, optional
         Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
-    rod_mass : Given, optional
+    rod_mass : number or text, optional
         Mass of the rod or string.
-    rod_length : Given, optional
+    rod_length : number or text, optional
         From the pivot to the end of the rod [default: to the surface of the bob].
-    air_density : Given, optional
+    air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
-    stretch : Given, optional
+    stretch : number or text, optional
         How much the string is stretched by the hanging bob.
-    angle_scale : Given, optional
+    angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
-    clock : Given, optional
+    clock : number or text, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
-    correlation : Given, optional
+    correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : Given, optional
+    linear_damping : number or text, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration fit trace`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -54,91 +56,91 @@ def fit_trace(
 ) -> Fit:
     """Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude.
 
-    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′\\|θ′\\| is integrated and fitted to all rows of all traces, which share ω0 and
-    the damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the
-    period: T = T0·[1 + β(R − 1)] with β = 1.
+    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all traces, which share ω0 and the
+    damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the period: T
+    = T0·[1 + β(R − 1)] with β = 1.
 
     Parameters
     ----------
-    files : Path | Columns | Sequence[Path | Columns]
+    files : str or path or columns, or several
         Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input.
-    model : Given, optional
+    model : number or text, optional
         Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear [default: auto].
     robust : bool
         Give less weight to rows far from the fitted motion (robust fit).
     free_scale : bool
         Fit the scale of the angles too, from how the period depends on the amplitude.
-    report : Path, optional
+    report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it.
-    figure : Path, optional
+    figure : str or path, optional
         Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
-    length : Given, optional
+    length : number or text, optional
         From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
-    bob_radius : Given, optional
+    bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
-    bob_mass : Given, optional
+    bob_mass : number or text, optional
         Mass of the bob, such as 42.0g±0.5g.
-    bob_density : Given, optional
+    bob_density : number or text, optional
         Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
-    rod_mass : Given, optional
+    rod_mass : number or text, optional
         Mass of the rod or string.
-    rod_length : Given, optional
+    rod_length : number or text, optional
         From the pivot to the end of the rod [default: to the surface of the bob].
-    air_density : Given, optional
+    air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
-    stretch : Given, optional
+    stretch : number or text, optional
         How much the string is stretched by the hanging bob.
-    angle_scale : Given, optional
+    angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
-    clock : Given, optional
+    clock : number or text, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
-    correlation : Given, optional
+    correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    time : Given, optional
+    time : number or text, optional
         Column of times, by number or name.
-    time_unit : Given, optional
+    time_unit : number or text, optional
         Unit of times: s, ms, us, min.
-    angle : Given, optional
+    angle : number or text, optional
         Column of angles, by number or name.
-    angular_velocity : Given, optional
+    angular_velocity : number or text, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : Given, optional
+    unit : number or text, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
-    counts_per_turn : Given, optional
+    counts_per_turn : number or text, optional
         Angles are encoder counts, with this many per turn.
-    x : Given, optional
+    x : number or text, optional
         Column of horizontal positions, instead of an angle.
-    y : Given, optional
+    y : number or text, optional
         Column of vertical positions.
-    pivot : Given, optional
+    pivot : number or text, or several, optional
         Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
-    uncertainty : Given, optional
+    uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
-    gate : Given, optional
+    gate : number or text, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
-    from_ : Given, optional
+    from_ : number or text, optional
         Ignore rows before this time, on the clock of the file.
-    to : Given, optional
+    to : number or text, optional
         Ignore rows after this time.
     even_times : bool
         Take the times in the file to be rounded, and use the equally spaced ones they come from.
     times_as_written : bool
         Use the times as written, even where they look like rounded, equally spaced ones.
-    run : Given, optional
+    run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
-    sheet : Given, optional
+    sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
-    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the cells.
-    decimal : Literal["point", "comma"], optional
+    decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
-    header : Given, optional
+    header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

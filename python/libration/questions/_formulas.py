@@ -1,5 +1,7 @@
 """`libration formulas`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -16,13 +18,13 @@ def formulas(
 
     Parameters
     ----------
-    amplitude : Given, optional
+    amplitude : number or text, optional
         List only formulas within the tolerance at this amplitude and all smaller ones.
-    tolerance : Given, optional
+    tolerance : number or text, optional
         Largest acceptable fractional error of the period, such as 1e-3.
     crossovers : bool
         List the amplitudes at which one formula becomes better than another.
-    formulas : Given, optional
+    formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration fourier`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -21,17 +23,17 @@ def fourier(
 
     Parameters
     ----------
-    angle : Given
+    angle : number or text
         The starting angle, such as 60deg, 1.2rad or pi-1e-6.
-    velocity : Given, optional
+    velocity : number or text, optional
         The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default: 0rad/s].
-    harmonics : Given, optional
+    harmonics : number or text, optional
         How many harmonics to list.
-    tolerance : Given, optional
+    tolerance : number or text, optional
         List all harmonics of the angle that are at least this large, in radians [default: 1e-16].
-    length : Given, optional
+    length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

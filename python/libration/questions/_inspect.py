@@ -1,5 +1,7 @@
 """`libration inspect`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Columns, Given, Path, Say
@@ -39,49 +41,49 @@ def inspect(
 
     Parameters
     ----------
-    file : Path | Columns
+    file : str or path or columns
         What the instrument wrote: text, Excel, or an archive of text files; - for standard input.
     values : bool
         In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians.
-    time : Given, optional
+    time : number or text, optional
         Column of times, by number or name.
-    time_unit : Given, optional
+    time_unit : number or text, optional
         Unit of times: s, ms, us, min.
-    angle : Given, optional
+    angle : number or text, optional
         Column of angles, by number or name.
-    angular_velocity : Given, optional
+    angular_velocity : number or text, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : Given, optional
+    unit : number or text, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
-    counts_per_turn : Given, optional
+    counts_per_turn : number or text, optional
         Angles are encoder counts, with this many per turn.
-    x : Given, optional
+    x : number or text, optional
         Column of horizontal positions, instead of an angle.
-    y : Given, optional
+    y : number or text, optional
         Column of vertical positions.
-    pivot : Given, optional
+    pivot : number or text, or several, optional
         Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
-    uncertainty : Given, optional
+    uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
-    gate : Given, optional
+    gate : number or text, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
-    from_ : Given, optional
+    from_ : number or text, optional
         Ignore rows before this time, on the clock of the file.
-    to : Given, optional
+    to : number or text, optional
         Ignore rows after this time.
     even_times : bool
         Take the times in the file to be rounded, and use the equally spaced ones they come from.
     times_as_written : bool
         Use the times as written, even where they look like rounded, equally spaced ones.
-    run : Given, optional
+    run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
-    sheet : Given, optional
+    sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
-    delimiter : Literal["comma", "semicolon", "tab", "space"], optional
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the cells.
-    decimal : Literal["point", "comma"], optional
+    decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
-    header : Given, optional
+    header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration lyapunov`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -26,29 +28,28 @@ def lyapunov(
 
     Parameters
     ----------
-    system : Given
+    system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x\\*y; y' = x\\*y - y".
-    set : Values | Sequence[str], optional
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
-        rest.
-    intervals : Given, optional
+    initial : dict, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    intervals : number or text, optional
         Number of intervals to measure, each about one period of the motion [default: 1000].
-    time : Given, optional
+    time : number or text, optional
         How long to measure, in seconds, instead of a number of intervals.
-    transient : Given, optional
+    transient : number or text, optional
         How long to wait before measuring, in seconds [default: 100 intervals].
-    tolerance : Given, optional
+    tolerance : number or text, optional
         The relative error allowed in each step [default: 1e-13].
-    figure : Path, optional
+    figure : str or path, optional
         Draw the convergence of the exponent to FILE.svg or FILE.png instead of listing it.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration modes`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -24,20 +26,20 @@ def modes(
 
     Parameters
     ----------
-    system : Given
+    system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x\\*y; y' = x\\*y - y".
-    set : Values | Sequence[str], optional
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    about : Values, optional
+    about : dict, optional
         Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
-    figure : Path, optional
+    figure : str or path, optional
         Draw the shapes to FILE.svg or FILE.png.
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

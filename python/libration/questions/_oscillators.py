@@ -1,5 +1,7 @@
 """`libration oscillators`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -13,7 +15,7 @@ def oscillators(
 
     Parameters
     ----------
-    keys : Given, optional
+    keys : number or text, or several, optional
         List only these.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

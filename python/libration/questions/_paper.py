@@ -1,5 +1,7 @@
 """`libration paper`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -18,11 +20,11 @@ def paper(
 
     Parameters
     ----------
-    only : Given, optional
+    only : number or text, optional
         Show only statements with this verdict.
-    document : Given, optional
+    document : number or text, optional
         Show only one document: black-vel or cote.
-    label : Given, optional
+    label : number or text, optional
         Show only labels that contain this number or these words, such as 25, C2 or "Fig. 1".
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

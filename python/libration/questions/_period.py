@@ -1,5 +1,7 @@
 """`libration period`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from typing import Literal
 
 from .._ask import Given, Path, Say
@@ -20,17 +22,17 @@ def period(
 
     Parameters
     ----------
-    amplitudes : Given, optional
+    amplitudes : number or text, or several, optional
         Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg.
-    from_file : Path, optional
+    from_file : str or path, optional
         Read the amplitudes from a file, one per line; - for standard input.
-    formulas : Given, optional
+    formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
-    sort : Literal["error", "catalogue"], optional
+    sort : {"error", "catalogue"}, optional
         The order of the formulas [default: error].
-    length : Given, optional
+    length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

@@ -1,5 +1,7 @@
 """`libration plan`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from .._ask import Given, Say
 from ..answer import Answer, answer
 
@@ -24,23 +26,23 @@ def plan(
 
     Parameters
     ----------
-    g_to : Given
+    g_to : number or text
         The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%.
-    length : Given
+    length : number or text
         From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m.
-    angle_noise : Given
+    angle_noise : number or text
         Standard deviation of the angle in a row, such as 0.2deg.
-    rate : Given
+    rate : number or text
         Rows per second, such as 60.
-    amplitudes : Given, optional
+    amplitudes : number or text, or several, optional
         Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default: 5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
-    linear_damping : Given, optional
+    linear_damping : number or text, optional
         Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default: none].
-    angle_scale : Given, optional
+    angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles [default: 1%].
-    clock : Given, optional
+    clock : number or text, optional
         Relative uncertainty of the clock or frame rate [default: 0].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall, about [default: 9.80665m/s^2].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

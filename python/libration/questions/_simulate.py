@@ -1,5 +1,7 @@
 """`libration simulate`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 
@@ -37,53 +39,52 @@ def simulate(
 
     Parameters
     ----------
-    system : Given
+    system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x\\*y; y' = x\\*y - y".
-    times : Given
+        order, such as "x' = x - x*y; y' = x*y - y".
+    times : number or text, or several
         Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward.
-    set : Values | Sequence[str], optional
+    set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    length : Given, optional
+    length : number or text, optional
         Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration systems`` says].
-    gravity : Given, optional
+    gravity : number or text, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
-    initial : Values, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi\\*i/33) for all of a chain; those not given start at
-        rest.
-    each : Path | Columns, optional
+    initial : dict, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    each : str or path or columns, optional
         One motion for each line of a CSV file (- for standard input) whose first line names parameters and initial values, and may have a column
         ``name``.
-    tolerance : Given, optional
+    tolerance : number or text, optional
         The relative error allowed in each step, for all coordinates or each by its name: 1e-12, "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
-    events : Given, optional
+    events : number or text, or several, optional
         Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5.
-    until : Given, optional
+    until : number or text, optional
         End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; ``times`` says how long it is waited for.
-    direction : Literal["any", "rising", "falling"], optional
+    direction : {"any", "rising", "falling"}, optional
         Which passages count for ``until``: rising, falling, or any [default: any].
-    count : Given, optional
+    count : number or text, optional
         End the motion at the n-th passage that counts for ``until`` [default: 1].
-    columns : Values | Sequence[str], optional
-        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2\\*x'".
-    sensitivity : Given, optional
+    columns : dict, optional
+        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'".
+    sensitivity : number or text, or several, optional
         How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0).
-    figure : Path, optional
+    figure : str or path, optional
         Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png instead of listing the samples.
-    axes : Given, optional
+    axes : number or text, or several, optional
         Draw one state variable against another instead of the coordinates against time, such as theta,theta'.
     animate : bool
         Animate the bodies beside the curves (an SVG animation, for browsers).
-    size : Literal["page", "column", "slide"], optional
+    size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
-    width : Given, optional
+    width : number or text, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
-    height : Given, optional
+    height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
-    output : Path, optional
+    output : str or path, optional
         Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the format, - is
         standard output.
-    resume : Path, optional
+    resume : str or path, optional
         Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

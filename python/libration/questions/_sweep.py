@@ -1,5 +1,7 @@
 """`libration sweep`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from .._ask import Given, Path, Say, Values, text
@@ -22,18 +24,18 @@ def sweep(
 
     Parameters
     ----------
-    question : Given
+    question : number or text, or several
         The command and its options, as behind ``libration``; ``json`` is implied.
-    over : Values | Sequence[str]
+    over : dict
         An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas.
-    output : Path
+    output : str or path
         The directory for the chunks; that of the same sweep is gone on with.
-    keep : Given, optional
+    keep : number or text, or several, optional
         Keep this number of the answer, by its way in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as
         angle=samples[-1].state[0] [default: all that stand alone].
-    shard : Given, optional
+    shard : number or text, optional
         Answer this part of the sweep only, such as 3/64.
-    chunk : Given, optional
+    chunk : number or text, optional
         Number of points in a chunk, at most [default: about 256 chunks].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

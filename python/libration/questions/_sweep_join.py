@@ -1,5 +1,7 @@
 """`libration sweep join`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from .._ask import Path, Say
@@ -18,9 +20,9 @@ def sweep_join(
 
     Parameters
     ----------
-    directories : Path | Sequence[Path]
+    directories : {Path | Sequence[Path}
         The directories of the shards; one where all have written to the same.
-    output : Path, optional
+    output : str or path, optional
         The file, whose ending says its form: .csv or .json [default: CSV on the standard output].
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.

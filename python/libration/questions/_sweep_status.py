@@ -1,5 +1,7 @@
 """`libration sweep status`. Written by scripts/questions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from .._ask import Path, Say
@@ -15,7 +17,7 @@ def sweep_status(
 
     Parameters
     ----------
-    directories : Path | Sequence[Path]
+    directories : {Path | Sequence[Path}
         The directories of the shards; one where all write to the same.
     progress : bool or callable
         True for a line that tells how far it is, where tqdm is installed; or a function of a text.
