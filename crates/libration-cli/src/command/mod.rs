@@ -74,10 +74,17 @@ Exit status: 0 success, 1 no answer, 2 usage error, 130 interrupted.";
 /// The question of a command line, which begins behind the name of the program.
 pub(crate) fn question(arguments: Vec<OsString>) -> Result<Libration, clap::Error> {
     let named = std::iter::once(OsString::from("libration")).chain(sweep_options_first(arguments));
-    COMMAND.with_borrow_mut(|command| {
-        let matches = command.try_get_matches_from_mut(protect_negative_values(named))?;
-        Libration::from_arg_matches(&matches).map_err(|error| error.format(command))
+    let words = protect_negative_values(named);
+    COMMAND.with(|command| match command.try_borrow_mut() {
+        Ok(mut command) => parsed(&mut command, words),
+        // A host that asks while it is told how an argument was read.
+        Err(_) => parsed(&mut Libration::command(), words),
     })
+}
+
+fn parsed(command: &mut clap::Command, words: Vec<OsString>) -> Result<Libration, clap::Error> {
+    let matches = command.try_get_matches_from_mut(words)?;
+    Libration::from_arg_matches(&matches).map_err(|error| error.format(command))
 }
 
 /// The plan of a sweep.

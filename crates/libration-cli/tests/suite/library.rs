@@ -235,3 +235,22 @@ fn chunks_that_cannot_be_are_refused_and_others_end_early() {
         assert!(SweepPlan::from_json(&text.replace(from, to)).is_err(), "{from}");
     }
 }
+
+#[test]
+fn a_host_may_ask_while_it_is_told_how_an_argument_was_read() {
+    #[derive(Default)]
+    struct Asks(Memory);
+    impl Host for Asks {
+        fn write(&self, bytes: &[u8]) -> io::Result<()> {
+            self.0.write(bytes)
+        }
+
+        fn note(&self, sentence: &str) {
+            self.0.note(&format!("{sentence}: {}", String::from_utf8(answer(&["--version"])).unwrap()));
+        }
+    }
+    let host = Arc::new(Asks::default());
+    ask(["motion", "5", "--times", "0,1", "--json"].map(OsString::from), host.clone()).unwrap();
+    assert!(host.0.notes.lock().unwrap()[0].contains("libration 0."));
+    assert_eq!(*host.0.answer.lock().unwrap(), run(&["motion", "5", "--times", "0,1", "--json"]).stdout);
+}
