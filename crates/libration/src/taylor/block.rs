@@ -98,6 +98,17 @@ impl<const N: usize> Block<N> {
         &self.layout
     }
 
+    /// The zeroth coefficient of a row.
+    #[inline(always)]
+    pub(super) fn zeroth(&self, Row(row): Row) -> &[f64; N] {
+        &self.coefficients.numbers().as_chunks().0[row]
+    }
+
+    #[inline(always)]
+    pub(super) fn zeroth_mut(&mut self, Row(row): Row) -> &mut [f64; N] {
+        &mut self.coefficients.numbers_mut().as_chunks_mut().0[row]
+    }
+
     /// The row of this number, numbers of the state first.
     #[inline(always)]
     pub(super) fn row(&self, number: usize) -> Row {

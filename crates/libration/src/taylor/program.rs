@@ -15,6 +15,8 @@ pub(super) struct Program {
     pub(super) constants: Vec<(Row, f64)>,
     /// How the zeroth coefficients of the other rows come about.
     values: Vec<Zeroth>,
+    /// Those rows.
+    begun: Vec<Row>,
     /// How the next ones do where the row is linear in the time, and its other coefficients vanish.
     linear: Vec<Instruction<Row, f64>>,
     /// How they do elsewhere.
@@ -44,6 +46,7 @@ impl Program {
         let program = Self {
             constants: vec![],
             values: vec![],
+            begun: vec![],
             linear: vec![],
             nonlinear: vec![],
             results: vec![],
@@ -76,13 +79,8 @@ impl Program {
 
     /// Those that another block has.
     pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
-        for zeroth in &self.values {
-            match *zeroth {
-                Zeroth::One { out, .. } => block[out][0] = other[out][0],
-                Zeroth::SineAndCosine { sine, cosine, .. } => {
-                    [block[sine][0], block[cosine][0]] = [other[sine][0], other[cosine][0]];
-                }
-            }
+        for &row in &self.begun {
+            *block.zeroth_mut(row) = *other.zeroth(row);
         }
     }
 
@@ -264,6 +262,7 @@ impl Writer<'_> {
 
     /// A cosine comes right behind the sine of the same, and with it.
     fn push_value(&mut self, out: Row, value: Value<Row, f64>) {
+        self.program.begun.push(out);
         let values = &mut self.program.values;
         let pair = match (values.last(), value) {
             (
