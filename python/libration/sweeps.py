@@ -80,7 +80,7 @@ def sweep(
     UsageError, NoAnswer
         A question that no point has an answer to; a store that holds something else; a disk that is full, when all whole chunks are kept.
     Interrupted
-        Ctrl-C; its ``partial`` is the dataset until then, whose ``status`` is -1 where nothing is done.
+        Ctrl-C; its ``partial`` is the dataset until then, whose ``status`` is -1 where nothing is done, or None before the first answer.
 
     Examples
     --------
@@ -96,10 +96,10 @@ def sweep(
     words = _words(question, given)
     axes = [(str(name), _values(values)) for name, values in over.items()]
     kept = [f"{name}={way}" for name, way in keep.items()] if isinstance(keep, Mapping) else list(keep)
-    plan = Plan(_native.sweep_plan(words, axes, kept, chunk))
     place = Path(os.path.abspath(os.fspath(store)))
     with told(progress, "sweep") as tell:
         try:
+            plan = Plan(_native.sweep_plan(words, axes, kept, chunk))
             begin(plan, place)
             _run(plan, place, client, tell)
         except KeyboardInterrupt as stopped:

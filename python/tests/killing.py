@@ -20,6 +20,9 @@ OVER = {"A": "1:1.2:0.005", "theta": [0.1, 0.2, 0.3]}
 KEEP = {"omega": "points[0].state[1]"}
 """A chunk takes some milliseconds, all of them a few seconds."""
 
+ENVIRONMENT = {**os.environ, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s"}
+"""Without a scheduler nobody waits for long."""
+
 LONGEST = 120
 """Seconds after which a process that should end has not."""
 
@@ -47,9 +50,8 @@ class Cluster:
         self.workers = [self._start("worker", *quiet, *local) for _ in range(2)]
 
     def _start(self, *words: str) -> "subprocess.Popen[bytes]":
-        environment = {**os.environ, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s"}
         program = [sys.executable, "-m", "dask", *words]
-        return subprocess.Popen(program, stdout=self.log, stderr=self.log, start_new_session=True, env=environment)
+        return subprocess.Popen(program, stdout=self.log, stderr=self.log, start_new_session=True, env=ENVIRONMENT)
 
     def kill_a_worker(self) -> None:
         """The process that answers, below its nanny, which starts another; the nanny itself where there is none yet."""
@@ -84,7 +86,7 @@ def until(is_so, longest: float = LONGEST) -> None:
 
 def client(store: Path, cluster: Cluster | None) -> "subprocess.Popen[bytes]":
     scheduler = str(cluster.file) if cluster else "none"
-    return subprocess.Popen([sys.executable, __file__, str(store), scheduler], stderr=subprocess.PIPE)
+    return subprocess.Popen([sys.executable, __file__, str(store), scheduler], stderr=subprocess.PIPE, env=ENVIRONMENT)
 
 
 def chunks_done(store: Path) -> int:

@@ -13,10 +13,11 @@ import pytest
 import libration as lb
 
 xarray = pytest.importorskip("xarray")
-pytest.importorskip("zarr")
+pytest.importorskip("zarr", minversion="3")
 pytest.importorskip("distributed")
 
 import killing  # noqa: E402
+from interruption import interrupted_after  # noqa: E402
 
 
 @pytest.fixture(scope="session")
@@ -191,6 +192,12 @@ def test_a_sweep_that_ends_before_any_of_its_files_is_gone_on_with(tmp_path: Pat
             with pytest.raises(lb.errors.NoAnswer, match="the power is off"):
                 small(f"{number}")
         assert small(f"{number}") == undisturbed
+
+
+def test_ctrl_c_before_the_first_answer(tmp_path: Path) -> None:
+    question = "lyapunov double_pendulum --intervals 100000000"
+    caught = interrupted_after(0.5, lambda: lb.sweep(question, {"theta1": [2.0]}, tmp_path / "a.zarr"))
+    assert caught.partial is None and not (tmp_path / "a.zarr").exists()
 
 
 FULL = """

@@ -194,7 +194,7 @@ fn questions_that_cannot_be_are_refused_before_anything_is_written() {
         ("section|nonsense|--over|theta=1,2", "nonsense"),
         ("section|driven_pendulum|--over|B=1,2", "B"),
         ("period|--over|amplitude=190deg,200deg", "below pi"),
-        ("period|60deg|--over|length=1:2", "length"),
+        ("period|60deg|--over|length=1:2", "give a step, too: length=1:2:STEP"),
         ("period|--over|amplitude=1,2|--keep|speed", "answers have no `speed`"),
         ("period|--over|amplitude=1,2|--over|amplitude=1,2", "each axis once"),
         ("period|{status}|--over|status=1,2", "every sweep"),
@@ -313,6 +313,7 @@ fn ctrl_c_keeps_the_chunks_that_are_done() {
     assert!(message(&output).contains("goes on from there"), "{}", message(&output));
     let done = chunks(&place);
     assert!(!done.is_empty() && done.len() < 501, "{}", done.len());
+    assert!(done.values().all(|text| text.ends_with(",0,\n")), "what was cut short is no answer");
 }
 
 #[test]

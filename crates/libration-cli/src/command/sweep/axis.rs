@@ -57,6 +57,11 @@ pub(crate) fn axis(text: &str) -> Result<Axis, String> {
     if let [start, stop, step] = values.split(':').collect::<Vec<_>>()[..] {
         return Axis::of_words(name, range(start, stop, step)?);
     }
+    if let [start, stop] = values.split(':').collect::<Vec<_>>()[..]
+        && [start, stop].iter().all(|end| in_unit(end).is_some())
+    {
+        return Err(format!("give a step, too: {}={start}:{stop}:STEP", name.trim()));
+    }
     let separator = if values.contains(';') { ';' } else { ',' };
     Axis::of_words(name, values.split(separator).map(|value| value.trim().to_owned()).collect())
 }
@@ -122,9 +127,18 @@ mod tests {
 
     #[test]
     fn what_is_no_axis_is_refused() {
-        for text in
-            ["A", "=1:2:1", "A=", "A=1,,2", "A=1:2:0", "A=1:2deg:1deg", "A=x:1:0.1", "{A}=1,2", "A=1\n0,2"]
-        {
+        for text in [
+            "A",
+            "=1:2:1",
+            "A=",
+            "A=1,,2",
+            "A=1:2",
+            "A=1:2:0",
+            "A=1:2deg:1deg",
+            "A=x:1:0.1",
+            "{A}=1,2",
+            "A=1\n0,2",
+        ] {
             assert!(axis(text).is_err(), "{text}");
         }
     }

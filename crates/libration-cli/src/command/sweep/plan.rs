@@ -179,8 +179,7 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
 
 fn all_numbers(known: &[Description], answer: &Value) -> Vec<Kept> {
     let is_described = |kept: &Kept| known.iter().any(|it| describes(it, &kept.described_as()));
-    let ways = kept::scalars(answer).into_iter().filter(|way| way != "schema");
-    ways.filter_map(|way| Kept::read(&way).ok()).filter(is_described).collect()
+    kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok()).filter(is_described).collect()
 }
 
 fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
