@@ -22,6 +22,10 @@ class Table:
     """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
 
     def __init__(self, columns: Any) -> None:
+        if isinstance(columns, np.ndarray) and columns.dtype.names is None:
+            raise TypeError('an array has no names of columns: give a file, or arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
+        if isinstance(columns, np.ndarray):
+            columns = {name: columns[name] for name in columns.dtype.names}
         names = [str(name) for name in columns]
         arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
         lengths = {len(array) for array in arrays}

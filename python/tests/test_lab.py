@@ -65,6 +65,14 @@ def test_recordings_from_arrays_know_their_units_and_uncertainties():
     assert np.allclose(np.abs(video.trace_values[0]["values"]), np.abs(0.4 * np.cos(3 * t)), atol=1e-9)
 
 
+def test_arrays_need_names_of_columns():
+    rows = [(0.0, 61.0), (0.1, 55.0), (0.2, 38.0)]
+    named = np.array(rows, dtype=[("t (s)", float), ("theta (deg)", float)])
+    assert lb.lab.read(named).columns["theta (deg)"].tolist() == [61, 55, 38]
+    with pytest.raises(TypeError, match="an array has no names of columns"):
+        lb.lab.read(np.array(rows))
+
+
 def test_arrays_that_do_not_fit_together_are_refused():
     with pytest.raises(ValueError, match=r"the columns differ in shape \(t \(s\): \(3,\), angle \(rad\): \(2,\)\)"):
         lb.lab.recording(t=[0, 1, 2], angle=[1, 2])

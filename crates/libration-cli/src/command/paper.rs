@@ -72,7 +72,7 @@ fn verdict(text: &str) -> Result<StatementVerdict, String> {
 }
 
 fn document(text: &str) -> Result<Document, String> {
-    let found = Document::ALL.into_iter().find(|document| document.key() == text);
+    let found = Document::ALL.into_iter().find(|document| document.key() == text.replace('_', "-"));
     found.ok_or_else(|| format!("unknown document `{text}`: give black-vel or cote"))
 }
 

@@ -61,6 +61,14 @@ fn the_rows_can_be_chosen_by_verdict() {
 }
 
 #[test]
+fn names_may_be_written_with_underscores() {
+    assert_eq!(
+        json("paper --document black_vel --only wrong"),
+        json("paper --document black-vel --only wrong")
+    );
+}
+
+#[test]
 fn the_page_and_the_csv_say_the_same() {
     let page = text("paper --label B4");
     let table = text("paper --label B4 --csv");
