@@ -1,0 +1,52 @@
+// Puts the page together: node bundle.mjs OUTPUT [ID=MODULE.wasm …]. Says how large each part is.
+
+import { build } from "esbuild";
+import { createHash } from "node:crypto";
+import { readFileSync, writeFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
+const [output, ...given] = process.argv.slice(2);
+const here = (path) => new URL(path, import.meta.url).pathname;
+const target = ["chrome120", "firefox125", "safari17.4"];
+
+async function bundled(path, define = {}) {
+  const options = { entryPoints: [here(path)], bundle: true, minify: true, write: false, charset: "utf8" };
+  const { outputFiles } = await build({ ...options, target, define, format: "iife", legalComments: "none" });
+  return outputFiles[0].text.trimEnd();
+}
+
+const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+const worker = await bundled("src/engine/worker.ts");
+// What ends a script element must not stand in one.
+const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker) })).replaceAll("</script", "<\\/script");
+const style = await bundled("src/style.css");
+const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
+
+const modules = new Map();
+for (const [id, path] of given.map((pair) => pair.split("="))) {
+  const raw = readFileSync(path);
+  const compressed = gzipSync(raw, { level: 9 });
+  const base64 = compressed.toString("base64");
+  modules.set(id, `<script type="text/plain" id="${id}">${base64}</script>`);
+  sizes.push([id, raw.length, compressed.length, base64.length]);
+}
+const first = ["pendulum", "pendulum-fused"].flatMap((id) => modules.get(id) ?? []);
+const whole = ["whole"].flatMap((id) => modules.get(id) ?? []);
+
+const policy = [
+  "default-src 'none'",
+  `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+  `style-src ${hash(style)}`,
+  "worker-src blob:",
+  "img-src data: blob:",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join("; ");
+const parts = { policy, style, script, first: first.join("\n"), whole: whole.join("\n") };
+const page = readFileSync(here("src/page.html"), "utf8").replace(/\{\{(\w+)\}\}/g, (_, part) => parts[part]);
+writeFileSync(output, page);
+
+const bytes = (count) => count.toLocaleString("en").padStart(11);
+console.log(`${"bytes of".padEnd(16)}        raw       gzip    in page`);
+for (const [name, ...counts] of sizes) console.log(name.padEnd(16) + counts.map(bytes).join(""));
+console.log("the page".padEnd(38) + bytes(Buffer.byteLength(page)));

@@ -1,0 +1,78 @@
+// The state of a room in the address, `#room?key=value&…`, so that a link or a bookmark shows the same again.
+
+/** What the address says: the room, and its values as they are written. Values that are not there have the room's defaults. */
+export interface Address {
+  readonly room: string;
+  get(key: string): string | undefined;
+  /** Puts values into the address, and takes those out that are `undefined`; the room stays open. */
+  put(values: Readonly<Record<string, string | undefined>>): void;
+}
+
+/** The room and the values of a fragment, with or without its `#`. */
+export function parsed(fragment: string): { room: string; values: Map<string, string> } {
+  const [room = "", query = ""] = split(fragment.replace(/^#/, ""));
+  return { room: decoded(room), values: new Map(new URLSearchParams(query)) };
+}
+
+/** The fragment of a room with values, `#` included. */
+export function written(room: string, values: Iterable<readonly [string, string]>): string {
+  const pairs = Array.from(values, ([key, value]) => `${encoded(key)}=${encoded(value)}`);
+  return `#${encoded(room)}${pairs.length > 0 ? "?" : ""}${pairs.join("&")}`;
+}
+
+function split(text: string): [string, string] {
+  const at = text.indexOf("?");
+  return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at + 1)];
+}
+
+// Letters that stand for themselves in a fragment stay readable; + would be read as a space.
+function encoded(text: string): string {
+  return encodeURIComponent(text).replace(/%(2C|3A|2F|40|5E)/g, (code) => decodeURIComponent(code));
+}
+
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/** The address of the page. Changes by hand, by links and by the browser's buttons go to `changed`. */
+export class PageAddress implements Address {
+  #room = "";
+  #values = new Map<string, string>();
+  #shown = "";
+
+  constructor(changed: () => void) {
+    this.#read();
+    addEventListener("hashchange", () => {
+      if (location.hash !== this.#shown) {
+        this.#read();
+        changed();
+      }
+    });
+  }
+
+  get room(): string {
+    return this.#room;
+  }
+
+  get(key: string): string | undefined {
+    return this.#values.get(key);
+  }
+
+  put(values: Readonly<Record<string, string | undefined>>): void {
+    for (const [key, value] of Object.entries(values)) {
+      if (value === undefined) this.#values.delete(key);
+      else this.#values.set(key, value);
+    }
+    history.replaceState(null, "", written(this.#room, this.#values));
+    this.#shown = location.hash;
+  }
+
+  #read(): void {
+    ({ room: this.#room, values: this.#values } = parsed(location.hash));
+    this.#shown = location.hash;
+  }
+}

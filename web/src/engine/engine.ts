@@ -1,0 +1,41 @@
+// Questions of the command, asked in the page: the same words, and the same bytes as answers.
+
+/** What the command answers. */
+export interface Answer {
+  /** As the command's exit status: 0 success, 1 no answer, 2 usage error, 130 ended early. */
+  readonly status: number;
+  /** What the command writes to its output. */
+  readonly output: Uint8Array;
+  /** What the command says behind `error:`; empty where nothing is wrong. */
+  readonly error: string;
+  /** Files that were written, by the names in the question. */
+  readonly files: ReadonlyMap<string, Uint8Array>;
+}
+
+/** What is asked. */
+export interface Question {
+  /** The command line behind `libration`. */
+  readonly words: readonly string[];
+  /** Files that the words name. What is called `-` is the standard input. */
+  readonly files?: ReadonlyMap<string, Uint8Array>;
+  /** Takes parts of the output as they come. */
+  readonly onOutput?: (chunk: Uint8Array) => void;
+  /** Takes the sentences that the command says beside its answer, behind `note:`. */
+  readonly onNote?: (line: string) => void;
+  /** Takes how far long work is, and `undefined` when that work has ended. */
+  readonly onProgress?: (howFar: string | undefined) => void;
+  /** Ends the question early: the answer has status 130, and what `onOutput` has brought until then as its output. */
+  readonly signal?: AbortSignal;
+}
+
+/** Whoever answers. Questions wait for each other. */
+export interface Engine {
+  ask(question: Question): Promise<Answer>;
+}
+
+const decoder = new TextDecoder();
+
+/** The output as text. */
+export function text(answer: Answer): string {
+  return decoder.decode(answer.output);
+}

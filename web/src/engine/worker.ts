@@ -1,0 +1,82 @@
+// The worker: holds the whole module and answers one question after the other.
+
+import type { FromWorker, ToWorker } from "./protocol.ts";
+
+/** What the module offers: places for what is asked, and the question itself. */
+interface Exports {
+  readonly memory: WebAssembly.Memory;
+  /** Room for so many bytes, which the next call of `argument` or `file` takes. */
+  room(length: number): number;
+  /** The bytes in the room are the next word of the question. */
+  argument(): void;
+  /** The bytes in the room are the name of a file, and what stands behind it is what the file holds. */
+  file(nameLength: number): void;
+  /** Answers the words so far; the exit status. */
+  ask(): number;
+}
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+const say = (message: FromWorker) => postMessage(message);
+
+let exports: Promise<Exports>;
+let error = "";
+let files = new Map<string, Uint8Array>();
+
+onmessage = async ({ data }: MessageEvent<ToWorker>) => {
+  try {
+    if (data.kind === "module") exports = instantiated(data.module);
+    else answer(await exports, data.words, data.files);
+  } catch (fault) {
+    say({ kind: "fault", reason: fault instanceof Error ? fault.message : String(fault) });
+  }
+};
+
+function answer(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): void {
+  error = "";
+  files = new Map();
+  for (const word of words) {
+    put(module, encoder.encode(word));
+    module.argument();
+  }
+  for (const [name, bytes] of given) {
+    const encoded = encoder.encode(name);
+    put(module, encoded, bytes);
+    module.file(encoded.length);
+  }
+  const status = module.ask();
+  say({ kind: "end", status, error, files });
+}
+
+function put(module: Exports, ...parts: Uint8Array[]): void {
+  const length = parts.reduce((sum, part) => sum + part.length, 0);
+  let at = module.room(length);
+  for (const part of parts) {
+    new Uint8Array(module.memory.buffer, at, part.length).set(part);
+    at += part.length;
+  }
+}
+
+async function instantiated(module: WebAssembly.Module): Promise<Exports> {
+  let memory: WebAssembly.Memory;
+  const taken = (at: number, length: number) => new Uint8Array(memory.buffer, at, length).slice();
+  const read = (at: number, length: number) => decoder.decode(taken(at, length));
+  const host = {
+    output: (at: number, length: number) => say({ kind: "output", chunk: taken(at, length) }),
+    note: (at: number, length: number) => say({ kind: "note", line: read(at, length) }),
+    // Text without letters: that work has ended.
+    progress: (at: number, length: number) =>
+      say({ kind: "progress", howFar: length > 0 ? read(at, length) : undefined }),
+    error: (at: number, length: number) => {
+      error = read(at, length);
+    },
+    written: (name: number, nameLength: number, at: number, length: number) => {
+      files.set(read(name, nameLength), taken(at, length));
+    },
+    milliseconds: () => Date.now(),
+  };
+  const instance = await WebAssembly.instantiate(module, { host });
+  const exports = instance.exports as unknown as Exports;
+  memory = exports.memory;
+  return exports;
+}

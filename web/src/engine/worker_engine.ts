@@ -1,0 +1,93 @@
+// The engine that asks in a worker, so that nothing freezes: made when the first question comes, and afresh after a fault or an early end.
+
+import { text as texts } from "../texts/en.ts";
+import type { Answer, Engine, Question } from "./engine.ts";
+import { module } from "./module.ts";
+import type { FromWorker, ToWorker } from "./protocol.ts";
+
+/** The source of the worker, as `web/build` has bundled it. */
+declare const WORKER_SOURCE: string;
+
+const INTERRUPTED = 130;
+
+export class WorkerEngine implements Engine {
+  #module: Promise<WebAssembly.Module> | undefined;
+  #worker: Worker | undefined;
+  #last: Promise<unknown> = Promise.resolve();
+
+  ask(question: Question): Promise<Answer> {
+    const answer = this.#last.then(() => this.#answered(question));
+    this.#last = answer.catch(() => undefined);
+    return answer;
+  }
+
+  async #answered(question: Question): Promise<Answer> {
+    const { signal } = question;
+    if (signal?.aborted) return ended(INTERRUPTED, [], texts.engine.endedEarly);
+    const worker = await this.#ready();
+    return new Promise((resolve) => {
+      const chunks: Uint8Array[] = [];
+      const close = (answer: Answer, restart: boolean) => {
+        signal?.removeEventListener("abort", abort);
+        worker.onmessage = worker.onerror = null;
+        if (restart) this.#end();
+        resolve(answer);
+      };
+      const abort = () => close(ended(INTERRUPTED, chunks, texts.engine.endedEarly), true);
+      const fault = (reason: string) => close(ended(1, chunks, texts.engine.fault(reason)), true);
+      signal?.addEventListener("abort", abort);
+      worker.onerror = (event) => fault(event.message);
+      worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+        switch (data.kind) {
+          case "output":
+            chunks.push(data.chunk);
+            return question.onOutput?.(data.chunk);
+          case "note":
+            return question.onNote?.(data.line);
+          case "progress":
+            return question.onProgress?.(data.howFar);
+          case "end":
+            return close({ ...data, output: joined(chunks) }, false);
+          case "fault":
+            return fault(data.reason);
+        }
+      };
+      const files = question.files ?? new Map();
+      worker.postMessage({ kind: "question", words: question.words, files } satisfies ToWorker);
+    });
+  }
+
+  async #ready(): Promise<Worker> {
+    this.#module ??= module("whole");
+    const compiled = await this.#module;
+    this.#worker ??= begun(compiled);
+    return this.#worker;
+  }
+
+  #end(): void {
+    this.#worker?.terminate();
+    this.#worker = undefined;
+  }
+}
+
+function begun(compiled: WebAssembly.Module): Worker {
+  const source = URL.createObjectURL(new Blob([WORKER_SOURCE], { type: "text/javascript" }));
+  const worker = new Worker(source);
+  URL.revokeObjectURL(source);
+  worker.postMessage({ kind: "module", module: compiled } satisfies ToWorker);
+  return worker;
+}
+
+function ended(status: number, chunks: readonly Uint8Array[], error: string): Answer {
+  return { status, output: joined(chunks), error, files: new Map() };
+}
+
+function joined(chunks: readonly Uint8Array[]): Uint8Array {
+  const all = new Uint8Array(chunks.reduce((length, chunk) => length + chunk.length, 0));
+  let at = 0;
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
+  return all;
+}

@@ -1,0 +1,19 @@
+// Every sentence of the interface. A room has its own section in a file of its own.
+
+import { pendulum } from "./en/pendulum.ts";
+
+export const text = {
+  title: "Pendulum",
+  skip: "To the room",
+  rooms: "Rooms",
+  failed: "This room cannot be shown",
+  engine: {
+    endedEarly: "ended early: what is shown was computed until then",
+    fault: (reason: string) => `the computation broke down (${reason}) and was started afresh: ask for less, or in another way`,
+  },
+  titles: {
+    pendulum: "The pendulum",
+    about: "About",
+  } as Readonly<Record<string, string>>,
+  pendulum,
+} as const;

@@ -1,0 +1,3 @@
+export const pendulum = {
+  amplitude: "amplitude",
+} as const;
