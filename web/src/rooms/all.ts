@@ -1,6 +1,7 @@
 import type { Room } from "../room.ts";
 import { about } from "./about/about.ts";
+import { formulas } from "./formulas/formulas.ts";
 import { pendulum } from "./pendulum/pendulum.ts";
 
 /** All rooms, in the order in which they are offered; the first is shown where the address names none. */
-export const rooms: readonly Room[] = [pendulum, about];
+export const rooms: readonly Room[] = [pendulum, formulas, about];

@@ -1,5 +1,7 @@
 // Every sentence of the interface. A room has its own section in a file of its own.
 
+import { formulas } from "./en/formulas.ts";
+import { parts } from "./en/parts.ts";
 import { pendulum } from "./en/pendulum.ts";
 
 export const text = {
@@ -13,7 +15,10 @@ export const text = {
   },
   titles: {
     pendulum: "The pendulum",
+    formulas: "Formulas",
     about: "About",
   } as Readonly<Record<string, string>>,
   pendulum,
+  formulas,
+  parts,
 } as const;

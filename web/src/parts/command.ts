@@ -1,0 +1,81 @@
+// A question as data, from which follow the words that are asked, the line for a shell and the line for Python.
+
+import type { Answer, Engine, Question } from "../engine/engine.ts";
+
+/** A question of the command with its arguments and options; flags have the value `true`. */
+export interface Command {
+  /** As `fit trace`. */
+  readonly question: string;
+  readonly arguments?: readonly string[];
+  readonly options?: readonly Option[];
+}
+
+export type Option = readonly [name: string, value: string | true];
+
+/** The options that have a value. */
+export function given(options: Readonly<Record<string, string | boolean | undefined>>): Option[] {
+  return Object.entries(options).flatMap(([name, value]): Option[] =>
+    value === undefined || value === "" || value === false ? [] : [[name, value]],
+  );
+}
+
+/** The words of the command line behind `libration`. */
+export function words({ question, arguments: places = [], options = [] }: Command): string[] {
+  const named = options.flatMap(([name, value]) => {
+    if (value === true) return [`--${name}`];
+    return value.startsWith("-") && value !== "-" ? [`--${name}=${value}`] : [`--${name}`, value];
+  });
+  const guard = places.some((place) => place.startsWith("-") && place !== "-") ? ["--"] : [];
+  return [...question.split(" "), ...(guard.length > 0 ? [...named, ...guard, ...places] : [...places, ...named])];
+}
+
+/** The same question with further options. */
+export function extended(command: Command, options: Readonly<Record<string, string | boolean | undefined>>): Command {
+  return { ...command, options: [...(command.options ?? []), ...given(options)] };
+}
+
+/** Asks the question. */
+export function ask(engine: Engine, command: Command, how: Omit<Question, "words"> = {}): Promise<Answer> {
+  return engine.ask({ words: words(command), ...how });
+}
+
+/** The line for a shell. */
+export function shellLine(command: Command): string {
+  return ["libration", ...words(command)].map(quotedForShell).join(" ");
+}
+
+function quotedForShell(word: string): string {
+  if (/^[\w@%+=:,./^±°-]+$/u.test(word)) return word;
+  if (!/["$`\\!]/.test(word)) return `"${word}"`;
+  return `'${word.replaceAll("'", "'\\''")}'`;
+}
+
+/** Options that say in which form the answer is written; in Python it is an object. */
+const FORMS = new Set(["json", "csv", "latex"]);
+
+/** The line for Python, behind `from libration import questions`. */
+export function pythonLine({ question, arguments: places = [], options = [] }: Command): string {
+  const values = new Map<string, (string | true)[]>();
+  for (const [name, value] of options) {
+    if (FORMS.has(name) || (question === "expand" && name === "format") || (question.startsWith("figure ") && name === "output")) continue;
+    values.set(name, [...(values.get(name) ?? []), value]);
+  }
+  const keyword = (name: string) => (name === "from" || name === "lambda" ? `${name}_` : name.replaceAll("-", "_"));
+  const named = Array.from(values, ([name, all]) => `${keyword(name)}=${pythonValue(all)}`);
+  const positional = places.length > 1 ? [pythonValue(places)] : places.map((place) => pythonText(place));
+  return `questions.${question.replaceAll(" ", "_")}(${[...positional, ...named].join(", ")})`;
+}
+
+function pythonValue(values: readonly (string | true)[]): string {
+  const written = values.map((value) => (value === true ? "True" : pythonText(value)));
+  return written.length === 1 ? (written[0] ?? "") : `[${written.join(", ")}]`;
+}
+
+function pythonText(text: string): string {
+  return JSON.stringify(text);
+}
+
+/** The reason of a failure, without what belongs to a terminal. */
+export function reason(answer: Answer): string {
+  return answer.error.replace(/^error: /, "").replace(/\n+For more information, try '--help'\.\s*$/, "").replace(/\n+Usage:[^]*$/, "").trim();
+}

@@ -1,0 +1,89 @@
+// The fields of a room: their values stand in the address, and what the command says of a value stands beside its field.
+
+import type { Address } from "../address.ts";
+import type { Answer } from "../engine/engine.ts";
+import { reason } from "./command.ts";
+import { element } from "./element.ts";
+import type { Field } from "./field.ts";
+
+/** How long the reader may pause between two letters, in milliseconds. */
+const PAUSE = 300;
+
+/** All fields of a room, in the order in which they are shown. */
+export class Form {
+  readonly #fields = new Map<string, Field>();
+  readonly #address: Address;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(address: Address, fields: readonly Field[], changed: () => void) {
+    this.#address = address;
+    for (const field of fields) {
+      this.#fields.set(field.key, field);
+      field.value = address.get(field.key) ?? field.initial;
+      field.onChange(() => {
+        this.keep();
+        clearTimeout(this.#timer);
+        this.#timer = setTimeout(changed, PAUSE);
+      });
+    }
+  }
+
+  /** What is entered. */
+  value(key: string): string {
+    return this.#field(key).value;
+  }
+
+  /** Enters a value as the reader would, without asking anything. */
+  put(key: string, value: string): void {
+    this.#field(key).value = value;
+    this.keep();
+  }
+
+  /** Puts the values into the address. */
+  keep(): void {
+    const all = [...this.#fields.values()];
+    this.#address.put(Object.fromEntries(all.map(({ key, value, initial }) => [key, value === initial ? undefined : value])));
+  }
+
+  /** The fields of these keys, one below the other. */
+  part(title: string, keys: readonly string[], attributes: { open?: boolean; folded?: boolean } = {}): HTMLElement {
+    const fields = keys.map((key) => this.#field(key).element);
+    if (attributes.folded !== true) return element("fieldset", {}, element("legend", {}, title), ...fields);
+    const open = attributes.open === true || keys.some((key) => this.#field(key).value !== this.#field(key).initial);
+    return element("details", { class: "fields", open }, element("summary", {}, title), ...fields);
+  }
+
+  /** Nothing is wrong any more. */
+  clear(): void {
+    for (const field of this.#fields.values()) field.refuse("");
+  }
+
+  /** Puts the failure beside the field that it is about; the result is what is about none. */
+  blame(answer: Answer): string {
+    const words = reason(answer);
+    for (const field of this.#fields.values()) {
+      const rest = field.option === undefined ? undefined : about(words, field.option);
+      if (rest !== undefined) {
+        field.refuse(rest);
+        field.element.closest("details")?.setAttribute("open", "");
+        return "";
+      }
+    }
+    return words;
+  }
+
+  #field(key: string): Field {
+    const field = this.#fields.get(key);
+    if (field === undefined) throw new Error(`no field ${key}`);
+    return field;
+  }
+}
+
+/** What is said of this option, if it is about it. */
+function about(words: string, option: string): string | undefined {
+  const invalid = /^invalid value '[^]*?' for '\[?([^\s'\]]+)[^']*': ?/.exec(words);
+  if (invalid !== null) return invalid[1] === option ? words.slice(invalid[0].length) : undefined;
+  const named = /^((?:--[\w-]+|[A-Z|]+)(?:(?:, | and )(?:--[\w-]+|[A-Z|]+))*): /.exec(words);
+  if (named === null) return undefined;
+  return named[1]?.split(/, | and /).includes(option) === true ? words.slice(named[0].length) : undefined;
+}

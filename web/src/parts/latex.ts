@@ -1,0 +1,99 @@
+// The LaTeX of formulas for the period as MathML: letters, numbers, fractions, roots, powers, indices, brackets and named functions.
+
+const MATH = "http://www.w3.org/1998/Math/MathML";
+
+/** Letters and signs by their names. */
+const NAMED: Readonly<Record<string, string>> = {
+  theta: "θ", lambda: "λ", pi: "π", omega: "ω", Omega: "Ω", epsilon: "ε", varepsilon: "ε", mu: "μ", phi: "φ", psi: "ψ", tau: "τ", alpha: "α", beta: "β", gamma: "γ",
+};
+const FUNCTIONS = new Set(["sin", "cos", "tan", "ln", "log", "exp"]);
+const SPACES: Readonly<Record<string, string>> = { quad: "1em", ",": "0.17em", " ": "0.3em", ";": "0.28em", "!": "0em" };
+
+/** A formula to be shown; what is not understood stays as it is written. */
+export function fromLatex(source: string, display = true): Element {
+  const parts = new Reader(tokens(source)).row();
+  const math = node("math", ...parts);
+  if (display) math.setAttribute("display", "block");
+  math.setAttribute("aria-label", source);
+  return math;
+}
+
+function tokens(source: string): string[] {
+  return source.match(/\\[a-zA-Z]+|\\.|\d+(?:\.\d+)?|\S/g) ?? [];
+}
+
+function node(name: string, ...children: (Element | string)[]): Element {
+  const made = document.createElementNS(MATH, name);
+  made.append(...children);
+  return made;
+}
+
+class Reader {
+  readonly #tokens: readonly string[];
+  #at = 0;
+
+  constructor(tokens: readonly string[]) {
+    this.#tokens = tokens;
+  }
+
+  /** Everything up to a token that closes. */
+  row(closing?: string): Element[] {
+    const parts: Element[] = [];
+    while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) parts.push(this.#scripted(closing));
+    this.#at += 1;
+    return parts;
+  }
+
+  // A piece with its index and its power.
+  #scripted(closing?: string): Element {
+    const base = this.#piece();
+    let [below, above]: (Element | undefined)[] = [];
+    while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) {
+      const sign = this.#tokens[this.#at];
+      if (sign !== "_" && sign !== "^") break;
+      this.#at += 1;
+      if (sign === "_") below = this.#piece();
+      else above = this.#piece();
+    }
+    if (below !== undefined && above !== undefined) return node("msubsup", base, below, above);
+    if (below !== undefined) return node("msub", base, below);
+    return above === undefined ? base : node("msup", base, above);
+  }
+
+  #piece(): Element {
+    const token = this.#tokens[this.#at] ?? "";
+    this.#at += 1;
+    if (token === "{") return node("mrow", ...this.row("}"));
+    if (token.startsWith("\\")) return this.#command(token.slice(1));
+    if (/^\d/.test(token)) return node("mn", token);
+    if (/^[a-zA-Z]$/.test(token)) return node("mi", token);
+    return node("mo", token === "-" ? "−" : token);
+  }
+
+  #command(name: string): Element {
+    if (name === "frac" || name === "tfrac" || name === "dfrac") return node("mfrac", this.#piece(), this.#piece());
+    if (name === "sqrt") return node("msqrt", this.#piece());
+    if (name === "left") return this.#bracketed();
+    const letter = NAMED[name];
+    if (letter !== undefined) return node("mi", letter);
+    if (FUNCTIONS.has(name)) return upright(name);
+    const space = SPACES[name];
+    if (space === undefined) return node("mtext", name);
+    const made = node("mspace");
+    made.setAttribute("width", space);
+    return made;
+  }
+
+  #bracketed(): Element {
+    const bracket = () => this.#tokens[this.#at++] ?? "";
+    const open = bracket();
+    const inside = this.row("\\right");
+    return node("mrow", node("mo", open), ...inside, node("mo", bracket()));
+  }
+}
+
+function upright(name: string): Element {
+  const made = node("mi", name);
+  made.setAttribute("mathvariant", "normal");
+  return node("mrow", made, node("mo", "\u2061"));
+}

@@ -1,0 +1,21 @@
+// Numbers as people read them. What is saved or asked has all digits; these are for the eye.
+
+/** So many significant digits, with an exponent where many zeros would stand. */
+export function digits(value: number | null | undefined, count = 6): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const written = size < 1e-4 || size >= 1e6 ? value.toExponential(count - 1).replace("e+", "e") : value.toPrecision(count);
+  return written.replace("-", "−").replace(/e-/, "e−");
+}
+
+/** An angle in the unit that the reader has chosen. */
+export function angle(radians: number, unit: string, count = 6): string {
+  const written = digits(unit === "rad" ? radians : (radians * 180) / Math.PI, count).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  return unit === "rad" ? `${written} rad` : `${written}°`;
+}
+
+/** The angle as it can be entered, as exact as it is written. */
+export function angleEntry(degrees: number): string {
+  return `${Number(degrees.toFixed(6))}deg`;
+}

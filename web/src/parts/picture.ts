@@ -1,0 +1,130 @@
+// Pictures that the command draws: shown, described in words, and saved.
+
+import type { Answer, Engine } from "../engine/engine.ts";
+import { text as decoded } from "../engine/engine.ts";
+import { text } from "../texts/en.ts";
+import { ask, type Command, extended } from "./command.ts";
+import { button, element } from "./element.ts";
+import { fromSvg } from "./markup.ts";
+import { save } from "./save.ts";
+
+/** Narrower places get the picture of a column, whose letters are larger beside it, in CSS pixels. */
+const COLUMN = 480;
+
+/** The axes of a panel, in the units of the picture. */
+export interface Frame {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** A place for a picture. */
+export class Picture {
+  readonly element: HTMLElement;
+  /** What is shown, to be drawn into. */
+  svg: SVGSVGElement | undefined;
+  readonly #engine: Engine;
+  readonly #name: string;
+  readonly #option: "figure" | "output";
+  readonly #place = element("div", { class: "picture" });
+  readonly #caption = element("figcaption", { class: "unseen" });
+  readonly #buttons: HTMLElement;
+  #drawn: { command: Command; svg: Uint8Array } | undefined;
+
+  /** `name` is that of the saved files, `option` names the file in the question. */
+  constructor(engine: Engine, name: string, option: "figure" | "output" = "figure") {
+    [this.#engine, this.#name, this.#option] = [engine, name, option];
+    this.#place.attachShadow({ mode: "open" });
+    this.#buttons = element("p", { class: "buttons screen-only", hidden: true }, this.#button("SVG", () => this.#saveSvg()), " ", this.#button("PNG", () => void this.#savePng()));
+    this.element = element("figure", {}, this.#place, this.#caption, this.#buttons);
+  }
+
+  /** The question that draws the picture as it is shown here. */
+  command(command: Command): Command {
+    const size = this.#place.clientWidth > 0 && this.#place.clientWidth < COLUMN ? "column" : undefined;
+    return extended(command, { size, [this.#option]: `${this.#name}.svg` });
+  }
+
+  /** Asks for the picture and shows it; what was shown stays where there is none. */
+  async draw(command: Command, signal?: AbortSignal): Promise<Answer> {
+    const asked = this.command(command);
+    const answer = await ask(this.#engine, named(asked, this.#option, "-"), signal === undefined ? {} : { signal });
+    if (answer.output.length > 0 && !signal?.aborted) this.#show(asked, answer.output);
+    return answer;
+  }
+
+  /** The axes of a panel, the first unless another is asked for. */
+  frame(panel = 0): Frame | undefined {
+    const path = this.svg?.querySelectorAll("path.frame")[panel]?.getAttribute("d");
+    const numbers = path?.match(/-?[\d.]+/g)?.map(Number) ?? [];
+    const [xs, ys] = [0, 1].map((parity) => numbers.filter((_, place) => place % 2 === parity)) as [number[], number[]];
+    if (xs.length === 0 || ys.length === 0) return undefined;
+    return { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
+  }
+
+  /** Where the pointer is, in the units of the picture. */
+  at(event: MouseEvent): { x: number; y: number } | undefined {
+    const matrix = this.svg?.getScreenCTM();
+    return matrix == null ? undefined : new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+  }
+
+  /** Lines over the picture: each a path of this class, in the units of the picture. */
+  overlay(paths: readonly (readonly [name: string, path: string])[]): void {
+    this.svg?.querySelectorAll(".overlay").forEach((old) => old.remove());
+    for (const [name, path] of paths) {
+      const made = document.createElementNS("http://www.w3.org/2000/svg", "path");
+      made.setAttribute("class", `overlay ${name}`);
+      made.setAttribute("d", path);
+      this.svg?.append(made);
+    }
+  }
+
+  /** Nothing is shown. */
+  clear(): void {
+    this.#place.shadowRoot?.replaceChildren();
+    this.#caption.textContent = "";
+    this.#buttons.hidden = true;
+    this.svg = undefined;
+  }
+
+  #show(command: Command, bytes: Uint8Array): void {
+    const read = fromSvg(decoded({ status: 0, output: bytes, error: "", files: new Map() }));
+    const root = this.#place.shadowRoot;
+    if (read === undefined || root === null) return;
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(`${read.style}\n${LOOKS}`);
+    root.adoptedStyleSheets = [sheet];
+    root.replaceChildren(read.svg);
+    [this.svg, this.#drawn] = [read.svg, { command, svg: bytes }];
+    this.#caption.textContent = ["title", "desc"].map((name) => read.svg.querySelector(name)?.textContent ?? "").join(". ");
+    this.#buttons.hidden = false;
+  }
+
+  #button(kind: string, pressed: () => void): HTMLButtonElement {
+    return button(text.parts.savePicture(kind), pressed);
+  }
+
+  #saveSvg(): void {
+    if (this.#drawn !== undefined) save(`${this.#name}.svg`, this.#drawn.svg, "image/svg+xml");
+  }
+
+  async #savePng(): Promise<void> {
+    if (this.#drawn === undefined) return;
+    const file = `${this.#name}.png`;
+    const answer = await ask(this.#engine, named(this.#drawn.command, this.#option, file));
+    const bytes = answer.files.get(file);
+    if (bytes !== undefined) save(file, bytes, "image/png");
+  }
+}
+
+const LOOKS = `
+svg { display: block; width: 100%; height: auto; }
+.overlay { fill: none; stroke: CanvasText; stroke-width: 1.5; }
+.overlay.limit { stroke-dasharray: 6 4; opacity: .7; }
+`;
+
+/** The same question, with another file. */
+function named(command: Command, option: string, file: string): Command {
+  return { ...command, options: (command.options ?? []).map(([name, value]) => (name === option ? [name, file] : [name, value])) };
+}

@@ -1,0 +1,32 @@
+// What the command says of the formulas for the period.
+
+/** An entry of `libration formulas`. */
+export interface Formula {
+  readonly key: string;
+  readonly name: string;
+  readonly authors: string;
+  readonly year: number | null;
+  readonly source: string;
+  readonly latex: string;
+  readonly domain: string;
+  readonly complexity: number;
+  /** With a tolerance: up to where the formula is within it; `null` where it always is. */
+  readonly holds_to_rad?: number | null;
+}
+
+export interface Catalogue {
+  readonly formulas: readonly Formula[];
+}
+
+export interface Crossovers {
+  readonly crossovers: readonly { amplitude_rad: number; better_below: string; better_above: string; error: number }[];
+}
+
+/** An answer of `libration period`. */
+export interface Periods {
+  readonly results: readonly {
+    readonly amplitude_rad: number;
+    readonly ratio: number;
+    readonly formulas: readonly { key: string; ratio: number | null; fractional_error: number | null }[];
+  }[];
+}
