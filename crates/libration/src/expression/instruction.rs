@@ -7,6 +7,10 @@ use crate::series::recurrences::{
     Both, quotient, weighted_integral, weighted_integral_of_quotient, weighted_power,
 };
 
+/// From this order on quotients by what does not depend on the variable are products with its reciprocal, where that is at hand: four hundred
+/// driven pendulums, with θ′/2 among their terms, take 0.95 of the time. Its rounding is the same at all orders; below, it would be felt.
+const RECIPROCAL_FROM: usize = 8;
+
 /// How a zeroth coefficient comes about from those in the rows P, with exponents X.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value<P, X> {
@@ -55,10 +59,11 @@ pub(crate) enum Instruction<P, X> {
         a: P,
         out: P,
     },
-    /// A divisor that does not depend on the variable.
+    /// A divisor that does not depend on the variable, and a row that begins with its reciprocal.
     Unscale {
         a: P,
         divisor: P,
+        reciprocal: Option<P>,
         out: P,
     },
     Divide {
@@ -212,6 +217,7 @@ impl<P: Copy, X> Instruction<P, X> {
         operation: &'a Operation,
         place: usize,
         rows: impl Fn(usize) -> Weighted<P>,
+        reciprocal: impl Fn(usize) -> Option<P>,
         degree: impl Fn(usize) -> usize,
         exponent: impl Fn(&'a Rational) -> X,
     ) -> Option<Self> {
@@ -227,7 +233,9 @@ impl<P: Copy, X> Instruction<P, X> {
             Operation::Multiply(a, b) if constant(b) => Self::Scale { factor: at(b), a: at(a), out },
             Operation::Multiply(a, b) if a == b => Self::Square { a: at(a), out },
             Operation::Multiply(a, b) => Self::Multiply { a: at(a), b: at(b), out },
-            Operation::Divide(a, b) if constant(b) => Self::Unscale { a: at(a), divisor: at(b), out },
+            Operation::Divide(a, b) if constant(b) => {
+                Self::Unscale { a: at(a), divisor: at(b), reciprocal: reciprocal(b), out }
+            }
             Operation::Divide(a, b) => Self::Divide { a: at(a), b: at(b), out },
             Operation::Power(a, ref power) => {
                 Self::Power { exponent: exponent(power), a: rows(a), out: rows(place) }
@@ -273,7 +281,12 @@ impl<P: Copy, X> Instruction<P, X> {
             Self::Scale { factor, a, out } => (out, ring.multiply(first(factor), at(a))),
             Self::Multiply { a, b, out } => (out, ring.convolution(through(a), through(b))),
             Self::Square { a, out } => (out, on.square(through(a))),
-            Self::Unscale { a, divisor, out } => (out, ring.divide(at(a), first(divisor))?),
+            Self::Unscale { a, divisor, reciprocal, out } => {
+                match reciprocal.filter(|_| n >= RECIPROCAL_FROM) {
+                    Some(reciprocal) => (out, ring.multiply(at(a), first(reciprocal))),
+                    None => (out, ring.divide(at(a), first(divisor))?),
+                }
+            }
             Self::Divide { a, b, out } => (out, on.quotient(at(a), before(out), through(b))?),
             Self::Power { ref exponent, a, out } => {
                 let own = Both { plain: before(out.plain), weighted: before(out.weighted) };

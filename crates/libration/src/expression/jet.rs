@@ -147,7 +147,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         let rows =
             |place: usize| Weighted { plain: plain(place), weighted: SeriesRow { place, weighted: true } };
         let degree = |place: usize| if self.tape.is_constant(place) { 0 } else { usize::MAX };
-        let instruction = Instruction::new(operation, place, rows, degree, |exponent| exponent)?;
+        let instruction = Instruction::new(operation, place, rows, |_| None, degree, |exponent| exponent)?;
         instruction.evaluate(self, self.places[place].plain.len()).map(|(_, value)| value)
     }
 }

@@ -3,6 +3,8 @@
 //! A `Jet` asks at every order what is constant, weighted or linear in the time. Integrations go through the tape millions
 //! of times, so here that is asked once.
 
+use std::collections::HashMap;
+
 use super::block::{Block, Row};
 use crate::algebra::{Function, Lanes, Rational, integral, lanes, quotient, sin_cos_in_lanes, square};
 use crate::elementary::count;
@@ -33,6 +35,7 @@ pub(super) struct Program {
 #[derive(Clone, Copy, Debug)]
 enum Zeroth {
     One { out: Row, value: Value<Row, f64> },
+    Reciprocal { of: Row, out: Row },
     SineAndCosine { of: Row, sine: Row, cosine: Row },
 }
 
@@ -55,7 +58,9 @@ impl Program {
         };
         let (places, input_degrees) = (vec![], degrees);
         let delays = delays(tape, last);
-        let mut writer = Writer { tape, terms, program, places, degrees: vec![], delays, input_degrees };
+        let reciprocals = HashMap::new();
+        let mut writer =
+            Writer { tape, terms, program, places, degrees: vec![], delays, reciprocals, input_degrees };
         for place in 0..tape.operations().len() {
             writer.write(place);
         }
@@ -70,6 +75,9 @@ impl Program {
         for zeroth in &self.values {
             match *zeroth {
                 Zeroth::One { out, value } => block[out][0] = known(value.evaluate(block)),
+                Zeroth::Reciprocal { of, out } => {
+                    block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
+                }
                 Zeroth::SineAndCosine { of, sine, cosine } => {
                     [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
                 }
@@ -181,6 +189,8 @@ struct Writer<'a> {
     degrees: Vec<usize>,
     /// How late the results are known at each order.
     delays: Vec<usize>,
+    /// Where those of constant divisors are.
+    reciprocals: HashMap<usize, Row>,
     input_degrees: &'a [usize],
 }
 
@@ -218,10 +228,23 @@ impl Writer<'_> {
         self.degrees.push(degree);
         self.write_value(operation, plain);
         if degree > 0 {
+            self.prepare_divisor(operation);
             let instruction = self.instruction(operation, place);
             let weight = (weighted != plain).then_some(Instruction::Weight { a: plain, out: weighted });
             let list = if degree == 1 { &mut self.program.linear } else { &mut self.program.nonlinear };
             list.extend(instruction.into_iter().chain(weight));
+        }
+    }
+
+    fn prepare_divisor(&mut self, operation: &Operation) {
+        if let Operation::Divide(_, divisor) = *operation
+            && self.degrees[divisor] == 0
+            && !self.reciprocals.contains_key(&divisor)
+        {
+            let (of, out) = (self.places[divisor].plain, self.row());
+            self.program.values.push(Zeroth::Reciprocal { of, out });
+            self.program.begun.push(out);
+            self.reciprocals.insert(divisor, out);
         }
     }
 
@@ -293,6 +316,7 @@ impl Writer<'_> {
             _ => None,
         };
         let operation = swapped.as_ref().unwrap_or(operation);
-        Instruction::new(operation, place, rows, |place| self.degrees[place], Rational::to_f64)
+        let reciprocal = |place: usize| self.reciprocals.get(&place).copied();
+        Instruction::new(operation, place, rows, reciprocal, |place| self.degrees[place], Rational::to_f64)
     }
 }

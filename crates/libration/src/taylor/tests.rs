@@ -35,6 +35,25 @@ fn the_measured_order_is_the_nominal_one() {
     }
 }
 
+/// x' = x/7, whose coefficients are 7⁻ⁿ/n!, three lanes from different places: divisions below the eighth order, products from there on.
+#[test]
+fn quotients_by_constants_are_right_at_all_orders() {
+    let system = System::new(&"x' = x/7".parse().unwrap()).unwrap();
+    let expander = Expander::new(&system, 24, 3);
+    let mut block = expander.block::<3>();
+    (0..3).for_each(|lane| block.start(lane, 0.0, &[1.0 + count(lane)]));
+    expander.expand(&mut block, &Surroundings { parameters: vec![], signs: vec![], sticks: vec![] });
+    let mut expected = 1.0;
+    for (n, coefficients) in block.series(0).iter().enumerate() {
+        expected /= if n == 0 { 1.0 } else { 7.0 * count(n) };
+        for (lane, coefficient) in coefficients.iter().enumerate() {
+            let found = coefficient / (1.0 + count(lane));
+            assert!((found / expected - 1.0).abs() < 4e-16 * count(n + 1), "{n} {lane}: {found} {expected}");
+        }
+    }
+    assert!(block.series(0).len() > 20);
+}
+
 /// The coefficients without and with machine code.
 fn both_ways<const N: usize>(system: &System, order: usize, state: &[f64]) -> Option<[Vec<f64>; 2]> {
     let expander = Expander::new(system, order, N);
