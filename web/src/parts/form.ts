@@ -58,10 +58,10 @@ export class Form {
     for (const field of this.#fields.values()) field.refuse("");
   }
 
-  /** Puts the failure beside the field that it is about; the result is what is about none. */
-  blame(answer: Answer): string {
+  /** Puts the failure beside the field that it is about, of these or of all; the result is what is about none. */
+  blame(answer: Answer, keys: readonly string[] = [...this.#fields.keys()]): string {
     const words = reason(answer);
-    for (const field of this.#fields.values()) {
+    for (const field of keys.map((key) => this.#field(key))) {
       const rest = field.option === undefined ? undefined : about(words, field.option);
       if (rest !== undefined) {
         field.refuse(rest);

@@ -3,6 +3,7 @@
 import { formulas } from "./en/formulas.ts";
 import { parts } from "./en/parts.ts";
 import { pendulum } from "./en/pendulum.ts";
+import { perturbation } from "./en/perturbation.ts";
 
 export const text = {
   title: "Pendulum",
@@ -16,9 +17,11 @@ export const text = {
   titles: {
     pendulum: "The pendulum",
     formulas: "Formulas",
+    perturbation: "Perturbation",
     about: "About",
   } as Readonly<Record<string, string>>,
   pendulum,
   formulas,
+  perturbation,
   parts,
 } as const;

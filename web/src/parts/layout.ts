@@ -1,0 +1,34 @@
+// How a room is laid out: what is asked on one side, what is found on the other.
+
+import { element } from "./element.ts";
+
+export function layout(title: string, lead: string, controls: readonly Node[], results: readonly Node[]): HTMLElement[] {
+  return [
+    element("h1", {}, title),
+    element("p", { class: "lead" }, lead),
+    element("div", { class: "room" }, element("div", { class: "controls" }, ...controls), element("div", { class: "results" }, ...results)),
+  ];
+}
+
+/** A part of the results, with a place for what is found and for why nothing is. */
+export class Finding {
+  readonly element: HTMLElement;
+  readonly #failure = element("p", { class: "error", role: "alert", hidden: true });
+  readonly #place = element("div");
+
+  constructor(title: string, ...below: Node[]) {
+    this.element = element("section", {}, element("h2", {}, title), this.#failure, this.#place, ...below);
+  }
+
+  show(...found: (Node | string)[]): void {
+    this.fail("");
+    this.#place.replaceChildren(...found);
+  }
+
+  /** Nothing was found, for this reason; what was found before goes with it. */
+  fail(reason: string): void {
+    this.#failure.textContent = reason;
+    this.#failure.hidden = reason === "";
+    if (reason !== "") this.#place.replaceChildren();
+  }
+}

@@ -1,0 +1,28 @@
+// What the command says of expansions, as JSON.
+
+export interface Oscillators {
+  readonly oscillators: readonly { key: string; title: string; equation: string }[];
+}
+
+/** An answer of `libration expand --evaluate`. */
+export interface Evaluation {
+  readonly amplitude: number;
+  readonly exact: number | null;
+  readonly exact_uncertainty: number | null;
+  readonly exact_by: string | null;
+  readonly radius: number | null;
+  readonly radius_is: string | null;
+  readonly smallest_term_power: number | null;
+  readonly steps: readonly { power: number; coefficient: string; term: number; sum: number; error: number | null; bound: number | null; bound_is: string | null }[];
+}
+
+/** An answer of `libration backbone`. */
+export interface Backbone {
+  readonly points: readonly {
+    amplitude: number;
+    frequency: number | null;
+    uncertainty: number | null;
+    series: number | null;
+    exact?: number | null;
+  }[];
+}

@@ -1,0 +1,35 @@
+// What the reader gives: the oscillator, the expansion, and where it is tried.
+
+import { choiceField, type Field, textField } from "../../parts/field.ts";
+import { unitSwitch } from "../../parts/unit_switch.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.perturbation;
+
+/** Where an oscillator whose variable is an angle is tried. */
+export const ANGLES = { evaluate: "60deg", amplitudes: "10deg:170deg:10deg" } as const;
+/** The same for oscillators whose variable is no angle: amplitudes at which all of the catalogue oscillate. */
+export const PLAIN = { evaluate: "0.4", amplitudes: "0.05:0.4:0.05" } as const;
+
+export function fields(): Field[] {
+  const { quantity } = words;
+  const harmonics = [1, 2, 3, 5, 7].map((n): [string, string] => [`a${n}`, quantity.harmonic(n)]);
+  return [
+    textField({ key: "oscillator", option: "OSCILLATOR|EQUATION", words: words.oscillator, initial: "pendulum" }),
+    textField({ key: "set", option: "--set", words: words.set }),
+    textField({ key: "letters", option: "--letters", words: words.letters }),
+    textField({ key: "about", option: "--about", words: words.about }),
+    textField({ key: "order", option: "--order", words: words.order, initial: "7" }),
+    textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
+    textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
+    textField({ key: "small", option: "--small", words: words.small }),
+    textField({ key: "evaluate", option: "--evaluate", words: words.evaluate, initial: ANGLES.evaluate }),
+    choiceField({ key: "quantity", option: "--quantity", words: { label: quantity.label }, initial: "period" }, [
+      ["period", quantity.period],
+      ["frequency", quantity.frequency],
+      ...harmonics,
+    ]),
+    textField({ key: "amplitudes", option: "--amplitudes", words: words.amplitudes, initial: ANGLES.amplitudes }),
+    unitSwitch(),
+  ];
+}

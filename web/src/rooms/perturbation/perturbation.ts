@@ -1,0 +1,228 @@
+// Room 3: exact series of any oscillator, beside its exact motion.
+
+import type { Address } from "../../address.ts";
+import type { Answer, Engine } from "../../engine/engine.ts";
+import { text as decoded } from "../../engine/engine.ts";
+import { read } from "../../parts/answers.ts";
+import { ask, type Command, extended, given, reason } from "../../parts/command.ts";
+import { button, element } from "../../parts/element.ts";
+import { copyButton, Equivalents } from "../../parts/equivalents.ts";
+import { choiceField } from "../../parts/field.ts";
+import { Form } from "../../parts/form.ts";
+import { ladder } from "../../parts/ladder.ts";
+import { Latest } from "../../parts/latest.ts";
+import { Finding, layout } from "../../parts/layout.ts";
+import { fromHtml } from "../../parts/markup.ts";
+import { Picture } from "../../parts/picture.ts";
+import { save } from "../../parts/save.ts";
+import { Status } from "../../parts/status.ts";
+import type { Room } from "../../room.ts";
+import { text } from "../../texts/en.ts";
+import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
+import { ANGLES, fields, PLAIN } from "./fields.ts";
+import { backbone, evaluation, grouped } from "./results.ts";
+
+const words = text.perturbation;
+/** Expansions up to this order need no stages. */
+const QUICK = 15;
+const LANGUAGES: readonly (readonly [format: string, name: string, ending: string])[] = [["python", "Python", "py"], ["c", "C", "c"], ["rust", "Rust", "rs"], ["fortran", "Fortran", "f90"]];
+
+export const perturbation: Room = {
+  name: "perturbation",
+  open(place, address, engine) {
+    const room = new PerturbationRoom(address, engine);
+    place.append(...room.elements);
+    room.begin();
+    return () => room.leave();
+  },
+};
+
+class PerturbationRoom {
+  readonly elements: readonly HTMLElement[];
+  readonly #engine: Engine;
+  readonly #form: Form;
+  readonly #latest = new Latest();
+  readonly #status = new Status(() => this.#latest.stop());
+  readonly #builtIn = element("select");
+  readonly #series: Finding;
+  readonly #limits: Finding;
+  readonly #backbone: Finding;
+  readonly #seriesPicture: Picture;
+  readonly #backbonePicture: Picture;
+  readonly #equivalents = new Equivalents();
+  #latex = "";
+
+  constructor(address: Address, engine: Engine) {
+    this.#engine = engine;
+    this.#form = new Form(address, fields(), () => this.#update());
+    this.#seriesPicture = new Picture(engine, "series", "output");
+    this.#backbonePicture = new Picture(engine, "backbone");
+    this.#series = new Finding(words.series, this.#saving());
+    this.#limits = new Finding(words.limits, this.#seriesPicture.element);
+    this.#backbone = new Finding(words.backbone, this.#backbonePicture.element, this.#csv("backbone", () => this.#backboneCommand()));
+    const chooser = element("div", { class: "field" }, element("label", {}, words.choose.label, this.#builtIn));
+    const question = this.#form.part(words.question, ["oscillator", "set"]);
+    question.firstElementChild?.after(chooser);
+    const controls = [
+      question,
+      this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small"], { folded: true, open: innerWidth >= 960 }),
+      this.#form.part(words.trial, ["evaluate", "quantity", "amplitudes", "unit"]),
+    ];
+    const findings = [this.#series, this.#limits, this.#backbone].map((finding) => finding.element);
+    this.elements = layout(words.title, words.lead, controls, [this.#status.element, ...findings, this.#equivalents.element]);
+  }
+
+  begin(): void {
+    this.#latest.run(async (signal) => {
+      const { value } = await read<Oscillators>(this.#engine, { question: "oscillators" }, signal);
+      this.#offer(value?.oscillators ?? []);
+      this.#update();
+    });
+  }
+
+  leave(): void {
+    this.#latest.stop();
+  }
+
+  #offer(oscillators: Oscillators["oscillators"]): void {
+    const options = oscillators.map(({ key, title, equation }) => element("option", { value: key }, `${title}: ${equation}`));
+    this.#builtIn.append(element("option", { value: "" }, words.choose.own), ...options);
+    this.#builtIn.value = this.#form.value("oscillator");
+    this.#builtIn.addEventListener("change", () => {
+      const key = this.#builtIn.value;
+      if (key === "") return;
+      const isAngle = oscillators.some((it) => it.key === key && it.equation.includes("theta"));
+      this.#put({ oscillator: key, set: "", letters: "", about: "", gauge: "", ...(isAngle ? ANGLES : PLAIN) });
+      this.#update();
+    });
+  }
+
+  #put(values: Readonly<Record<string, string>>): void {
+    for (const [key, value] of Object.entries(values)) this.#form.put(key, value);
+  }
+
+  #update(): void {
+    const key = this.#form.value("oscillator");
+    // An equation without an angle is not tried at angles that nobody has entered.
+    const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
+    if (key.includes("=") && !/theta|phi|angle/.test(key) && isUntouched) this.#put(PLAIN);
+    this.#builtIn.value = Array.from(this.#builtIn.options).some(({ value }) => value === key) ? key : "";
+    this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
+  }
+
+  async #answer(signal: AbortSignal): Promise<void> {
+    this.#form.clear();
+    if (this.#form.value("oscillator") === "") return this.#series.fail(words.none);
+    this.#equivalents.show([this.#expansion(), this.#evaluation(), this.#seriesPicture.command(this.#figure()), this.#backboneCommand()]);
+    if (!(await this.#expand(signal)) || signal.aborted) return;
+    await this.#evaluate(signal);
+    if (!signal.aborted) await this.#compare(signal);
+  }
+
+  #about(): Command {
+    const [oscillator, set, about] = ["oscillator", "set", "about"].map((key) => this.#form.value(key)) as [string, string, string];
+    return { question: "", arguments: [oscillator], options: given({ set, about }) };
+  }
+
+  #expansion(order = this.#form.value("order")): Command {
+    const value = (key: string) => this.#form.value(key);
+    const flow = { "damping-order": value("damping-order"), small: value("small") };
+    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order, gauge: value("gauge"), ...flow });
+  }
+
+  #evaluation(): Command {
+    const value = (key: string) => this.#form.value(key);
+    return extended({ ...this.#about(), question: "expand" }, { evaluate: value("evaluate"), quantity: value("quantity") === "period" ? "" : value("quantity") });
+  }
+
+  #figure(): Command {
+    const quantity = this.#form.value("quantity");
+    return extended({ ...this.#about(), question: "figure series" }, { quantity: quantity === "period" ? "" : quantity });
+  }
+
+  #backboneCommand(): Command {
+    const value = (key: string) => this.#form.value(key);
+    return extended({ ...this.#about(), question: "backbone" }, { amplitudes: value("amplitudes"), order: value("order") });
+  }
+
+  // Order by order, so that something is there early. Whether there is a series at all.
+  async #expand(signal: AbortSignal): Promise<boolean> {
+    const last = Number(this.#form.value("order"));
+    for (const order of Number.isInteger(last) && last > QUICK ? ladder(last, QUICK) : [last]) {
+      if (order < last) this.#status.say(words.orders(order, last));
+      const asked = this.#expansion(order === last ? this.#form.value("order") : String(order));
+      const notes: string[] = [];
+      let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
+      const isPlain = answer.status !== 0 && answer.error.includes("--format:");
+      if (isPlain && !signal.aborted) answer = await ask(this.#engine, asked, { signal });
+      if (signal.aborted) return false;
+      if (answer.status !== 0) {
+        this.#series.fail(this.#form.blame(answer));
+        return false;
+      }
+      this.#latex = "";
+      const written = decoded(answer);
+      const shown = isPlain ? [element("pre", { tabindex: "0" }, written)] : grouped(fromHtml(written));
+      this.#series.show(...notes.map((note) => element("p", { class: "quiet" }, note)), element("div", { class: "series scroll", tabindex: "0", role: "region", "aria-label": words.series }, ...shown));
+    }
+    return true;
+  }
+
+  async #evaluate(signal: AbortSignal): Promise<void> {
+    const { answer, value } = await read<Evaluation>(this.#engine, this.#evaluation(), signal);
+    if (signal.aborted) return;
+    if (value === undefined || answer.status !== 0) {
+      this.#seriesPicture.clear();
+      return this.#limits.fail(this.#onTrial(answer));
+    }
+    this.#limits.show(...evaluation(value));
+    const drawn = await this.#seriesPicture.draw(this.#figure(), signal);
+    if (drawn.status !== 0 && !signal.aborted) this.#seriesPicture.clear();
+  }
+
+  async #compare(signal: AbortSignal): Promise<void> {
+    const asked = this.#backboneCommand();
+    const { answer, value } = await read<Backbone>(this.#engine, asked, signal);
+    if (signal.aborted) return;
+    if (value === undefined || answer.status !== 0) {
+      this.#backbonePicture.clear();
+      return this.#backbone.fail(this.#onTrial(answer));
+    }
+    const isAngle = /°|deg|rad/.test(this.#form.value("amplitudes"));
+    this.#backbone.show(backbone(value, isAngle, this.#form.value("unit")));
+    await this.#backbonePicture.draw(asked, signal);
+  }
+
+  // The series stands: only what the trial asks for beyond it can be wrong. It is said in the part as well, since the field may be far away.
+  #onTrial(answer: Answer): string {
+    this.#form.blame(answer, ["evaluate", "quantity", "amplitudes"]);
+    return reason(answer);
+  }
+
+  #saving(): HTMLElement {
+    const language = choiceField({ key: "language", words: { label: words.code.label } }, LANGUAGES.map(([format, name]) => [format, name]));
+    language.value = "python";
+    const saved = button(words.code.save, () => void this.#saveCode(language.value));
+    const copy = copyButton(() => this.#latex, words.copyLatex);
+    // The LaTeX is asked for when the button is reached, so that copying follows the press at once.
+    for (const event of ["pointerenter", "focus"]) copy.addEventListener(event, () => void this.#readLatex());
+    const latex = element("span", {}, `${words.copyLatex}: `, copy);
+    return element("div", { class: "screen-only" }, element("p", { class: "buttons" }, latex), this.#csv("series", () => this.#expansion()), element("div", { class: "code-choice" }, language.element, saved));
+  }
+
+  #csv(name: string, command: () => Command): HTMLElement {
+    const pressed = async () => save(`${name}.csv`, (await ask(this.#engine, extended(command(), { csv: true }))).output, "text/csv");
+    return element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void pressed()));
+  }
+
+  async #readLatex(): Promise<void> {
+    if (this.#latex === "") this.#latex = decoded(await ask(this.#engine, extended(this.#expansion(), { latex: true })));
+  }
+
+  async #saveCode(format: string): Promise<void> {
+    const answer = await ask(this.#engine, extended(this.#expansion(), { format }));
+    if (answer.status !== 0) return this.#series.fail(reason(answer));
+    const ending = LANGUAGES.find(([it]) => it === format)?.[2] ?? "txt";
+    save(`series.${ending}`, answer.output, "text/plain");
+  }
+}

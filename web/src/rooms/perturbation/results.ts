@@ -1,0 +1,60 @@
+// What is found of an expansion, as tables and sentences.
+
+import { element } from "../../parts/element.ts";
+import { angle, digits } from "../../parts/numbers.ts";
+import { table } from "../../parts/table.ts";
+import { text } from "../../texts/en.ts";
+import type { Backbone, Evaluation } from "./answers.ts";
+
+const words = text.perturbation;
+
+/** The series term by term beside the exact value, in sentences and as a table. */
+export function evaluation(found: Evaluation): Node[] {
+  const sentences = [
+    found.exact === null ? "" : words.exact(digits(found.exact, 15), digits(found.exact_uncertainty, 2), found.exact_by ?? "–"),
+    found.radius === null ? words.noRadius : words.radius(digits(found.radius, 6), found.radius_is ?? "–"),
+    found.smallest_term_power === null ? words.still : words.smallest(found.smallest_term_power),
+  ];
+  const { power, coefficient, term, sum, error, bound } = words.termColumns;
+  const columns = [power, coefficient, term, sum, error, bound].map((title) => ({ title, isNumber: true }));
+  const rows = found.steps.map((step) => [
+    String(step.power),
+    shortened(step.coefficient),
+    digits(step.term, 5),
+    digits(step.sum, 15),
+    digits(step.error, 3),
+    step.bound === null ? "–" : `${digits(step.bound, 3)} (${step.bound_is})`,
+  ]);
+  return [...sentences.filter((it) => it !== "").map((it) => element("p", {}, it)), table(words.terms, columns, rows)];
+}
+
+/** The frequency at each amplitude: by the orbit, exactly where that is known, and by the series. */
+export function backbone({ points }: Backbone, isAngle: boolean, unit: string): HTMLElement {
+  const { amplitude, orbit, uncertainty, exact, series, error } = words.backboneColumns;
+  const columns = [amplitude, orbit, uncertainty, exact, series, error].map((title) => ({ title, isNumber: true }));
+  const rows = points.map((point) => {
+    const best = point.exact ?? point.frequency;
+    return [
+      isAngle ? angle(point.amplitude, unit) : digits(point.amplitude),
+      digits(point.frequency, 13),
+      digits(point.uncertainty, 2),
+      digits(point.exact, 13),
+      digits(point.series, 13),
+      best === null || best === undefined || point.series === null ? "–" : digits(point.series - best, 3),
+    ];
+  });
+  return table(words.backbone, columns, rows);
+}
+
+// Fractions of a hundred digits say less than their size.
+function shortened(coefficient: string): string {
+  return coefficient.length <= 40 ? coefficient : `${coefficient.slice(0, 38)}…`;
+}
+
+/** The lines of an expansion under a title for each variable: each of its groups begins with the frequency. */
+export function grouped(lines: readonly Node[]): Node[] {
+  const titles = [...words.groups];
+  const isFrequency = (line: Node) => line.textContent?.startsWith("Ωω0=") === true;
+  const isGrouped = lines.filter(isFrequency).length > 1;
+  return lines.flatMap((line) => (isGrouped && isFrequency(line) ? [element("h3", {}, titles.shift() ?? ""), line] : [line]));
+}
