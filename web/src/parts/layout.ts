@@ -16,8 +16,10 @@ export class Finding {
   readonly #failure = element("p", { class: "error", role: "alert", hidden: true });
   readonly #place = element("div");
 
-  constructor(title: string, ...below: Node[]) {
-    this.element = element("section", {}, element("h2", {}, title), this.#failure, this.#place, ...below);
+  /** Without a title where what is found has one of its own. */
+  constructor(title: string | undefined, ...below: Node[]) {
+    const heading = title === undefined ? [] : [element("h2", {}, title)];
+    this.element = element("section", {}, ...heading, this.#failure, this.#place, ...below);
   }
 
   show(...found: (Node | string)[]): void {

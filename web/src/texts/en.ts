@@ -1,5 +1,6 @@
 // Every sentence of the interface. A room has its own section in a file of its own.
 
+import { derivations } from "./en/derivations.ts";
 import { formulas } from "./en/formulas.ts";
 import { parts } from "./en/parts.ts";
 import { pendulum } from "./en/pendulum.ts";
@@ -18,10 +19,12 @@ export const text = {
     pendulum: "The pendulum",
     formulas: "Formulas",
     perturbation: "Perturbation",
+    derivations: "Derivations",
     about: "About",
   } as Readonly<Record<string, string>>,
   pendulum,
   formulas,
   perturbation,
+  derivations,
   parts,
 } as const;

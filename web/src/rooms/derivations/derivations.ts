@@ -1,0 +1,142 @@
+// Room 4: derivations step by step, and two published ones checked.
+
+import type { Address } from "../../address.ts";
+import type { Engine } from "../../engine/engine.ts";
+import { text as decoded } from "../../engine/engine.ts";
+import { read } from "../../parts/answers.ts";
+import { ask, type Command, extended, given } from "../../parts/command.ts";
+import { button, element } from "../../parts/element.ts";
+import { Equivalents } from "../../parts/equivalents.ts";
+import { Form } from "../../parts/form.ts";
+import { Latest } from "../../parts/latest.ts";
+import { Finding, layout } from "../../parts/layout.ts";
+import { save } from "../../parts/save.ts";
+import { Status } from "../../parts/status.ts";
+import type { Room } from "../../room.ts";
+import { text } from "../../texts/en.ts";
+import { fields, OWN_KEYS, PAPER_KEYS, SERIES_KEYS, taken } from "./fields.ts";
+import { type Paper, statements } from "./statements.ts";
+import { Steps } from "./steps.ts";
+
+const words = text.derivations;
+const ENDINGS = { html: "html", latex: "tex", markdown: "md", ipynb: "ipynb" } as const;
+
+export const derivations: Room = {
+  name: "derivations",
+  open(place, address, engine) {
+    const room = new DerivationsRoom(address, engine);
+    place.append(...room.elements);
+    room.begin();
+    return () => room.leave();
+  },
+};
+
+class DerivationsRoom {
+  readonly elements: readonly HTMLElement[];
+  readonly #engine: Engine;
+  readonly #form: Form;
+  readonly #latest = new Latest();
+  readonly #status = new Status(() => this.#latest.stop());
+  readonly #steps: Steps;
+  readonly #found: Finding;
+  readonly #stepButtons: HTMLElement;
+  readonly #saving: HTMLElement;
+  readonly #savingTable: HTMLElement;
+  readonly #equivalents = new Equivalents();
+  readonly #parts: readonly (readonly [HTMLElement, readonly string[]])[];
+
+  constructor(address: Address, engine: Engine) {
+    this.#engine = engine;
+    const all = fields();
+    this.#form = new Form(address, all, () => this.#update());
+    this.#steps = new Steps(address);
+    this.#found = new Finding(undefined);
+    const ended = element("span", { role: "status" });
+    const next = () => (ended.textContent = this.#steps.next() ? "" : words.ended);
+    this.#stepButtons = element("p", { class: "buttons screen-only sticky" }, button(words.next, next, { class: "main" }), button(words.all, () => this.#steps.setAll(true)), button(words.fold, () => this.#steps.setAll(false)), ended);
+    const kinds = Object.keys(ENDINGS) as (keyof typeof ENDINGS)[];
+    this.#saving = element("p", { class: "buttons screen-only" }, `${words.save} `, ...kinds.map((kind) => button(words.kinds[kind], () => void this.#save(kind))));
+    this.#savingTable = element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void this.#saveTable()));
+    const road = this.#form.part(words.question, ["road", ...SERIES_KEYS]);
+    const own = this.#form.part(words.own, OWN_KEYS);
+    const paper = this.#form.part(words.statements, PAPER_KEYS);
+    this.#parts = [[road, SERIES_KEYS], [own, OWN_KEYS], [paper, PAPER_KEYS]];
+    const results = [this.#status.element, this.#stepButtons, this.#found.element, this.#saving, this.#savingTable, this.#equivalents.element];
+    this.elements = layout(words.title, words.lead, [road, own, paper], results);
+    this.#offer(all, address);
+  }
+
+  begin(): void {
+    this.#update();
+  }
+
+  leave(): void {
+    this.#latest.stop();
+  }
+
+  // Only what the chosen road takes is offered.
+  #offer(all: ReturnType<typeof fields>, address: Address): void {
+    const show = () => {
+      const keys = taken(this.#form.value("road"));
+      for (const { key, element: field } of all) field.hidden = key !== "road" && !keys.includes(key);
+      for (const [part, its] of this.#parts.slice(1)) part.hidden = !its.some((key) => keys.includes(key));
+    };
+    show();
+    all[0]?.onChange(() => {
+      show();
+      address.put({ at: undefined, steps: undefined });
+    });
+  }
+
+  #update(): void {
+    this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
+  }
+
+  async #answer(signal: AbortSignal): Promise<void> {
+    this.#form.clear();
+    const isPaper = this.#form.value("road") === "paper";
+    this.#equivalents.show([this.#command()]);
+    if (isPaper) await this.#check(signal);
+    else await this.#derive(signal);
+  }
+
+  #command(): Command {
+    const road = this.#form.value("road");
+    const options = Object.fromEntries(taken(road).filter((key) => key !== "oscillator").map((key) => [key, this.#form.value(key)]));
+    if (road === "paper") return { question: "paper", options: given(options) };
+    const { exercises, ...others } = options;
+    const oscillator = taken(road).includes("oscillator") ? this.#form.value("oscillator") : "";
+    return { question: "derive", arguments: oscillator === "" ? [] : [oscillator], options: given({ road, ...others, exercises: exercises === "yes" }) };
+  }
+
+  async #derive(signal: AbortSignal): Promise<void> {
+    const answer = await ask(this.#engine, extended(this.#command(), { format: "html" }), { signal });
+    if (signal.aborted) return;
+    this.#offerSaving(answer.status === 0, false);
+    if (answer.status !== 0) return this.#found.fail(this.#form.blame(answer));
+    this.#found.show(this.#steps.element);
+    this.#steps.show(decoded(answer));
+  }
+
+  async #check(signal: AbortSignal): Promise<void> {
+    const { answer, value } = await read<Paper>(this.#engine, this.#command(), signal);
+    if (signal.aborted) return;
+    this.#offerSaving(false, value !== undefined);
+    if (value === undefined) return this.#found.fail(this.#form.blame(answer));
+    this.#found.show(...statements(value));
+  }
+
+  #offerSaving(derivation: boolean, table: boolean): void {
+    this.#stepButtons.hidden = this.#saving.hidden = !derivation;
+    this.#savingTable.hidden = !table;
+  }
+
+  async #save(kind: keyof typeof ENDINGS): Promise<void> {
+    const { output } = await ask(this.#engine, extended(this.#command(), { format: kind }));
+    save(`derivation.${ENDINGS[kind]}`, output, kind === "html" ? "text/html" : "text/plain");
+  }
+
+  async #saveTable(): Promise<void> {
+    save("statements.csv", (await ask(this.#engine, extended(this.#command(), { csv: true }))).output, "text/csv");
+  }
+}

@@ -1,0 +1,51 @@
+// What the reader gives, and which of it belongs to which road.
+
+import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.derivations;
+
+export const ROADS = ["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"] as const;
+
+/** The fields that a road takes besides those of all. */
+const TAKEN: Readonly<Record<string, readonly string[]>> = {
+  elliptic: ["amplitude", "length", "gravity", "exercises"],
+  formulas: ["amplitude", "length", "gravity", "exercises"],
+  perturbation: ["oscillator", "order", "gauge", "set", "about", "amplitude", "length", "gravity", "exercises"],
+  averaging: ["oscillator", "order", "damping-order", "small", "set", "exercises"],
+  "limit-cycle": ["oscillator", "order", "small", "set", "exercises"],
+  paper: ["document", "only", "label"],
+};
+
+export function taken(road: string): readonly string[] {
+  return TAKEN[road] ?? [];
+}
+
+export const SERIES_KEYS = ["oscillator", "order", "damping-order", "small", "gauge", "set", "about"];
+export const OWN_KEYS = ["amplitude", "length", "gravity", "exercises"];
+export const PAPER_KEYS = ["document", "only", "label"];
+
+export function fields(): Field[] {
+  const { road, document, only } = words;
+  const roads = [...ROADS, "paper"] as const;
+  return [
+    choiceField({ key: "road", words: { label: road.label }, initial: "elliptic" }, roads.map((key) => [key, road[key]])),
+    textField({ key: "oscillator", option: "OSCILLATOR|EQUATION", words: words.oscillator }),
+    textField({ key: "order", option: "--order", words: words.order }),
+    textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
+    textField({ key: "small", option: "--small", words: words.small }),
+    textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
+    textField({ key: "set", option: "--set", words: words.set }),
+    textField({ key: "about", option: "--about", words: words.about }),
+    textField({ key: "amplitude", option: "--amplitude", words: words.amplitude }),
+    textField({ key: "length", option: "--length", words: words.length }),
+    textField({ key: "gravity", option: "--gravity", words: words.gravity }),
+    tickField({ key: "exercises", option: "--exercises", words: words.exercises }),
+    choiceField({ key: "document", option: "--document", words: { label: document.label } }, [["", document.all], ["black-vel", document["black-vel"]], ["cote", document.cote]]),
+    choiceField({ key: "only", option: "--only", words: { label: only.label } }, [
+      ["", only.all],
+      ...(["verified", "typo", "wrong", "not-decided"] as const).map((verdict): [string, string] => [verdict, only[verdict]]),
+    ]),
+    textField({ key: "label", option: "--label", words: words.label }),
+  ];
+}

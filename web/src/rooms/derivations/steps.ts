@@ -1,0 +1,96 @@
+// A derivation as steps that open one after the other, with a link to each formula.
+
+import { type Address, parsed, written } from "../../address.ts";
+import { element } from "../../parts/element.ts";
+import { fromHtml } from "../../parts/markup.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.derivations;
+
+export class Steps {
+  readonly element = element("div", { class: "derivation" });
+  readonly #address: Address;
+
+  constructor(address: Address) {
+    this.#address = address;
+    this.element.addEventListener("click", (event) => this.#follow(event));
+  }
+
+  /** Shows a derivation that the command has written as a page. */
+  show(page: string): void {
+    this.element.replaceChildren(...fromHtml(page).map(fitted));
+    for (const link of this.#links()) this.#aim(link);
+    const opened = this.#address.get("steps") ?? "1";
+    this.#all().forEach((step, place) => (step.open = opened === "all" || place < Number(opened)));
+    this.#arrive(this.#address.get("at"));
+  }
+
+  /** Opens the first step that is not open; the result is whether there was one. */
+  next(): boolean {
+    const steps = this.#all();
+    const place = steps.findIndex(({ open }) => !open);
+    const step = steps[place];
+    if (step === undefined) return false;
+    step.open = true;
+    this.#address.put({ steps: String(place + 1) });
+    step.scrollIntoView({ block: "start" });
+    step.querySelector("summary")?.focus();
+    return true;
+  }
+
+  setAll(open: boolean): void {
+    for (const step of this.#all()) step.open = open;
+    this.#address.put({ steps: open ? "all" : "0", at: undefined });
+  }
+
+  #all(): HTMLDetailsElement[] {
+    return [...this.element.querySelectorAll<HTMLDetailsElement>("details.step")];
+  }
+
+  #links(): HTMLAnchorElement[] {
+    return [...this.element.querySelectorAll<HTMLAnchorElement>("a[href^='#']")];
+  }
+
+  // The fragment of the page is its address: a place within the text is a value of it.
+  #aim(link: HTMLAnchorElement): void {
+    const place = link.getAttribute("href")?.slice(1) ?? "";
+    const { room, values } = parsed(location.hash);
+    values.set("at", place);
+    link.dataset["place"] = place;
+    link.href = written(room, values);
+    if (link.classList.contains("number")) link.setAttribute("aria-label", words.linkTo(link.textContent ?? ""));
+  }
+
+  #follow(event: MouseEvent): void {
+    const link = event.target instanceof Element ? event.target.closest("a") : null;
+    const place = link?.dataset["place"];
+    if (place === undefined || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    this.#address.put({ at: place });
+    this.#arrive(place);
+  }
+
+  #arrive(place: string | undefined): void {
+    this.element.querySelector(".arrived")?.classList.remove("arrived");
+    const found = place === undefined ? null : this.element.querySelector(`[id="${CSS.escape(place)}"]`);
+    if (found === null) return;
+    for (let step = found.closest("details"); step !== null; step = step.parentElement?.closest("details") ?? null) step.open = true;
+    found.classList.add("arrived");
+    found.scrollIntoView({ block: "center" });
+  }
+}
+
+// Sections fold, and the titles of the text stand below that of the room.
+function fitted(node: Node): Node {
+  if (!(node instanceof HTMLElement)) return node;
+  if (node.localName === "h1") return element("h2", { class: "title", id: node.id === "" ? undefined : node.id }, ...node.childNodes);
+  return node.localName === "section" ? folded(node) : node;
+}
+
+// A section whose title folds it.
+function folded(section: HTMLElement): HTMLElement {
+  const step = element("details", { class: "step", id: section.id });
+  const title = section.querySelector("h2");
+  step.append(element("summary", {}, title ?? words.answers), ...section.childNodes);
+  return step;
+}
