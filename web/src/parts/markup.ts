@@ -5,6 +5,9 @@ const MATH = "math maction menclose mfrac mi mn mo mover mpadded mphantom mroot 
 const SVG = "svg g path rect circle line polyline polygon text tspan title desc";
 const ELEMENTS = new Set(`${HTML} ${MATH} ${SVG}`.split(" "));
 
+/** Of these not even the text stays. */
+const LEFT_OUT = new Set(["style", "script", "button", "template"]);
+
 const ATTRIBUTES = new Set(
   ("class id scope colspan rowspan open display mathvariant stretchy form lspace rspace largeop symmetric minsize maxsize width height depth " +
     "columnalign rowspacing columnspacing displaystyle scriptlevel accent accentunder linethickness notation " +
@@ -31,7 +34,7 @@ function rebuilt(parent: Node): Node[] {
 
 function rebuiltNode(node: Node): Node[] {
   if (node instanceof Text) return [document.createTextNode(node.data)];
-  if (!(node instanceof Element) || node.localName === "style" || node.localName === "script") return [];
+  if (!(node instanceof Element) || LEFT_OUT.has(node.localName) || node.hasAttribute("hidden")) return [];
   if (!ELEMENTS.has(node.localName)) return rebuilt(node);
   const made = document.createElementNS(node.namespaceURI, node.localName);
   for (const { name, value } of Array.from(node.attributes)) {

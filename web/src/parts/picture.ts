@@ -11,6 +11,8 @@ import { save } from "./save.ts";
 /** Narrower places get the picture of a column, whose letters are larger beside it, in CSS pixels. */
 const COLUMN = 480;
 
+type Files = ReadonlyMap<string, Uint8Array>;
+
 /** The axes of a panel, in the units of the picture. */
 export interface Frame {
   readonly left: number;
@@ -30,7 +32,7 @@ export class Picture {
   readonly #place = element("div", { class: "picture" });
   readonly #caption = element("figcaption", { class: "unseen" });
   readonly #buttons: HTMLElement;
-  #drawn: { command: Command; svg: Uint8Array } | undefined;
+  #drawn: { command: Command; svg: Uint8Array; files: Files } | undefined;
 
   /** `name` is that of the saved files, `option` names the file in the question. */
   constructor(engine: Engine, name: string, option: "figure" | "output" = "figure") {
@@ -47,10 +49,10 @@ export class Picture {
   }
 
   /** Asks for the picture and shows it; what was shown stays where there is none. */
-  async draw(command: Command, signal?: AbortSignal): Promise<Answer> {
+  async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
     const asked = this.command(command);
-    const answer = await ask(this.#engine, named(asked, this.#option, "-"), signal === undefined ? {} : { signal });
-    if (answer.output.length > 0 && !signal?.aborted) this.#show(asked, answer.output);
+    const answer = await ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
+    if (answer.output.length > 0 && !signal.aborted) this.#show(asked, answer.output, files);
     return answer;
   }
 
@@ -88,7 +90,7 @@ export class Picture {
     this.svg = undefined;
   }
 
-  #show(command: Command, bytes: Uint8Array): void {
+  #show(command: Command, bytes: Uint8Array, files: Files): void {
     const read = fromSvg(decoded({ status: 0, output: bytes, error: "", files: new Map() }));
     const root = this.#place.shadowRoot;
     if (read === undefined || root === null) return;
@@ -96,7 +98,7 @@ export class Picture {
     sheet.replaceSync(`${read.style}\n${LOOKS}`);
     root.adoptedStyleSheets = [sheet];
     root.replaceChildren(read.svg);
-    [this.svg, this.#drawn] = [read.svg, { command, svg: bytes }];
+    [this.svg, this.#drawn] = [read.svg, { command, svg: bytes, files }];
     this.#caption.textContent = ["title", "desc"].map((name) => read.svg.querySelector(name)?.textContent ?? "").join(". ");
     this.#buttons.hidden = false;
   }
@@ -112,7 +114,7 @@ export class Picture {
   async #savePng(): Promise<void> {
     if (this.#drawn === undefined) return;
     const file = `${this.#name}.png`;
-    const answer = await ask(this.#engine, named(this.#drawn.command, this.#option, file));
+    const answer = await ask(this.#engine, named(this.#drawn.command, this.#option, file), { files: this.#drawn.files });
     const bytes = answer.files.get(file);
     if (bytes !== undefined) save(file, bytes, "image/png");
   }

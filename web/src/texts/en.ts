@@ -2,6 +2,7 @@
 
 import { derivations } from "./en/derivations.ts";
 import { formulas } from "./en/formulas.ts";
+import { laboratory } from "./en/laboratory.ts";
 import { parts } from "./en/parts.ts";
 import { pendulum } from "./en/pendulum.ts";
 import { perturbation } from "./en/perturbation.ts";
@@ -20,11 +21,13 @@ export const text = {
     formulas: "Formulas",
     perturbation: "Perturbation",
     derivations: "Derivations",
+    laboratory: "Laboratory",
     about: "About",
   } as Readonly<Record<string, string>>,
   pendulum,
   formulas,
   perturbation,
   derivations,
+  laboratory,
   parts,
 } as const;

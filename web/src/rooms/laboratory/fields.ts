@@ -1,0 +1,56 @@
+// What the reader may choose, and which fit takes what.
+
+import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.laboratory.fields;
+
+export type Kind = "trace" | "gates" | "periods" | "lengths";
+type Key = keyof typeof words;
+
+const APPARATUS: readonly Key[] = ["length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length", "air-density", "stretch", "angle-scale", "clock"];
+const READING: readonly Key[] = [
+  "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
+];
+const TABLE: readonly Key[] = ["columns", "half-periods", "periods-per-row", "delimiter", "header"];
+const CHOICES: readonly Key[] = ["model", "robust", "free-scale", "signals", "diameter", "gate-distance", "amplitude", "columns", "amplitude-unit", "length-unit", "half-periods", "periods-per-row", "reject-outliers", "linear-damping"];
+
+/** The fields as they are shown: what is fitted, the apparatus, how files are read. */
+export const PARTS = { choices: CHOICES, apparatus: APPARATUS, reading: READING } as const;
+
+const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
+  trace: ["model", "robust", "free-scale", ...APPARATUS, ...READING],
+  gates: ["signals", "diameter", "gate-distance", "amplitude", "linear-damping", ...APPARATUS, ...READING],
+  periods: [...TABLE, "amplitude-unit", "reject-outliers", "linear-damping", ...APPARATUS],
+  lengths: [...TABLE, "length-unit", "amplitude", "amplitude-unit", "bob-radius", "clock"],
+};
+
+/** The options of a fit, or of `inspect`. */
+export function taken(kind: Kind | "inspect"): readonly string[] {
+  return kind === "inspect" ? READING : TAKEN[kind];
+}
+
+const TICKS = new Set<Key>(["robust", "free-scale", "half-periods", "even-times", "times-as-written"]);
+
+export function fields(): Field[] {
+  const { kind } = text.laboratory;
+  const kinds = (["auto", "trace", "gates", "periods", "lengths"] as const).map((key): [string, string] => [key, kind[key]]);
+  const keys = new Set<Key>([...CHOICES, ...APPARATUS, ...READING]);
+  return [choiceField({ key: "kind", words: { label: kind.label }, initial: "auto" }, kinds), ...Array.from(keys, field)];
+}
+
+function field(key: Key): Field {
+  const description = { key, option: `--${key}`, words: words[key] };
+  if (TICKS.has(key)) return tickField(description);
+  if (key === "delimiter" || key === "decimal" || key === "signals") return choiceField(description, named(words[key]));
+  if (key === "amplitude-unit") return choiceField(description, units("rad", "deg"));
+  return key === "length-unit" ? choiceField(description, units("m", "cm", "mm", "in")) : textField(description);
+}
+
+function named({ label: _, auto, ...choices }: Readonly<Record<string, string>>): [string, string][] {
+  return [["", auto ?? ""], ...Object.entries(choices)];
+}
+
+function units(...all: string[]): [string, string][] {
+  return ["", ...all].map((unit) => [unit, unit === "" ? words.delimiter.auto : unit]);
+}
