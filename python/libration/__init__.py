@@ -29,7 +29,7 @@ from .period_formulas import PeriodFormula, PeriodFormulas
 from .picture import Picture
 from .polynomial import Polynomial
 from .published import Paper, paper
-from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, modes, oscillators, section, systems
+from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, modes, orbit, oscillators, section, systems
 from .simulation import Events, Simulation, States, simulate
 from .sweeps import sweep
 
@@ -75,6 +75,7 @@ __all__ = [
     "modes",
     "motion",
     "nome",
+    "orbit",
     "oscillators",
     "paper",
     "period",

@@ -47,6 +47,20 @@ def _backbone(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
+    terms = answer.harmonics
+    phase = 2 * np.pi * np.linspace(0, 1, 401)
+    ax = _plot.axes(ax, ("t / s", ", ".join(dict.fromkeys(terms.coordinate))))
+    for name in dict.fromkeys(terms.coordinate):
+        own = terms.coordinate == name
+        turns = np.outer(phase, np.asarray(terms.n)[own])
+        values = np.cos(turns) @ np.asarray(terms.cosine)[own] + np.sin(turns) @ np.asarray(terms.sine)[own]
+        ax.plot(phase * answer["period_s"] / (2 * np.pi), values, label=name)
+    if len(set(terms.coordinate)) > 1:
+        _plot.legend(ax)
+    return ax
+
+
 def _section(answer: "Answer", ax: "Axes | None") -> "Axes":
     names, points = answer["state"], answer.points
     ax = _plot.axes(ax, (names[0], names[len(names) // 2]))
@@ -115,6 +129,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "backbone": _backbone,
     "simulate": _simulate,
     "modes": _modes,
+    "orbit": _orbit,
     "section": _section,
     "bifurcation": _bifurcation,
     "lyapunov": _lyapunov,

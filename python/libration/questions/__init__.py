@@ -22,6 +22,7 @@ from ._inspect import inspect
 from ._lyapunov import lyapunov
 from ._modes import modes
 from ._motion import motion
+from ._orbit import orbit
 from ._oscillators import oscillators
 from ._paper import paper
 from ._period import period
@@ -56,6 +57,7 @@ __all__ = [
     "lyapunov",
     "modes",
     "motion",
+    "orbit",
     "oscillators",
     "paper",
     "period",

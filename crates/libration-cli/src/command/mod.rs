@@ -18,6 +18,7 @@ mod inspect;
 mod lyapunov;
 mod modes;
 mod motion;
+mod orbit;
 mod oscillators;
 mod paper;
 mod period;
@@ -110,6 +111,7 @@ enum Question {
     Simulate(Box<simulate::Simulate>),
     Systems(systems::Systems),
     Modes(modes::Modes),
+    Orbit(orbit::OrbitQuestion),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
@@ -159,6 +161,7 @@ impl Libration {
             Question::Simulate(question) => question.answer(out),
             Question::Systems(question) => question.answer(out),
             Question::Modes(question) => question.answer(out),
+            Question::Orbit(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),

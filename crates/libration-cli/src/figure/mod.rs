@@ -10,6 +10,7 @@ pub(crate) mod lyapunov;
 pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod motions;
+pub(crate) mod orbit;
 pub(crate) mod periods;
 pub(crate) mod phase;
 pub(crate) mod section;

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 43] = [
+const FURTHER: [&str; 44] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -222,6 +222,7 @@ const FURTHER: [&str; 43] = [
     "expand|x''+x=k*((1-x^2)*x'-x^3)|--order|5|--damping-order|1",
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",
+    "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",
     "modes|pendulum|--about|theta=180deg",
     "modes|x''=-x-0.1*x'",
     "modes|x''=-x;y''=-4*y",

@@ -450,6 +450,21 @@ fn points_of_a_section() {
 }
 
 #[test]
+fn an_orbit_in_time_and_in_its_plane() {
+    // x = 1.8·cos(2t/3) answers the drive of the oscillator without damping.
+    let question = "orbit|x'' = -x + cos(2t/3)|--initial|x=1";
+    let drawing = drawn(question, "--figure");
+    let in_time = drawing.curves(0, FIRST).concat();
+    for (time, x) in &in_time {
+        close(*x, 1.8 * (2.0 * time / 3.0).cos(), 0.02);
+    }
+    close(in_time.last().unwrap().0, 3.0 * PI, 0.02);
+    for (x, velocity) in drawing.curves(1, FIRST).concat() {
+        close((x / 1.8).powi(2) + (velocity / 1.2).powi(2), 1.0, 0.02);
+    }
+}
+
+#[test]
 fn points_of_a_bifurcation_diagram() {
     // x″ + x′ + x = A cos t ends in x = A sin t, whose velocity is A whenever the drive begins anew.
     let question =

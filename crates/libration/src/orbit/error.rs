@@ -36,6 +36,9 @@ pub enum NoOrbit {
     /// A period that cannot be.
     #[error("the period is {0:?}: give a finite number above zero")]
     Period(f64),
+    /// No period where one is needed.
+    #[error("no period is known: give the period of the drive, or a guess of that of the orbit")]
+    NoPeriod,
     /// A start in equilibrium.
     #[error("the accelerations vanish at {0:?}: a body released there stays there")]
     AtRest(Vec<f64>),

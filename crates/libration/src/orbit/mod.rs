@@ -41,9 +41,12 @@ mod relaxation;
 mod cycle;
 mod driven;
 
+mod search;
+
 pub use error::{Lost, NoOrbit};
 pub use floquet::{Floquet, Stability};
 pub use harmonics::{Harmonic, Harmonics};
 pub use near::OrbitGuess;
 pub use periodic::Orbit;
 pub(crate) use place::ReleasePlace;
+pub use search::{OrbitKind, OrbitSearch};

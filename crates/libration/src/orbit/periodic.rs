@@ -50,6 +50,14 @@ impl Orbit {
         self.state_at(0.0)
     }
 
+    /// By how much each number of the state at the end of the period misses its start; zero for a motion that goes the same way back.
+    #[must_use]
+    pub fn closing_error(&self) -> Vec<f64> {
+        let [start, end] =
+            [self.path.start_time(), self.path.end_time()].map(|time| self.path.state_at(time));
+        end.iter().zip(&start).map(|(end, start)| (end - start).abs()).collect()
+    }
+
     /// Coordinates, then velocities, so long after the start; times beyond the period are those within it.
     #[must_use]
     pub fn state_at(&self, time: f64) -> Vec<f64> {

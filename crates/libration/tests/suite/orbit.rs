@@ -2,7 +2,7 @@
 
 use libration::elliptic::Modulus;
 use libration::expression::Equation;
-use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, Stability};
+use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, OrbitKind, OrbitSearch, Stability};
 use libration::oscillator::{Kind, NamedOscillator, catalogue};
 use libration::pendulum::{Motion, Pendulum};
 use libration::perturbation::{Gauge, SeriesEvaluation, expand};
@@ -279,6 +279,47 @@ fn a_shaken_pendulum_stands_upside_down() {
     };
     assert_eq!(stability("0.03"), Stability::Unstable);
     assert_eq!(stability("0.06"), Stability::Neutral);
+}
+
+#[test]
+fn a_search_finds_the_orbit_of_each_kind() {
+    let search = |start: &[f64], period: Option<f64>, conserves_energy: bool| OrbitSearch {
+        start: start.to_vec(),
+        period,
+        conserves_energy,
+    };
+    let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search);
+    let (kind, orbit) = found("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
+    assert_eq!(kind, OrbitKind::Released);
+    // Γ(1/4)²/√π over the amplitude.
+    assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
+    let (kind, orbit) = found("x'' = -x + cos(2t/3)", &search(&[0.0, 0.0], Some(3.0 * PI), false)).unwrap();
+    assert_eq!((kind, orbit.closing_error().len()), (OrbitKind::Driven, 2));
+    assert!((orbit.start()[0] - 1.8).abs() < 1e-14 && orbit.closing_error().iter().all(|it| *it < 1e-14));
+    let (kind, _) = found("x'' = (1 - x^2)*x' - x", &search(&[0.5, 0.0], None, false)).unwrap();
+    assert_eq!(kind, OrbitKind::LimitCycle);
+    let pair = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3";
+    let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
+    assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
+    assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
+    // Where no energy is known the orbits of prey and predators are a family all the same: at the start both keep their numbers.
+    let (_, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
+    assert_eq!(orbit.start(), [1.0, 2.0]);
+    assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
+}
+
+#[test]
+fn a_search_without_a_period_says_what_is_missing() {
+    let search = |start: &[f64], conserves_energy: bool| OrbitSearch {
+        start: start.to_vec(),
+        period: None,
+        conserves_energy,
+    };
+    let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it).unwrap_err();
+    assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), NoOrbit::NoPeriod);
+    assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), NoOrbit::NoPeriod);
+    assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), NoOrbit::Start { wanted: 2, .. }));
+    assert!(matches!(refused("x'' = -x", &search(&[0.0, 0.0], true)), NoOrbit::AtRest(_)));
 }
 
 #[test]

@@ -1,0 +1,115 @@
+//! `libration orbit`: one periodic orbit.
+
+mod fields;
+mod write;
+
+use crate::arguments::{InitialOptions, SystemOptions, count, positive};
+use crate::failure::Failure;
+use crate::output::number::count as number;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt, parallel};
+use libration::chaos::drive_period;
+use libration::orbit::{Harmonics, NoOrbit, Orbit, OrbitKind, OrbitSearch};
+use libration::systems::Model;
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) use fields::answers;
+
+/// Most periods of the drive in one of the orbit.
+const MOST_PERIODS: usize = 1000;
+
+/// A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors
+///
+/// Of a driven system the periodic answer near the start, or to which the start leads; without a drive a motion released
+/// from rest, a limit cycle, or the orbit near a guess of its period.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82
+  libration orbit \"x'' = (1 - x^2) x' - x\" --initial x=0.5
+  libration orbit pendulum --initial theta=60deg --figure orbit.svg
+  libration orbit double_pendulum --period 8 --json \\
+    --initial theta1=0.1,theta2=0.141
+  libration orbit \"x'' + 0.05 x' + x + x^3 = 5 cos(9 t)\" --drive-periods 3 \\
+    --initial x=3
+
+Where energy is conserved the start chooses one orbit of a family: its largest
+coordinate is kept, and the velocity of that one.")]
+pub(crate) struct OrbitQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// A guess of the period, in seconds; of a driven system the period of the answer
+    #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "drive_periods")]
+    period: Option<f64>,
+    /// How many periods of the drive the orbit takes, for subharmonic answers
+    #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
+    drive_periods: usize,
+    /// Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What is written.
+pub(crate) struct Answer {
+    model: Model,
+    kind: OrbitKind,
+    orbit: Orbit,
+    /// Of each coordinate.
+    harmonics: Vec<Harmonics>,
+}
+
+impl OrbitQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model()?;
+        let search = self.search(&model)?;
+        interrupt::listen()?;
+        let found = parallel::until_asked("the orbit", |watch| {
+            let (kind, orbit) = Orbit::search_watched(model.equation(), &search, watch)?;
+            let harmonics = (0..model.coordinates().len()).map(|place| orbit.harmonics(place)).collect();
+            Ok((kind, orbit, harmonics))
+        });
+        let early =
+            || Failure::Interrupted("interrupted before the orbit was known: nothing is written".to_owned());
+        let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(failure)?;
+        let answer = Answer { model, kind, orbit, harmonics };
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::orbit::orbit(&answer.model, &answer.orbit);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
+        Ok(out.flush()?)
+    }
+
+    /// A driven system may begin at rest; what is free needs a place.
+    fn search(&self, model: &Model) -> Result<OrbitSearch, Failure> {
+        let driven = drive_period(model.equation());
+        let start = match (self.initial.is_given(), driven) {
+            (false, Some(_)) => model.state_at_rest(),
+            _ => self.initial.read(model)?.state,
+        };
+        let period = self.period.or(driven.map(|period| number(self.drive_periods) * period));
+        if driven.is_none() && self.drive_periods > 1 {
+            let reason = "the equations have no drive with a known period: give a guess with --period";
+            return Err(Failure::usage("--drive-periods", reason));
+        }
+        Ok(OrbitSearch { start, period, conserves_energy: model.energy().is_ok() })
+    }
+}
+
+/// What an option mends is said of the option.
+fn failure(error: NoOrbit) -> Failure {
+    match error {
+        NoOrbit::NoPeriod => Failure::usage("--period", error),
+        _ => Failure::no_answer("orbit", error),
+    }
+}
