@@ -75,7 +75,8 @@ function pythonText(text: string): string {
   return JSON.stringify(text);
 }
 
-/** The reason of a failure, without what belongs to a terminal. */
+/** The reason of a failure, as `--option: what is wrong`, without what belongs to a terminal. */
 export function reason(answer: Answer): string {
-  return answer.error.replace(/^error: /, "").replace(/\n+For more information, try '--help'\.\s*$/, "").replace(/\n+Usage:[^]*$/, "").trim();
+  const words = answer.error.replace(/^error: /, "").replace(/\n+For more information, try '--help'\.\s*$/, "").replace(/\n+Usage:[^]*$/, "").trim();
+  return words.replace(/^invalid value '[^]*?' for '\[?([^\s'\]]+)[^']*':/, "$1:");
 }

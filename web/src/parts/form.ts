@@ -81,8 +81,6 @@ export class Form {
 
 /** What is said of this option, if it is about it. */
 function about(words: string, option: string): string | undefined {
-  const invalid = /^invalid value '[^]*?' for '\[?([^\s'\]]+)[^']*': ?/.exec(words);
-  if (invalid !== null) return invalid[1] === option ? words.slice(invalid[0].length) : undefined;
   const named = /^((?:--[\w-]+|[A-Z|]+)(?:(?:, | and )(?:--[\w-]+|[A-Z|]+))*): /.exec(words);
   if (named === null) return undefined;
   return named[1]?.split(/, | and /).includes(option) === true ? words.slice(named[0].length) : undefined;

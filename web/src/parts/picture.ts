@@ -65,6 +65,16 @@ export class Picture {
     return { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
   }
 
+  /** The values at both ends of the horizontal axis, from two of its ticks. */
+  axis(): { from: number; to: number } | undefined {
+    const frame = this.frame();
+    const ticks = [...(this.svg?.querySelectorAll("text.x-tick") ?? [])].map((tick) => [Number(tick.getAttribute("x")), Number(tick.textContent?.replace("−", "-"))] as const);
+    const [[x1, value1] = [0, 0], [x2, value2] = [0, 0]] = [ticks[0], ticks.at(-1)];
+    if (frame === undefined || x1 === x2 || !Number.isFinite(value1 + value2)) return undefined;
+    const valueAt = (x: number) => value1 + ((x - x1) / (x2 - x1)) * (value2 - value1);
+    return { from: valueAt(frame.left), to: valueAt(frame.right) };
+  }
+
   /** Where the pointer is, in the units of the picture. */
   at(event: MouseEvent): { x: number; y: number } | undefined {
     const matrix = this.svg?.getScreenCTM();

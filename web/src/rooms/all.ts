@@ -1,5 +1,6 @@
 import type { Room } from "../room.ts";
 import { about } from "./about/about.ts";
+import { chaos } from "./chaos/chaos.ts";
 import { derivations } from "./derivations/derivations.ts";
 import { formulas } from "./formulas/formulas.ts";
 import { laboratory } from "./laboratory/laboratory.ts";
@@ -7,4 +8,4 @@ import { perturbation } from "./perturbation/perturbation.ts";
 import { pendulum } from "./pendulum/pendulum.ts";
 
 /** All rooms, in the order in which they are offered; the first is shown where the address names none. */
-export const rooms: readonly Room[] = [pendulum, formulas, perturbation, derivations, laboratory, about];
+export const rooms: readonly Room[] = [pendulum, formulas, perturbation, derivations, laboratory, chaos, about];

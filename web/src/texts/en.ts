@@ -1,5 +1,6 @@
 // Every sentence of the interface. A room has its own section in a file of its own.
 
+import { chaos } from "./en/chaos.ts";
 import { derivations } from "./en/derivations.ts";
 import { formulas } from "./en/formulas.ts";
 import { laboratory } from "./en/laboratory.ts";
@@ -22,6 +23,7 @@ export const text = {
     perturbation: "Perturbation",
     derivations: "Derivations",
     laboratory: "Laboratory",
+    chaos: "Order and chaos",
     about: "About",
   } as Readonly<Record<string, string>>,
   pendulum,
@@ -29,5 +31,6 @@ export const text = {
   perturbation,
   derivations,
   laboratory,
+  chaos,
   parts,
 } as const;

@@ -66,7 +66,7 @@ class FormulasRoom {
     const results = element(
       "div",
       { class: "results" },
-      this.#status.element, this.#failure, this.#verdict, this.#picture.element, this.#under,
+      this.#status.element, this.#failure, this.#verdict, this.#picture.picture.element, this.#under,
       this.#values, element("p", { class: "buttons" }, csv), this.#crossovers, this.#cards, this.#equivalents.element,
     );
     this.elements = [element("h1", {}, words.title), element("p", { class: "lead" }, words.lead), element("div", { class: "room" }, controls, results)];
@@ -117,7 +117,7 @@ class FormulasRoom {
 
   #figure(keys: readonly string[]): Command {
     const [from, to, lowest] = ["from", "to", "lowest"].map((key) => Number(this.#form.value(key))) as [number, number, number];
-    return this.#picture.command(keys, { from, to, lowest, highest: 10 });
+    return this.#picture.command(keys, { from, to, lowest });
   }
 
   async #draw(keys: readonly string[], signal: AbortSignal): Promise<void> {

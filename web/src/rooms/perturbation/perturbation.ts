@@ -148,9 +148,10 @@ class PerturbationRoom {
   // Order by order, so that something is there early. Whether there is a series at all.
   async #expand(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("order"));
-    for (const order of Number.isInteger(last) && last > QUICK ? ladder(last, QUICK) : [last]) {
-      if (order < last) this.#status.say(words.orders(order, last));
-      const asked = this.#expansion(order === last ? this.#form.value("order") : String(order));
+    const earlier = Number.isInteger(last) && last > QUICK ? ladder(last, QUICK).slice(0, -1) : [];
+    for (const order of [...earlier.map(String), this.#form.value("order")]) {
+      if (earlier.length > 0) this.#status.say(words.orders(Number(order), last));
+      const asked = this.#expansion(order);
       const notes: string[] = [];
       let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
       const isPlain = answer.status !== 0 && answer.error.includes("--format:");

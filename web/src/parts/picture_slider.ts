@@ -1,0 +1,93 @@
+// A value along the horizontal axis of a picture: moved by the mouse, a finger or the keys, and shown as a line.
+
+import { element } from "./element.ts";
+import type { Picture } from "./picture.ts";
+
+/** The values at both ends of the axis. */
+export interface Axis {
+  readonly from: number;
+  readonly to: number;
+}
+
+interface Handlers {
+  /** The reader has moved the value. */
+  readonly moved: (value: number) => void;
+  /** The pointer is over this value, or over none. */
+  readonly under?: (value: number | undefined) => void;
+  /** The nearest value that can be chosen. */
+  readonly nearest: (value: number) => number;
+  /** By how much an arrow key moves, with Shift, and Page Up. */
+  readonly steps: () => { usual: number; fine: number; coarse: number };
+}
+
+export class PictureSlider {
+  axis: Axis = { from: 0, to: 1 };
+  readonly #picture: Picture;
+  readonly #slider: HTMLElement;
+  readonly #handlers: Handlers;
+  #value = 0;
+
+  constructor(picture: Picture, label: string, handlers: Handlers) {
+    [this.#picture, this.#handlers] = [picture, handlers];
+    this.#slider = element("div", { class: "picture-slider", role: "slider", tabindex: "0", "aria-label": label, "aria-valuenow": "0" });
+    this.#slider.append(picture.element.firstElementChild ?? "");
+    picture.element.prepend(this.#slider);
+    this.#listen();
+  }
+
+  /** Puts the value, as it is said in words. */
+  put(value: number, words: string): void {
+    this.#value = value;
+    const { from, to } = this.axis;
+    for (const [name, it] of Object.entries({ valuemin: from, valuemax: to, valuenow: value, valuetext: words })) this.#slider.setAttribute(`aria-${name}`, String(it));
+  }
+
+  /** The path of the line at the value, where it is within the axes. */
+  line(): [name: string, path: string][] {
+    const frame = this.#picture.frame();
+    if (frame === undefined) return [];
+    const x = frame.left + ((this.#value - this.axis.from) / (this.axis.to - this.axis.from)) * (frame.right - frame.left);
+    return x >= frame.left && x <= frame.right ? [["value", `M${x} ${frame.top}V${frame.bottom}`]] : [];
+  }
+
+  #listen(): void {
+    const [slider, { moved, under }] = [this.#slider, this.#handlers];
+    slider.addEventListener("pointerdown", (event) => {
+      const value = this.#valueAt(event);
+      if (value === undefined) return;
+      slider.setPointerCapture(event.pointerId);
+      moved(value);
+    });
+    slider.addEventListener("pointermove", (event) => {
+      const value = this.#valueAt(event);
+      under?.(value);
+      if (value !== undefined && slider.hasPointerCapture(event.pointerId)) moved(value);
+    });
+    slider.addEventListener("pointerleave", () => under?.(undefined));
+    slider.addEventListener("keydown", (event) => this.#press(event));
+  }
+
+  #press(event: KeyboardEvent): void {
+    const { usual, fine, coarse } = this.#handlers.steps();
+    const step = event.shiftKey ? fine : usual;
+    const steps: Readonly<Record<string, number>> = {
+      ArrowRight: step, ArrowUp: step, ArrowLeft: -step, ArrowDown: -step, PageUp: coarse, PageDown: -coarse, Home: -Infinity, End: Infinity,
+    };
+    const by = steps[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    this.#handlers.moved(this.#within(this.#value + by));
+  }
+
+  #valueAt(event: MouseEvent): number | undefined {
+    const [place, frame] = [this.#picture.at(event), this.#picture.frame()];
+    if (place === undefined || frame === undefined) return undefined;
+    const part = (place.x - frame.left) / (frame.right - frame.left);
+    if (part < 0 || part > 1 || place.y < frame.top || place.y > frame.bottom) return undefined;
+    return this.#within(this.axis.from + part * (this.axis.to - this.axis.from));
+  }
+
+  #within(value: number): number {
+    return this.#handlers.nearest(Math.min(Math.max(value, this.axis.from), this.axis.to));
+  }
+}

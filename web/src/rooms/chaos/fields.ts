@@ -1,0 +1,50 @@
+// What the reader gives: a system, a range of a parameter, a value in it; and systems to begin with.
+
+import { choiceField, type Field, textField } from "../../parts/field.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.chaos;
+
+type Preset = keyof typeof words.presets;
+
+/** What each of them enters; what is not named is emptied. */
+const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
+  routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.2" },
+  chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.5", points: "10000" },
+  upright: { system: "vertically_driven_pendulum", set: "omega=20,c=1/10", initial: "theta=170deg; theta=171deg", over: "a=0.02:0.12:0.002", value: "0.1", points: "500" },
+  stars: { system: "henon_heiles", initial: "y=0.1,x'=0.4; y=-0.2,x'=0.4; y=0.3,x'=0.3; x'=0.48", at: "x", points: "600" },
+  double: { system: "double_pendulum", initial: "theta1=120deg,theta2=120deg; theta1=120deg,theta2=120.1deg", at: "sin(theta1)", points: "500", until: "20", intervals: "100" },
+  lorenz: { system: "lorenz", initial: "x=1,y=1,z=1; x=1.001,y=1,z=1", over: "rho=20:30:0.25", value: "28", at: "z - 27", points: "1000", until: "30", intervals: "1000" },
+};
+
+/** What the fields hold where a preset says nothing. */
+const PLAIN = { set: "", at: "", over: "", value: "", sweep: "", each: "30", points: "2000", until: "100", intervals: "300" };
+
+/** All values of a preset. */
+export function preset(key: string): Readonly<Record<string, string>> | undefined {
+  const chosen = PRESETS[key as Preset];
+  return chosen === undefined ? undefined : { ...PLAIN, ...chosen };
+}
+
+export const PARTS = {
+  system: ["system", "set", "initial", "at"],
+  diagram: ["over", "each", "sweep"],
+  chosen: ["value", "points", "until", "intervals"],
+} as const;
+
+export function fields(): Field[] {
+  const { sweep } = words;
+  return [
+    textField({ key: "system", option: "SYSTEM|EQUATION", words: words.system, initial: "driven_pendulum" }),
+    textField({ key: "set", option: "--set", words: words.set, initial: "c=1/2" }),
+    textField({ key: "initial", option: "--initial", words: words.initial, initial: "theta=0.2; theta=0.2001" }),
+    textField({ key: "at", option: "--at", words: words.at }),
+    textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.005" }),
+    textField({ key: "each", option: "--points", words: words.each, initial: "30" }),
+    choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label } }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
+    textField({ key: "value", words: words.value, initial: "1.2" }),
+    textField({ key: "points", option: "--points", words: words.points, initial: "2000" }),
+    textField({ key: "until", option: "--until", words: words.until, initial: "100" }),
+    textField({ key: "intervals", option: "--intervals", words: words.intervals, initial: "300" }),
+  ];
+}
