@@ -7,7 +7,7 @@
 >>> s.period.coefficients[4]
 Fraction(11, 3072)
 >>> print(s.evaluate(0.5))
-1.0158487955729167 ± 3.9e-06 (proven)
+1.0158487955729167 (left out: at most 3.9e-06)
 """
 
 from collections.abc import Mapping, Sequence
@@ -93,9 +93,9 @@ class Evaluation(Record):
     """A series in numbers, term by term."""
 
     value: float
-    """The sum of all terms."""
+    """The sum of all terms, rounded to a float."""
     remainder: float
-    """At most so much is missing, or about so much where it is not proven; infinite where the series is not known to converge."""
+    """At most so much is left out, or about so much where it is not proven, the rounding apart; infinite where the series is not known to converge."""
     is_proven: bool
     """Whether the remainder is a theorem, or an estimate from the decay of the terms."""
     powers: NDArray[np.int64]
@@ -106,7 +106,9 @@ class Evaluation(Record):
     """Up to and with each term."""
 
     def __str__(self) -> str:
-        return f"{self.value!r} ± {self.remainder:.2g} ({'proven' if self.is_proven else 'estimated'})"
+        if self.remainder == np.inf:
+            return f"{self.value!r} (no bound on what is left out)"
+        return f"{self.value!r} (left out: {f'at most {self.remainder:.2g}' if self.is_proven else f'about {self.remainder:.2g}, an estimate'})"
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,7 +174,7 @@ class Expansion(Record):
         >>> import libration as lb
         >>> s = lb.expand("pendulum", order=31)
         >>> print(s.evaluate(1.0471975511965976))
-        1.0731820071493643 ± 2.6e-17 (proven)
+        1.0731820071493643 (left out: at most 2.6e-17)
         """
         expansion = self._expansion
         if expansion is None:  # after a pickle

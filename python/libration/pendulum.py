@@ -232,6 +232,8 @@ class Motion:
         >>> harmonics.n.tolist()
         [1, 3, 5]
         """
+        if limit < 0:
+            raise ValueError(f"limit: got {limit}: give how many harmonics there are to be at most, such as 1000")
         of_all, terms = self._motion.harmonics(tolerance, limit)
         return Harmonics(*of_all, *terms)
 

@@ -66,7 +66,8 @@ def test_sums_with_their_remainders():
         assert PENDULUM.period(float(np.radians(degrees))) == pytest.approx(found.value, rel=1e-15)
     assert PENDULUM.evaluate(0.5, "frequency").value == pytest.approx(float(1 / ratio(0.5)), abs=1e-11)
     assert PENDULUM.evaluate(0.5, "a3").value == pytest.approx(PENDULUM.harmonics[3](0.5), rel=1e-14)
-    assert str(found).endswith("(proven)")
+    assert str(found).endswith(f"(left out: at most {found.remainder:.2g})")
+    assert str(PENDULUM.evaluate(4.0)).endswith("(no bound on what is left out)")
 
 
 def test_the_harmonics_are_those_of_the_exact_motion():
