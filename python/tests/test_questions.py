@@ -115,8 +115,8 @@ def test_the_functions_are_as_the_command_has_its_questions():
     assert script.differences() == [], "run scripts/questions"
 
 
-# The forms of an answer, pictures' files, scripts for shells.
-ELSEWHERE = {("expand", "latex"), ("expand", "format"), ("completions", "shell")}
+# The forms of an answer, pictures' files, scripts for shells, the page for browsers.
+ELSEWHERE = {("expand", "latex"), ("expand", "format"), ("completions", "shell"), ("page", "output")}
 
 
 def test_python_has_every_question_and_every_option():

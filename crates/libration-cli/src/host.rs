@@ -1,11 +1,14 @@
 //! What a question is asked in.
 
+use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// Whoever asks a question: where its answer goes, what stands for the standard input, and whether a long answer may go on.
+/// Whoever asks a question: where its answer goes, what stands for the standard input and for the disk, and whether a long answer may go on.
 ///
 /// Its methods are called on the thread that asks and on those that work for it. What is not written here does nothing: no input, no
-/// notes, no progress, and an answer that is never ended early.
+/// notes, no progress, and an answer that is never ended early; files and the time are those of the system.
 ///
 /// # Examples
 /// ```
@@ -41,6 +44,34 @@ pub trait Host: Send + Sync {
         Box::new(io::empty())
     }
 
+    /// The file at a path.
+    ///
+    /// # Errors
+    /// Where there is none, or it cannot be read.
+    fn open(&self, path: &Path) -> io::Result<InputFile<'_>> {
+        let file = File::open(path)?;
+        Ok(InputFile { size: file.metadata()?.len(), bytes: Box::new(file) })
+    }
+
+    /// Whether files go to [`keep`](Self::keep) and not to the disk.
+    fn keeps_files(&self) -> bool {
+        false
+    }
+
+    /// Takes a file that the question has written, as a whole.
+    ///
+    /// # Errors
+    /// Where it cannot be taken, which is then why there is no answer.
+    fn keep(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let _ = (path, bytes);
+        Err(io::ErrorKind::Unsupported.into())
+    }
+
+    /// The time since 1970 began, in UTC.
+    fn now(&self) -> Duration {
+        SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default()
+    }
+
     /// A sentence about the question beside its answer, such as how an equation was read.
     fn note(&self, sentence: &str) {
         let _ = sentence;
@@ -68,4 +99,13 @@ pub trait Host: Send + Sync {
     fn columns(&self) -> usize {
         80
     }
+}
+
+/// A file that is read.
+#[expect(missing_debug_implementations, reason = "what reads has none")]
+pub struct InputFile<'a> {
+    /// How many bytes it says it has; pipes and devices say 0.
+    pub size: u64,
+    /// What it holds.
+    pub bytes: Box<dyn Read + 'a>,
 }

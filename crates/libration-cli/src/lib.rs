@@ -12,12 +12,14 @@ mod host;
 mod interrupt;
 mod output;
 mod parallel;
+#[cfg(not(target_family = "wasm"))]
 mod program;
 mod questions;
 mod sweep;
 
 pub use failure::Failure;
-pub use host::Host;
+pub use host::{Host, InputFile};
+#[cfg(not(target_family = "wasm"))]
 pub use program::program;
 pub use questions::{Parameter, ParameterKind, Question, questions};
 pub use sweep::{AxisValues, SweepChunk, SweepPlan};

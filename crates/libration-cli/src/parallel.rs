@@ -14,6 +14,9 @@ use std::time::Duration;
 /// Between two looks at work that goes on.
 const PAUSE: Duration = Duration::from_millis(50);
 
+/// Without threads the thread that asks does everything itself, and shows no progress.
+const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
+
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing.
 pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let done = Mutex::new(Vec::with_capacity(items.len()));
@@ -32,6 +35,11 @@ pub(crate) fn in_order<R: Send, E>(
     work: impl Fn(usize) -> R + Sync,
     mut hand_on: impl FnMut(usize, R) -> Result<(), E>,
 ) -> Result<(), E> {
+    if !HAS_THREADS {
+        return (0..places)
+            .take_while(|_| !interrupt::asked())
+            .try_for_each(|place| hand_on(place, work(place)));
+    }
     let cores = available_parallelism().map_or(1, usize::from);
     let (orders, to_do) = channel();
     let (finished, results) = channel();
@@ -115,6 +123,9 @@ fn for_each<T: Sync, R>(items: &[T], work: impl Fn(&T) -> R + Sync, done: &(impl
             done(place, work(item));
         }
     };
+    if !HAS_THREADS {
+        return until_done();
+    }
     scope(|scope| {
         for _ in 0..cores {
             scope.spawn(|| call::within(&call, until_done));
@@ -129,6 +140,9 @@ fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {
 
 /// Does some work on a thread of its own while a line of progress is shown.
 pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl FnOnce() -> R + Send) -> R {
+    if !HAS_THREADS {
+        return work();
+    }
     let mut progress = ProgressLine::new();
     let call = call::current();
     let (working, end) = channel::<()>();

@@ -1,11 +1,12 @@
 // The worker: holds the whole module and answers one question after the other.
 
+import { instantiated } from "./fused.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 
 /** What the module offers: places for what is asked, and the question itself. */
 interface Exports {
   readonly memory: WebAssembly.Memory;
-  /** Room for so many bytes, which the next call of `argument` or `file` takes. */
+  /** Room for so many bytes, which the next call of `argument` or `file` takes, and where it is. */
   room(length: number): number;
   /** The bytes in the room are the next word of the question. */
   argument(): void;
@@ -21,14 +22,16 @@ const say = (message: FromWorker) => postMessage(message);
 
 let exports: Promise<Exports>;
 let error = "";
+let panic = "";
 let files = new Map<string, Uint8Array>();
 
 onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   try {
-    if (data.kind === "module") exports = instantiated(data.module);
+    if (data.kind === "module") exports = begun(data.module);
     else answer(await exports, data.words, data.files);
   } catch (fault) {
-    say({ kind: "fault", reason: fault instanceof Error ? fault.message : String(fault) });
+    // What the module has said last is better than that it is unreachable.
+    say({ kind: "fault", reason: panic || (fault instanceof Error ? fault.message : String(fault)) });
   }
 };
 
@@ -57,11 +60,11 @@ function put(module: Exports, ...parts: Uint8Array[]): void {
   }
 }
 
-async function instantiated(module: WebAssembly.Module): Promise<Exports> {
+async function begun(module: WebAssembly.Module): Promise<Exports> {
   let memory: WebAssembly.Memory;
   const taken = (at: number, length: number) => new Uint8Array(memory.buffer, at, length).slice();
   const read = (at: number, length: number) => decoder.decode(taken(at, length));
-  const host = {
+  const page = {
     output: (at: number, length: number) => say({ kind: "output", chunk: taken(at, length) }),
     note: (at: number, length: number) => say({ kind: "note", line: read(at, length) }),
     // Text without letters: that work has ended.
@@ -70,13 +73,15 @@ async function instantiated(module: WebAssembly.Module): Promise<Exports> {
     error: (at: number, length: number) => {
       error = read(at, length);
     },
+    fault: (at: number, length: number) => {
+      panic = read(at, length);
+    },
     written: (name: number, nameLength: number, at: number, length: number) => {
       files.set(read(name, nameLength), taken(at, length));
     },
     milliseconds: () => Date.now(),
   };
-  const instance = await WebAssembly.instantiate(module, { host });
-  const exports = instance.exports as unknown as Exports;
+  const exports = (await instantiated(module, { page })) as unknown as Exports;
   memory = exports.memory;
   return exports;
 }

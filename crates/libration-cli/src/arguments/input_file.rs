@@ -2,8 +2,8 @@
 
 use crate::call;
 use crate::failure::Failure;
+use crate::host::InputFile;
 use libration_lab::measurement::ReadOptions;
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -16,13 +16,13 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 /// read as far as the limit.
 pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure> {
     let cannot = |error: io::Error| Failure::NoAnswer(format!("cannot read {}: {error}", path.display()));
+    let call = call::current();
     if path.as_os_str() == "-" {
-        return within(&mut call::current().host().read(), path, limit).map_err(cannot)?;
+        return within(&mut call.host().read(), path, limit).map_err(cannot)?;
     }
-    let mut file = File::open(path).map_err(cannot)?;
-    let size = file.metadata().map_err(cannot)?.len();
+    let InputFile { size, mut bytes } = call.host().open(path).map_err(cannot)?;
     match usize::try_from(size) {
-        Ok(size) if size <= limit => within(&mut file, path, limit).map_err(cannot)?,
+        Ok(size) if size <= limit => within(&mut bytes, path, limit).map_err(cannot)?,
         _ => Err(too_large(path, &format!("has {size} bytes"), limit)),
     }
 }

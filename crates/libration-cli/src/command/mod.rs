@@ -20,6 +20,7 @@ mod modes;
 mod motion;
 mod orbit;
 mod oscillators;
+mod page;
 mod paper;
 mod period;
 mod plan;
@@ -123,6 +124,7 @@ enum Question {
     Plan(plan::PlanQuestion),
     Fit(FitQuestion),
     Fields(fields::FieldsQuestion),
+    Page(page::Page),
     Completions(completions::Completions),
 }
 
@@ -176,6 +178,7 @@ impl Libration {
             Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
             Question::Fields(question) => question.answer(out),
+            Question::Page(question) => question.answer(),
             Question::Completions(question) => question.answer(out),
         }
     }

@@ -3,7 +3,6 @@
 use super::{Block, DocumentTable};
 use crate::call;
 use crate::output::table::Column;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A table of these for a document that is made now, by the command that was given.
 pub(crate) fn provenance() -> Block {
@@ -25,8 +24,7 @@ pub(crate) fn provenance() -> Block {
 /// Seconds since 1970; those of `SOURCE_DATE_EPOCH` where it is set, so that the same report can be made twice.
 fn now() -> u64 {
     let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.trim().parse().ok());
-    let since = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    given.unwrap_or_else(since)
+    given.unwrap_or_else(|| call::current().host().now().as_secs())
 }
 
 /// `2026-11-22 03:10 UTC`, in the Gregorian calendar.

@@ -1,6 +1,6 @@
 //! What a path given for output leads to: a file that is replaced as a whole, or a stream that is written into.
 
-use crate::call::Output;
+use crate::call::{self, Output};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Destination {
     /// A file, or none yet, at the end of all symbolic links.
     File(PathBuf),
+    /// A file that whoever asks the question keeps.
+    Kept,
     /// What takes bytes as they come: the standard output, a FIFO, a device.
     Stream(Stream),
 }
@@ -29,6 +31,9 @@ const MOST_LINKS: usize = 40;
 pub(crate) fn resolved(path: &Path) -> io::Result<Destination> {
     if path == Path::new("-") {
         return Ok(Destination::Stream(Stream::Output));
+    }
+    if call::current().host().keeps_files() {
+        return Ok(Destination::Kept);
     }
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {

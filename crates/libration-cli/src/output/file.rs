@@ -2,6 +2,7 @@
 
 use super::destination::{self, Destination, Stream};
 use super::{leftover, standard};
+use crate::call;
 use crate::failure::Failure;
 use std::fs;
 use std::io::{self, Write};
@@ -14,12 +15,21 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     file.finish()
 }
 
+/// Bytes that are written at a time.
+const BUFFER: usize = 1 << 16;
+
 /// A file that is written part by part, and takes its place when it is finished.
 pub(crate) struct NewFile {
-    writer: io::BufWriter<Box<dyn Write>>,
-    /// `None` for streams.
-    unfinished: Option<Unfinished>,
+    target: Target,
     path: PathBuf,
+}
+
+/// Where the bytes go.
+enum Target {
+    Stream(Box<dyn Write>),
+    Disk(io::BufWriter<fs::File>, Unfinished),
+    /// Until whoever asks the question gets them.
+    Kept(Vec<u8>),
 }
 
 /// The bytes until they are in their place.
@@ -33,43 +43,61 @@ struct Unfinished {
 impl NewFile {
     pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
         let fails = |error| cannot_write(path, error);
-        let (target, unfinished) = match destination::resolved(path).map_err(fails)? {
+        let target = match destination::resolved(path).map_err(fails)? {
             Destination::Stream(stream) => {
                 if stream == Stream::Output {
                     standard::keep_for_files();
                 }
-                (stream.open().map_err(fails)?, None)
+                let stream = stream.open().map_err(fails)?;
+                Target::Stream(Box::new(io::BufWriter::with_capacity(BUFFER, stream)))
             }
             Destination::File(place) => {
                 let unfinished = Unfinished::create(place)?;
                 let file = unfinished.file.try_clone().map_err(fails)?;
-                (Box::new(file) as Box<dyn Write>, Some(unfinished))
+                Target::Disk(io::BufWriter::with_capacity(BUFFER, file), unfinished)
             }
+            Destination::Kept => Target::Kept(vec![]),
         };
-        let writer = io::BufWriter::with_capacity(1 << 16, target);
-        Ok(Self { writer, unfinished, path: path.to_owned() })
+        Ok(Self { target, path: path.to_owned() })
     }
 
-    /// The file that it will be, at the end of all links, and where it is until then; `None` for a stream.
+    /// The file that it will be, at the end of all links, and where it is until then; `None` for what is not on the disk.
     pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
-        self.unfinished.as_ref().map(|it| [it.place.clone(), it.beside.clone()])
+        match &self.target {
+            Target::Disk(_, it) => Some([it.place.clone(), it.beside.clone()]),
+            Target::Stream(_) | Target::Kept(_) => None,
+        }
     }
 
     /// Puts the file in its place.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
-        let written = self.writer.flush();
-        let placed = written.and_then(|()| self.unfinished.take().map_or(Ok(()), Unfinished::put_in_place));
+        let flushed = self.flush();
+        let placed = flushed.and_then(|()| match self.target {
+            Target::Stream(_) => Ok(()),
+            Target::Disk(_, unfinished) => unfinished.put_in_place(),
+            Target::Kept(bytes) => call::current().host().keep(&self.path, &bytes),
+        });
         placed.map_err(|error| cannot_write(&self.path, error))
     }
 }
 
 impl Write for NewFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.writer.write(bytes)
+        self.target.writer().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()
+        self.target.writer().flush()
+    }
+}
+
+impl Target {
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            Self::Stream(stream) => stream,
+            Self::Disk(file, _) => file,
+            Self::Kept(bytes) => bytes,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Progress of long work.
 
 use crate::{call, interrupt};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Work that ends sooner shows nothing.
 const SILENCE: Duration = Duration::from_secs(1);
@@ -11,23 +11,27 @@ const PAUSE: Duration = Duration::from_millis(200);
 /// A line that is written over and over, and cleared in the end.
 #[derive(Debug)]
 pub(crate) struct ProgressLine {
-    due: Instant,
+    due: Duration,
     shown: bool,
 }
 
 impl ProgressLine {
     pub(crate) fn new() -> Self {
-        Self { due: Instant::now() + SILENCE, shown: false }
+        Self { due: now() + SILENCE, shown: false }
     }
 
     /// Shows how far the work is, if it is time.
     pub(crate) fn show(&mut self, how_far: impl FnOnce() -> String) {
-        if Instant::now() >= self.due {
+        if now() >= self.due {
             call::current().host().progress(Some(&how_far()));
-            self.due = Instant::now() + PAUSE;
+            self.due = now() + PAUSE;
             self.shown = true;
         }
     }
+}
+
+fn now() -> Duration {
+    call::current().host().now()
 }
 
 impl Drop for ProgressLine {

@@ -1,7 +1,7 @@
 //! The tables of ARCHITECTURE.md: a heading with the name of a crate, then rows of modules.
 
 /// From the bottom up.
-pub(crate) const CRATES: [&str; 7] = [
+pub(crate) const CRATES: [&str; 9] = [
     "libration-jit",
     "libration",
     "libration-lab",
@@ -9,6 +9,8 @@ pub(crate) const CRATES: [&str; 7] = [
     "libration-report",
     "libration-cli",
     "libration-py",
+    "libration-web",
+    "libration-web-questions",
 ];
 
 #[derive(Debug)]

@@ -1,14 +1,14 @@
 //! What an answer must say to be gone on from: in a JSON answer a field, beside a CSV file a file `NAME.csv.state`.
 
 use super::{Mark, Question, ResumeError};
-use crate::arguments;
 use crate::failure::Failure;
 use crate::output::field::{Field, Fields};
 use crate::output::{file, json};
+use crate::{arguments, call};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The question and how far the answer is certain; nowhere before the first step that only its own length ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +59,7 @@ impl State {
 #[derive(Debug)]
 pub(crate) struct Keeper {
     path: PathBuf,
-    due: Instant,
+    due: Duration,
 }
 
 impl Keeper {
@@ -68,19 +68,23 @@ impl Keeper {
 
     /// Of the file beside an unfinished one.
     pub(crate) fn new(path: PathBuf) -> Self {
-        Self { path, due: Instant::now() + Self::PAUSE }
+        Self { path, due: now() + Self::PAUSE }
     }
 
     pub(crate) fn is_due(&self) -> bool {
-        Instant::now() >= self.due
+        now() >= self.due
     }
 
     /// Keeps the state, when all that it counts is on its way to the disk.
     pub(crate) fn keep(&mut self, state: &State) -> Result<(), Failure> {
         state.write(&self.path)?;
-        self.due = Instant::now() + Self::PAUSE;
+        self.due = now() + Self::PAUSE;
         Ok(())
     }
+}
+
+fn now() -> Duration {
+    call::current().host().now()
 }
 
 impl Drop for Keeper {

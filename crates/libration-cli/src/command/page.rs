@@ -1,0 +1,58 @@
+//! `libration page`: the page for browsers, where this command was built with it.
+
+use crate::failure::Failure;
+use crate::output::file;
+use std::path::{Path, PathBuf};
+
+/// The file, if there was one when the command was built.
+const PAGE: Option<&[u8]> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
+
+/// Write the page for browsers: one file, to open without a network
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+The page holds the moving pendulum, all formulas, series, derivations, fits of
+measured swings, order and chaos. A command has it that was built with it:
+  web/build
+  LIBRATION_PAGE=web/dist/libration.html \\
+    cargo install --path crates/libration-cli
+
+Examples:
+  libration page                            # writes libration.html
+  libration page --output lesson.html")]
+pub(crate) struct Page {
+    /// The file to write; - for standard output
+    #[arg(long, value_name = "FILE", default_value = "libration.html")]
+    output: PathBuf,
+}
+
+impl Page {
+    pub(crate) fn answer(&self) -> Result<(), Failure> {
+        write(PAGE, &self.output)
+    }
+}
+
+fn write(page: Option<&[u8]>, path: &Path) -> Result<(), Failure> {
+    let page = page.ok_or_else(|| {
+        Failure::NoAnswer(
+            "this command was built without the page: in the sources run web/build, which makes web/dist/libration.html; \
+             LIBRATION_PAGE=web/dist/libration.html cargo install --path crates/libration-cli puts it into the command"
+                .to_owned(),
+        )
+    })?;
+    file::write(path, page)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_is_written_and_none_is_explained() {
+        let path = std::env::temp_dir().join(format!("libration-page-{}.html", std::process::id()));
+        write(Some(b"<!doctype html>"), &path).unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"<!doctype html>");
+        std::fs::remove_file(&path).unwrap();
+        assert!(write(None, &path).unwrap_err().to_string().contains("web/build"));
+        assert!(!path.exists());
+    }
+}

@@ -1,0 +1,54 @@
+//! All questions of the command, for a page: words and files in, parts of the answer and written files out.
+
+mod host;
+mod page;
+
+use host::PageHost;
+use libration_web::exchange::exchange;
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, Once, PoisonError};
+
+/// What the page has given for the next question.
+#[derive(Debug, Default)]
+struct Given {
+    words: Vec<OsString>,
+    files: BTreeMap<PathBuf, Vec<u8>>,
+}
+
+static GIVEN: Mutex<Given> = Mutex::new(Given { words: Vec::new(), files: BTreeMap::new() });
+
+/// The bytes of the exchange are the next word of the question.
+#[expect(unsafe_code, reason = "a name for the page")]
+#[unsafe(no_mangle)]
+pub extern "C" fn argument() {
+    let word = String::from_utf8_lossy(&std::mem::take(&mut exchange().given)).into_owned();
+    GIVEN.lock().unwrap_or_else(PoisonError::into_inner).words.push(word.into());
+}
+
+/// The bytes of the exchange are the name of a file, as long as is said, and behind it what the file holds.
+#[expect(unsafe_code, reason = "a name for the page")]
+#[unsafe(no_mangle)]
+pub extern "C" fn file(name_length: usize) {
+    let mut bytes = std::mem::take(&mut exchange().given);
+    let holds = bytes.split_off(name_length.min(bytes.len()));
+    let name = String::from_utf8_lossy(&bytes).into_owned();
+    GIVEN.lock().unwrap_or_else(PoisonError::into_inner).files.insert(name.into(), holds);
+}
+
+/// Answers the question; its exit status.
+#[expect(unsafe_code, reason = "a name for the page")]
+#[unsafe(no_mangle)]
+pub extern "C" fn ask() -> u8 {
+    static TELL_OF_PANICS: Once = Once::new();
+    TELL_OF_PANICS.call_once(|| std::panic::set_hook(Box::new(|panic| page::fault(&panic.to_string()))));
+    let Given { words, files } = std::mem::take(&mut *GIVEN.lock().unwrap_or_else(PoisonError::into_inner));
+    match libration_cli::ask(words, Arc::new(PageHost::new(files))) {
+        Ok(()) => 0,
+        Err(failure) => {
+            page::error(&failure.to_string());
+            failure.status()
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! What the page can be told, and asked.
+#![expect(unsafe_code, reason = "functions of the page, which read the memory that they are given")]
+
+#[cfg_attr(target_arch = "wasm32", link(wasm_import_module = "page"))]
+unsafe extern "C" {
+    #[link_name = "output"]
+    fn page_output(at: *const u8, length: usize);
+    #[link_name = "note"]
+    fn page_note(at: *const u8, length: usize);
+    #[link_name = "progress"]
+    fn page_progress(at: *const u8, length: usize);
+    #[link_name = "error"]
+    fn page_error(at: *const u8, length: usize);
+    #[link_name = "fault"]
+    fn page_fault(at: *const u8, length: usize);
+    #[link_name = "written"]
+    fn page_written(name: *const u8, name_length: usize, at: *const u8, length: usize);
+    #[link_name = "milliseconds"]
+    safe fn page_milliseconds() -> f64;
+}
+
+/// The next part of the answer.
+pub(crate) fn output(bytes: &[u8]) {
+    // SAFETY: the page copies these bytes before it returns.
+    unsafe { page_output(bytes.as_ptr(), bytes.len()) }
+}
+
+/// A sentence beside the answer.
+pub(crate) fn note(sentence: &str) {
+    // SAFETY: as above.
+    unsafe { page_note(sentence.as_ptr(), sentence.len()) }
+}
+
+/// How far long work is; nothing when it has ended.
+pub(crate) fn progress(how_far: &str) {
+    // SAFETY: as above.
+    unsafe { page_progress(how_far.as_ptr(), how_far.len()) }
+}
+
+/// Why there is no answer.
+pub(crate) fn error(reason: &str) {
+    // SAFETY: as above.
+    unsafe { page_error(reason.as_ptr(), reason.len()) }
+}
+
+/// What a panic says, which ends the module.
+pub(crate) fn fault(reason: &str) {
+    // SAFETY: as above.
+    unsafe { page_fault(reason.as_ptr(), reason.len()) }
+}
+
+/// A file that was written.
+pub(crate) fn written(name: &str, bytes: &[u8]) {
+    // SAFETY: as above.
+    unsafe { page_written(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
+}
+
+/// Since 1970.
+pub(crate) fn milliseconds() -> f64 {
+    page_milliseconds()
+}

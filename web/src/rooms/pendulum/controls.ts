@@ -1,0 +1,97 @@
+// What the reader sets: start, pendulum, forces, ghosts, units.
+
+import type { Address } from "../../address.ts";
+import { button, element } from "../../parts/element.ts";
+import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
+import { Form } from "../../parts/form.ts";
+import { unitSwitch } from "../../parts/unit_switch.ts";
+import { text } from "../../texts/en.ts";
+import { APPROXIMATIONS } from "./ghosts.ts";
+
+const words = text.pendulum.fields;
+
+export const START = { angle: "150deg", velocity: "0", length: "1m", gravity: "9.80665m/s^2", damping: "0", drive: "0", driveFrequency: "2/3" } as const;
+
+export class Controls {
+  readonly elements: readonly HTMLElement[];
+  readonly form: Form;
+  readonly slider = element("input", { type: "range", min: "0", max: "180", step: "0.1", "aria-label": words.slider });
+  readonly #formula: Field;
+  readonly #fields = new Map<string, Field>();
+
+  constructor(address: Address, changed: () => void, formulasWanted: () => void) {
+    const line = (key: keyof typeof START, option: string) => textField({ key, option, words: words[key], initial: START[key] });
+    const chosen = address.get("formula") ?? "";
+    this.#formula = choiceField({ key: "formula", words: words.formula }, [["", words.noFormula], ...(chosen === "" ? [] : [[chosen, chosen] as const])]);
+    const planet = choiceField({ key: "planet", words: words.planet }, text.pendulum.planets.map(([value = "", name = ""]) => [value, name] as const));
+    const fields = [
+      line("angle", "<ANGLE>"),
+      line("velocity", "--velocity"),
+      line("length", "--length"),
+      line("gravity", "--gravity"),
+      line("damping", "c"),
+      line("drive", "A"),
+      line("driveFrequency", "omega"),
+      ...APPROXIMATIONS.map((key) => tickField({ key, words: { label: text.pendulum.ghosts[key] ?? key } })),
+      this.#formula,
+      unitSwitch(),
+    ];
+    for (const field of fields) this.#fields.set(field.key, field);
+    this.form = new Form(address, fields, changed);
+    this.#listen(planet, changed, formulasWanted);
+    const start = this.form.part(words.start, ["angle", "velocity", "length", "gravity"]);
+    start.append(planet.element);
+    this.elements = [
+      start,
+      this.form.part(words.ghosts, [...APPROXIMATIONS, "formula"]),
+      this.form.part(words.forces, ["damping", "drive", "driveFrequency"], { folded: true }),
+      element("div", {}, this.#field("unit").element),
+      this.#presets(changed),
+    ];
+  }
+
+  refuse(key: string, reason: string): void {
+    this.#field(key).refuse(reason);
+  }
+
+  /** The formulas that can be chosen, by key and name. */
+  offer(formulas: readonly (readonly [string, string])[]): void {
+    const select = this.#formula.element.querySelector("select");
+    const chosen = this.#formula.value;
+    select?.replaceChildren(...[["", words.noFormula] as const, ...formulas].map(([value, name]) => element("option", { value }, name)));
+    this.#formula.value = chosen;
+  }
+
+  #field(key: string): Field {
+    const field = this.#fields.get(key);
+    if (field === undefined) throw new Error(`no field ${key}`);
+    return field;
+  }
+
+  #listen(planet: Field, changed: () => void, formulasWanted: () => void): void {
+    planet.value = text.pendulum.planets.some(([value]) => value === this.form.value("gravity")) ? this.form.value("gravity") : "";
+    planet.onChange(() => {
+      if (planet.value === "") return;
+      this.form.put("gravity", planet.value);
+      changed();
+    });
+    this.slider.addEventListener("input", () => {
+      this.form.put("angle", `${this.slider.value}deg`);
+      changed();
+    });
+    this.#formula.element.addEventListener("focusin", formulasWanted, { once: true });
+  }
+
+  #presets(changed: () => void): HTMLElement {
+    const buttons = text.pendulum.presets.map((preset) =>
+      button(preset.name, () => {
+        this.form.put("angle", preset.angle);
+        this.form.put("velocity", preset.velocity === "" ? START.velocity : preset.velocity);
+        this.form.put("gravity", preset.gravity ?? START.gravity);
+        this.form.put("length", START.length);
+        changed();
+      }),
+    );
+    return element("fieldset", { class: "presets" }, element("legend", {}, words.presets), ...buttons);
+  }
+}

@@ -1,0 +1,258 @@
+// The linked graphs: angle, velocity, phase plane, energy, harmonics, epicycles.
+
+import type { Harmonics, Motion } from "../../engine/mathematics.ts";
+import { angle as angleInWords, digits } from "../../parts/numbers.ts";
+import { text } from "../../texts/en.ts";
+import type { Course, Place, Samples } from "./course.ts";
+import type { Ghost } from "./ghosts.ts";
+import { type Axes, type Pen, Plot, type Range } from "./plot.ts";
+
+const words = text.pendulum.graphs;
+const POINTS = 1200;
+
+/** What is drawn. */
+export interface Scene {
+  readonly course: Course;
+  readonly motion: Motion;
+  /** Integrated motions have no harmonics. */
+  readonly harmonics: Harmonics | undefined;
+  readonly ghosts: readonly Ghost[];
+  /** The times that are shown. */
+  readonly window: Range;
+  /** `deg` or `rad`. */
+  readonly unit: string;
+}
+
+export class Graphs {
+  readonly elements: readonly HTMLElement[];
+  readonly #angle = new Plot(words.angle.title);
+  readonly #velocity = new Plot(words.velocity.title);
+  readonly #phase = new Plot(words.phase.title);
+  readonly #energy = new Plot(words.energy.title);
+  readonly #spectrum = new Plot(words.spectrum.title);
+  readonly #epicycles = new Plot(words.epicycles.title);
+  #scene: Scene | undefined;
+
+  constructor() {
+    this.elements = this.#all.map((plot) => plot.element);
+  }
+
+  get #all(): Plot[] {
+    return [this.#angle, this.#velocity, this.#phase, this.#energy, this.#spectrum, this.#epicycles];
+  }
+
+  show(scene: Scene): void {
+    this.#scene = scene;
+    const step = (scene.window[1] - scene.window[0]) / (POINTS - 1);
+    const samples = scene.course.samples(scene.window[0], step, POINTS);
+    const times = Float64Array.from(samples.angles, (_, n) => scene.window[0] + n * step);
+    this.#showAngle(scene, times, samples, step);
+    this.#showVelocity(scene, times, samples);
+    this.#showPhase(scene, samples);
+    this.#showEnergy(scene, times, samples);
+    this.#spectrum.element.hidden = this.#epicycles.element.hidden = scene.harmonics === undefined;
+    if (scene.harmonics !== undefined) {
+      this.#showSpectrum(scene, scene.harmonics);
+      this.#showEpicycles(scene, scene.harmonics);
+    }
+  }
+
+  /** Where the motion is now, and its ghosts. */
+  mark(time: number, place: Place, ghosts: readonly number[]): void {
+    const scene = this.#scene;
+    if (scene === undefined) return;
+    const frequency = 2 * scene.motion.angularFrequency;
+    const [kinetic, potential] = energies(place.angle, place.velocity, frequency);
+    this.#angle.move((pen) => {
+      scene.ghosts.forEach((ghost, n) => pen.dot(time, ghosts[n] ?? NaN, ghost.colour, 3.5));
+      pen.dot(time, place.angle, "curve-1");
+    });
+    this.#velocity.move((pen) => pen.dot(time, place.velocity, "curve-1"));
+    this.#phase.move((pen) => pen.dot(wrapped(place.angle), place.velocity, "curve-1"));
+    this.#energy.move((pen) => {
+      pen.dot(time, kinetic, "curve-2", 4);
+      pen.dot(time, potential, "curve-3", 4);
+      pen.dot(time, kinetic + potential, "curve-1", 4);
+    });
+    const { harmonics } = scene;
+    if (harmonics !== undefined) this.#epicycles.move((pen) => drawEpicycles(pen, harmonics, time));
+  }
+
+  redraw(): void {
+    for (const plot of this.#all) plot.redraw();
+  }
+
+  close(): void {
+    for (const plot of this.#all) plot.close();
+  }
+
+  #showAngle({ ghosts, motion, unit, window }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
+    const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, POINTS) }));
+    const range = padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4));
+    const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
+    this.#angle.show(axes, words.angle.words(seconds(motion.period), angleInWords(Math.max(...range), unit, 4)), (pen) => {
+      for (const curve of curves) pen.line(times, curve.angles, curve.ghost.colour, 1.25, [5, 3]);
+      pen.line(times, angles, "curve-1", 2);
+    });
+  }
+
+  #showVelocity({ window }: Scene, times: Float64Array, { velocities }: Samples): void {
+    const range = padded(extent([velocities]));
+    const axes = { x: window, y: range, xLabel: words.time, yLabel: words.velocity.axis };
+    this.#velocity.show(axes, words.velocity.words(digits(range[1] / 1.08, 4)), (pen) => pen.line(times, velocities, "curve-1", 2));
+  }
+
+  #showPhase({ motion, unit, harmonics }: Scene, samples: Samples): void {
+    const frequency = 2 * motion.angularFrequency;
+    const fastest = Math.max(frequency, ...samples.velocities.map(Math.abs).filter(Number.isFinite));
+    const x: Range = [-Math.PI, Math.PI];
+    const axes: Axes = { x, y: [-1.12 * fastest, 1.12 * fastest], xLabel: words.phase.x(unit), yLabel: words.velocity.axis, ...angleTicks("x", x, unit) };
+    this.#phase.show(axes, words.phase.words(text.pendulum.regimes[motion.regime]), (pen) => {
+      const angles = Array.from({ length: 201 }, (_, n) => ((n - 100) * Math.PI) / 100);
+      for (const side of [1, -1]) pen.line(angles, angles.map((it) => side * frequency * Math.cos(it / 2)), "quiet", 1.25, [5, 3]);
+      const [xs, ys] = harmonics === undefined ? segments(samples) : orbit(motion, samples);
+      pen.line(xs, ys, "curve-1", 2);
+    });
+  }
+
+  #showEnergy({ motion, window }: Scene, times: Float64Array, { angles, velocities }: Samples): void {
+    const frequency = 2 * motion.angularFrequency;
+    const both = Array.from(angles, (angle, n) => energies(angle, velocities[n] ?? NaN, frequency));
+    const all = both.map(([kinetic, potential]) => kinetic + potential);
+    const top = 1.22 * Math.max(...all.filter(Number.isFinite), 1e-300);
+    const axes = { x: window, y: [0, top] as const, xLabel: words.time, yLabel: words.energy.axis };
+    this.#energy.show(axes, words.energy.words(digits(motion.energyRatio, 6)), (pen) => {
+      pen.line(window, [1, 1], "quiet", 1.25, [5, 3]);
+      pen.line(times, both.map(([kinetic]) => kinetic), "curve-2");
+      pen.line(times, both.map(([, potential]) => potential), "curve-3");
+      pen.line(times, all, "curve-1", 2);
+      legend(pen, [["curve-2", words.energy.kinetic], ["curve-3", words.energy.potential], ["curve-1", words.energy.total]]);
+    });
+  }
+
+  #showSpectrum(_: Scene, { terms }: Harmonics): void {
+    const sizes = terms.map(({ angle }) => Math.log10(Math.abs(angle)));
+    const [low, high] = [Math.floor(Math.min(...sizes, -2)), Math.ceil(Math.max(...sizes, 0))];
+    const every = Math.max(1, Math.ceil((high - low) / 6));
+    const powers = Array.from({ length: high - low + 1 }, (_, n) => low + n).filter((power) => (power - high) % every === 0);
+    const axes: Axes = { x: [0, Math.max(8, terms.at(-1)?.n ?? 0) + 1], y: [low, high + 0.15 * (high - low)], xLabel: words.spectrum.x, yLabel: words.spectrum.axis, yTicks: powers.map((power) => [power, tenTo(power)]) };
+    const said = terms.slice(0, 4).map(({ n, angle }) => `${n}: ${digits(angle, 4)} rad`).join(", ");
+    this.#spectrum.show(axes, words.spectrum.words(said), (pen) => {
+      for (const { n, angle } of terms) pen.line([n, n], [low, Math.log10(Math.abs(angle))], angle > 0 ? "curve-1" : "curve-2", 4);
+      if (terms.some(({ angle }) => angle < 0)) legend(pen, [["curve-1", words.spectrum.positive], ["curve-2", words.spectrum.negative]]);
+    });
+  }
+
+  #showEpicycles({ unit }: Scene, { terms }: Harmonics): void {
+    const size = Math.max(1e-300, terms.reduce((sum, { angle }) => sum + Math.abs(angle), 0));
+    const x: Range = [-1.05 * size, 1.05 * size];
+    const axes: Axes = { x, y: x, xLabel: words.epicycles.x(unit), yLabel: "", square: true, yTicks: [], ...angleTicks("x", [-size, size], unit, 2) };
+    this.#epicycles.show(axes, words.epicycles.words(String(terms.length)), (pen) => pen.line(x, [0, 0], "line"));
+  }
+}
+
+/** Each harmonic turns at its own rate; the end of the last is over the angle. */
+function drawEpicycles(pen: Pen, { fundamental, meanVelocity, epoch, terms }: Harmonics, time: number): void {
+  // Of rotations the angle is the even turning and a sum of sines.
+  const shift = meanVelocity === 0 ? 0 : -Math.PI / 2;
+  let [x, y] = [0, 0];
+  for (const { n, angle } of terms.slice(0, 24)) {
+    const phase = n * fundamental * (time - epoch) + shift;
+    const [toX, toY] = [x + angle * Math.cos(phase), y + angle * Math.sin(phase)];
+    pen.circle(x, y, Math.abs(angle), "line");
+    pen.line([x, toX], [y, toY], "ink", 1.5);
+    [x, y] = [toX, toY];
+  }
+  pen.line([x, x], [y, 0], "curve-1", 1, [3, 3]);
+  pen.dot(x, 0, "curve-1");
+}
+
+/** Kinetic and potential energy over 2mgl. */
+function energies(angle: number, velocity: number, twiceFrequency: number): [number, number] {
+  return [(velocity / twiceFrequency) ** 2, Math.sin(angle / 2) ** 2];
+}
+
+/** The exact orbit in the phase plane. */
+function orbit({ regime, energyRatio, angularFrequency }: Motion, { velocities }: Samples): [number[], number[]] {
+  const k = Math.sqrt(energyRatio);
+  if (regime === "libration") {
+    const phases = Array.from({ length: 401 }, (_, n) => (n * Math.PI) / 200);
+    return [phases.map((phase) => 2 * Math.asin(k * Math.sin(phase))), phases.map((phase) => 2 * angularFrequency * k * Math.cos(phase))];
+  }
+  if (regime === "rest" || regime === "upright") return [[], []];
+  const side = Math.sign(velocities[0] ?? 1);
+  const angles = Array.from({ length: 401 }, (_, n) => ((n - 200) * Math.PI) / 200);
+  return [angles, angles.map((angle) => side * 2 * angularFrequency * Math.sqrt(Math.max(0, energyRatio - Math.sin(angle / 2) ** 2)))];
+}
+
+/** A curve over whole turns, broken where it passes the top. */
+function segments({ angles, velocities }: Samples): [number[], number[]] {
+  const [xs, ys]: [number[], number[]] = [[], []];
+  angles.forEach((angle, n) => {
+    const x = wrapped(angle);
+    if (Math.abs(x - (xs.at(-1) ?? x)) > Math.PI) {
+      xs.push(NaN);
+      ys.push(NaN);
+    }
+    xs.push(x);
+    ys.push(velocities[n] ?? NaN);
+  });
+  return [xs, ys];
+}
+
+function wrapped(angle: number): number {
+  return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+}
+
+/** Of ghosts that leave every bound no more than this is shown. */
+function extent(curves: readonly Float64Array[], most = Infinity): Range {
+  let [low, high] = [Infinity, -Infinity];
+  for (const curve of curves) {
+    for (const value of curve) {
+      if (Math.abs(value) <= most || curve === curves[0]) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    }
+  }
+  return Number.isFinite(low) && Number.isFinite(high) ? [low, high] : [-1, 1];
+}
+
+function padded([low, high]: Range): Range {
+  const room = low === high ? Math.max(Math.abs(low), 1e-3) : 0.04 * (high - low);
+  return [low - room, high + room];
+}
+
+/** Ticks at parts of a half turn. */
+function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5): Partial<Axes> {
+  if (unit === "rad") return {};
+  const steps = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600];
+  const degrees = 180 / Math.PI;
+  const span = (high - low) * degrees;
+  const step = steps.find((it) => span / it <= most) ?? 7200;
+  const made: [number, string][] = [];
+  for (let n = Math.ceil((low * degrees) / step); n * step <= high * degrees; n++) {
+    made.push([(n * step) / degrees, `${Number((n * step).toPrecision(6))}°`.replace("-", "−")]);
+  }
+  return axis === "x" ? { xTicks: made } : { yTicks: made };
+}
+
+function legend(pen: Pen, entries: readonly (readonly [Parameters<Pen["line"]>[2], string])[]): void {
+  const { context } = pen;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  let x = 60;
+  for (const [colour, name] of entries) {
+    context.fillStyle = pen.colours[colour];
+    context.fillRect(x, 14, 14, 4);
+    context.fillStyle = pen.colours.ink;
+    context.fillText(name, x + 18, 16);
+    x += 28 + context.measureText(name).width;
+  }
+}
+
+function tenTo(power: number): string {
+  const letters = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  return power === 0 ? "1" : `10${power < 0 ? "⁻" : ""}${Array.from(String(Math.abs(power)), (digit) => letters[Number(digit)]).join("")}`;
+}
+
+function seconds(value: number): string {
+  return Number.isFinite(value) && value > 0 ? `${digits(value, 6)} s` : words.none;
+}

@@ -1,0 +1,214 @@
+// A plot on canvas: axes and curves stay, what moves is drawn over them for each picture.
+
+import { element } from "../../parts/element.ts";
+import { type Colour, type Colours, colours } from "./colours.ts";
+
+export type Range = readonly [number, number];
+
+export interface Axes {
+  readonly x: Range;
+  readonly y: Range;
+  readonly xLabel: string;
+  readonly yLabel: string;
+  /** Ticks with their words; else round numbers. */
+  readonly xTicks?: readonly (readonly [number, string])[];
+  readonly yTicks?: readonly (readonly [number, string])[];
+  /** One unit is as long on both axes. */
+  readonly square?: boolean;
+}
+
+/** Draws in the units of the axes. */
+export class Pen {
+  constructor(
+    readonly context: CanvasRenderingContext2D,
+    readonly x: (value: number) => number,
+    readonly y: (value: number) => number,
+    readonly colours: Colours,
+  ) {}
+
+  line(xs: ArrayLike<number>, ys: ArrayLike<number>, colour: Colour, width = 1.75, dash: number[] = []): void {
+    const { context } = this;
+    context.beginPath();
+    let drawn = false;
+    for (let n = 0; n < xs.length; n++) {
+      const [x, y] = [this.x(xs[n] ?? NaN), this.y(ys[n] ?? NaN)];
+      if (!Number.isFinite(y) || !Number.isFinite(x)) drawn = false;
+      else if (drawn) context.lineTo(x, y);
+      else {
+        context.moveTo(x, y);
+        drawn = true;
+      }
+    }
+    context.setLineDash(dash);
+    context.strokeStyle = this.colours[colour];
+    context.lineWidth = width;
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  dot(x: number, y: number, colour: Colour, radius = 5): void {
+    const { context } = this;
+    context.beginPath();
+    context.arc(this.x(x), this.y(y), radius, 0, 2 * Math.PI);
+    context.fillStyle = this.colours[colour];
+    context.fill();
+  }
+
+  circle(x: number, y: number, radius: number, colour: Colour): void {
+    const { context } = this;
+    context.beginPath();
+    context.arc(this.x(x), this.y(y), Math.abs(this.x(radius) - this.x(0)), 0, 2 * Math.PI);
+    context.strokeStyle = this.colours[colour];
+    context.lineWidth = 1;
+    context.stroke();
+  }
+}
+
+const FONT = "12px system-ui, 'DejaVu Sans', sans-serif";
+const MARGIN = { left: 52, right: 18, top: 8, bottom: 36 };
+
+export class Plot {
+  readonly element: HTMLElement;
+  readonly canvas = element("canvas", { role: "img" });
+  readonly #still = document.createElement("canvas");
+  readonly #context = this.canvas.getContext("2d");
+  readonly #observer: ResizeObserver;
+  #axes: Axes | undefined;
+  #curves: (pen: Pen) => void = () => {};
+  #moving: (pen: Pen) => void = () => {};
+  #pen: Pen | undefined;
+
+  constructor(title: string, ...below: Node[]) {
+    this.element = element("figure", { class: "plot" }, element("figcaption", {}, title), this.canvas, ...below);
+    this.#observer = new ResizeObserver(() => this.redraw());
+    this.#observer.observe(this.canvas);
+  }
+
+  /** What stays, and what it shows in words. */
+  show(axes: Axes, words: string, curves: (pen: Pen) => void): void {
+    [this.#axes, this.#curves] = [axes, curves];
+    this.canvas.setAttribute("aria-label", words);
+    this.redraw();
+  }
+
+  /** What moves. */
+  move(moving: (pen: Pen) => void): void {
+    this.#moving = moving;
+    this.#picture();
+  }
+
+  redraw(): void {
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    const axes = this.#axes;
+    if (axes === undefined || width === 0 || height === 0) return;
+    const scale = Math.min(devicePixelRatio, 2);
+    for (const canvas of [this.canvas, this.#still]) {
+      [canvas.width, canvas.height] = [Math.round(width * scale), Math.round(height * scale)];
+    }
+    const context = this.#still.getContext("2d");
+    if (context === null) return;
+    context.scale(scale, scale);
+    const frame = framed(axes, width, height);
+    const all = colours();
+    drawAxes(new Pen(context, frame.x, frame.y, all), frame.axes, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(MARGIN.left, 0, width - MARGIN.left, height - MARGIN.bottom + 4);
+    context.clip();
+    this.#curves(new Pen(context, frame.x, frame.y, all));
+    context.restore();
+    if (this.#context !== null) {
+      this.#context.setTransform(scale, 0, 0, scale, 0, 0);
+      this.#pen = new Pen(this.#context, frame.x, frame.y, all);
+    }
+    this.#picture();
+  }
+
+  close(): void {
+    this.#observer.disconnect();
+  }
+
+  #picture(): void {
+    const pen = this.#pen;
+    if (pen === undefined) return;
+    const { context } = pen;
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    context.drawImage(this.#still, 0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
+    this.#moving(pen);
+  }
+}
+
+interface Frame {
+  readonly axes: Axes;
+  readonly x: (value: number) => number;
+  readonly y: (value: number) => number;
+}
+
+function framed(axes: Axes, width: number, height: number): Frame {
+  const [across, up] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
+  let { x, y } = axes;
+  if (axes.square === true) {
+    const unit = Math.max((x[1] - x[0]) / across, (y[1] - y[0]) / up);
+    const [centreX, centreY] = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2];
+    x = [centreX - (unit * across) / 2, centreX + (unit * across) / 2];
+    y = [centreY - (unit * up) / 2, centreY + (unit * up) / 2];
+  }
+  const [x0, y0] = [x[0], y[0]];
+  const [perX, perY] = [across / (x[1] - x0), up / (y[1] - y0)];
+  return {
+    axes: { ...axes, x, y },
+    x: (value) => MARGIN.left + (value - x0) * perX,
+    y: (value) => height - MARGIN.bottom - (value - y0) * perY,
+  };
+}
+
+function drawAxes(pen: Pen, axes: Axes, width: number, height: number): void {
+  const { context } = pen;
+  const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
+  context.font = FONT;
+  context.fillStyle = pen.colours.quiet;
+  context.strokeStyle = pen.colours.line;
+  context.lineWidth = 1;
+  context.textAlign = "center";
+  context.textBaseline = "top";
+  for (const [value, words] of axes.xTicks ?? ticks(axes.x, (right - left) / 60)) {
+    const x = Math.round(pen.x(value)) + 0.5;
+    stroke(context, x, top, x, bottom);
+    context.fillText(words, x, bottom + 4);
+  }
+  context.fillText(axes.xLabel, (left + right) / 2, bottom + 19);
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  for (const [value, words] of axes.yTicks ?? ticks(axes.y, (bottom - top) / 36)) {
+    const y = Math.round(pen.y(value)) + 0.5;
+    stroke(context, left, y, right, y);
+    context.fillText(words, left - 4, y);
+  }
+  context.save();
+  context.translate(10, (top + bottom) / 2);
+  context.rotate(-Math.PI / 2);
+  context.textAlign = "center";
+  context.fillText(axes.yLabel, 0, 0);
+  context.restore();
+}
+
+function stroke(context: CanvasRenderingContext2D, x1: number, y1: number, x2: number, y2: number): void {
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
+
+/** Round numbers in a range, at most so many intervals. */
+export function ticks([from, to]: Range, most: number): [number, string][] {
+  const raw = (to - from) / Math.max(1, most);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= raw) ?? 10);
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const made: [number, string][] = [];
+  for (let n = Math.ceil(from / step - 1e-9); n * step <= to + 1e-9 * step; n++) {
+    const words = decimals > 6 ? (n * step).toExponential(1) : (n * step).toFixed(decimals);
+    made.push([n * step, words.replace(/^-(?=0\.?0*$)/, "").replace("-", "−")]);
+  }
+  return made;
+}

@@ -1,0 +1,303 @@
+// What moves: the start from the fields, the course of the motion, and all that shows it.
+
+import type { Address } from "../../address.ts";
+import type { Engine } from "../../engine/engine.ts";
+import type { Mathematics, Motion } from "../../engine/mathematics.ts";
+import { read } from "../../parts/answers.ts";
+import { type Command, given } from "../../parts/command.ts";
+import { button, element } from "../../parts/element.ts";
+import { digits } from "../../parts/numbers.ts";
+import { text } from "../../texts/en.ts";
+import { Clock } from "./clock.ts";
+import { onColours } from "./colours.ts";
+import { Controls, START } from "./controls.ts";
+import { type Course, ExactCourse, type IntegratedCourse } from "./course.ts";
+import { Facts } from "./facts.ts";
+import { APPROXIMATIONS, approximate, type Ghost, withPeriod } from "./ghosts.ts";
+import { Graphs } from "./graphs.ts";
+import { command as forced, type Forces, integrated } from "./integration.ts";
+import { Keep } from "./keep.ts";
+import type { Range } from "./plot.ts";
+import { Stage } from "./stage.ts";
+import { Tone } from "./tone.ts";
+import { Transport } from "./transport.ts";
+
+const words = text.pendulum;
+
+/** Integrated at first, and as far at most, in seconds. */
+const [AHEAD, FARTHEST] = [60, 3840];
+/** Between two changes of numbers that are read, in milliseconds. */
+const READABLE = 100;
+
+export class Swing {
+  readonly #address: Address;
+  readonly #engine: Engine;
+  readonly #mathematics: Mathematics;
+  readonly #clock = new Clock(() => this.#picture());
+  readonly #controls: Controls;
+  readonly #transport: Transport;
+  readonly #stage: Stage;
+  readonly #graphs = new Graphs();
+  readonly #facts = new Facts();
+  readonly #tone = new Tone();
+  readonly #keep: Keep;
+  readonly #how = element("p", { class: "quiet how" });
+  readonly #said = element("p", { class: "unseen", role: "status" });
+  readonly #listen: HTMLButtonElement;
+  readonly #closing: (() => void)[] = [];
+  #motion: Motion | undefined;
+  #course: Course | undefined;
+  #ghosts: readonly Ghost[] = [];
+  #window: Range | undefined;
+  #wasRunning = false;
+  #read = 0;
+  #abort = new AbortController();
+
+  constructor(place: HTMLElement, address: Address, engine: Engine, mathematics: Mathematics) {
+    [this.#address, this.#engine, this.#mathematics] = [address, engine, mathematics];
+    this.#controls = new Controls(address, () => this.#start(), () => void this.#offerFormulas());
+    this.#stage = new Stage(words.stage, { held: (angle) => this.#held(angle), letGo: (angle, velocity) => this.#letGo(angle, velocity), turned: (by) => this.#turned(by) });
+    this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
+    this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
+    this.#keep = new Keep(engine);
+    this.#lay(place);
+    this.#clock.time = Math.max(0, Number(address.get("t") ?? "0") || 0);
+    this.#start(false);
+    if (address.get("t") === undefined && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#clock.run();
+    this.#transport.show();
+  }
+
+  close(): void {
+    this.#clock.stop();
+    this.#abort.abort();
+    this.#graphs.close();
+    this.#stage.close();
+    this.#tone.close();
+    for (const close of this.#closing) close();
+  }
+
+  #lay(place: HTMLElement): void {
+    const controls = element("div", { class: "swing-controls controls" }, ...this.#controls.elements);
+    const slider = element("label", { class: "swing-slider" }, element("span", {}, words.fields.slider), this.#controls.slider);
+    const stage = element("div", { class: "swing-stage" }, this.#stage.element, slider, this.#transport.element, this.#how, this.#said);
+    const graphs = element("div", { class: "swing-graphs" }, ...this.#graphs.elements);
+    const below = element("div", { class: "swing-below" }, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen), this.#keep.element);
+    place.append(element("div", { class: "swing" }, stage, controls, graphs, below));
+    const key = (event: KeyboardEvent) => {
+      if (!event.defaultPrevented && this.#transport.key(event)) event.preventDefault();
+    };
+    document.addEventListener("keydown", key);
+    this.#closing.push(() => document.removeEventListener("keydown", key));
+    this.#closing.push(onColours(() => [this.#stage, this.#graphs].forEach((it) => it.redraw())));
+  }
+
+  /** Begins the motion that the fields describe, at its start unless the time is kept. */
+  #start(isFromStart = true): void {
+    this.#abort.abort();
+    this.#abort = new AbortController();
+    this.#controls.form.clear();
+    const motion = this.#launched();
+    if (motion === undefined) return;
+    if (isFromStart) {
+      this.#clock.time = 0;
+      this.#address.put({ t: undefined });
+    }
+    this.#motion = motion;
+    this.#window = undefined;
+    const forces = this.#forces(motion);
+    this.#course = forces === undefined ? new ExactCourse(this.#mathematics) : undefined;
+    this.#how.textContent = forces === undefined ? words.byFormula : words.byIntegration;
+    if (forces !== undefined) void this.#integrate(forces, AHEAD);
+    this.#ghosts = forces === undefined ? APPROXIMATIONS.filter((key) => this.#value(key) === "yes").flatMap((key) => approximate(this.#mathematics, key) ?? []) : [];
+    const wanted = APPROXIMATIONS.some((key) => this.#value(key) === "yes") || this.#value("formula") !== "";
+    if (forces === undefined && wanted && this.#mathematics.approximation(0, 0, 0, 1) === undefined) this.#how.textContent += ` ${words.ghostsNeedRest}`;
+    void this.#addFormula(motion);
+    this.#describe(motion, forces);
+    this.#picture();
+  }
+
+  #launched(): Motion | undefined {
+    const { form } = this.#controls;
+    const quantity = (key: string, reading: { value: number } | { error: string }) => {
+      if ("value" in reading) return reading.value;
+      this.#controls.refuse(key, reading.error);
+      return undefined;
+    };
+    const angle = this.#mathematics.angle(form.value("angle"));
+    if ("error" in angle) this.#controls.refuse("angle", angle.error);
+    else this.#controls.slider.value = String(Math.min(180, Math.abs((180 / Math.PI) * angle.inTurn)));
+    const velocity = quantity("velocity", this.#mathematics.angularVelocity(form.value("velocity") || "0"));
+    const length = quantity("length", this.#mathematics.length(form.value("length")));
+    const gravity = quantity("gravity", this.#mathematics.acceleration(form.value("gravity")));
+    if ("error" in angle || velocity === undefined || length === undefined || gravity === undefined) return undefined;
+    const motion = this.#mathematics.launch(form.value("angle"), velocity, length, gravity);
+    if (!("error" in motion)) return motion;
+    this.#controls.refuse(motion.error.includes("length") ? "length" : motion.error.includes("gravity") ? "gravity" : "angle", motion.error);
+    return undefined;
+  }
+
+  #value(key: string): string {
+    return this.#controls.form.value(key);
+  }
+
+  /** Damping and driving, where there are any. */
+  #forces({ angularFrequency }: Motion): Forces | undefined {
+    const [damping, drive, driveFrequency] = [this.#value("damping"), this.#value("drive"), this.#value("driveFrequency")];
+    const isNone = (written: string) => written === "" || Number(written) === 0;
+    if (isNone(damping) && isNone(drive)) return undefined;
+    const velocity = this.#mathematics.angularVelocity(this.#value("velocity") || "0");
+    return { angle: this.#value("angle"), velocity: "value" in velocity ? velocity.value : 0, angularFrequency, damping, drive, driveFrequency };
+  }
+
+  async #integrate(forces: Forces, until: number): Promise<void> {
+    const { signal } = this.#abort;
+    if (this.#course === undefined) this.#said.textContent = words.integrating;
+    const course = await integrated(this.#engine, forces, until, signal);
+    if (signal.aborted) return;
+    this.#said.textContent = "";
+    if ("error" in course) {
+      const key = (["damping", "drive", "driveFrequency"] as const).find((it) => forces[it] !== "" && course.error.includes(forces[it]));
+      return this.#controls.refuse(key ?? "damping", course.error);
+    }
+    this.#course = course;
+    this.#window = undefined;
+    this.#picture();
+    if (until < FARTHEST) this.#ahead = { forces, course, until };
+  }
+
+  #ahead: { forces: Forces; course: IntegratedCourse; until: number } | undefined;
+
+  /** The exact swing in the period of the chosen formula. */
+  async #addFormula(motion: Motion): Promise<void> {
+    const key = this.#value("formula");
+    if (key === "" || motion.regime !== "libration" || this.#course === undefined) return;
+    const { signal } = this.#abort;
+    const amplitude = motion.complement < 0.1 ? `pi-${motion.complement}` : String(motion.amplitude);
+    const command: Command = { question: "period", arguments: [amplitude], options: given({ length: this.#value("length"), gravity: this.#value("gravity"), formulas: key }) };
+    const { value } = await read<{ results: { formulas: { key: string; period_s: number | null }[] }[] }>(this.#engine, command, signal);
+    const period = value?.results[0]?.formulas.find((it) => it.key === key)?.period_s;
+    if (signal.aborted || period == null) return;
+    this.#ghosts = [...this.#ghosts, withPeriod(this.#mathematics, key, motion, period)];
+    this.#window = undefined;
+    this.#picture();
+  }
+
+  async #offerFormulas(): Promise<void> {
+    const { value } = await read<{ formulas: { key: string; name: string }[] }>(this.#engine, { question: "formulas" }, new AbortController().signal);
+    if (value !== undefined) this.#controls.offer(value.formulas.map(({ key, name }) => [key, name]));
+  }
+
+  #describe(motion: Motion, forces: Forces | undefined): void {
+    const unit = this.#value("unit");
+    const period = Number.isFinite(motion.period) && motion.period > 0 ? `${digits(motion.period, 6)} s` : words.graphs.none;
+    const degrees = Number(this.#controls.slider.value);
+    this.#facts.show(motion, forces === undefined, unit);
+    this.#stage.describe(degrees, `${this.#value("angle")}: ${words.regimes[motion.regime]}`);
+    if (forces === undefined) this.#said.textContent = words.announce(words.regimes[motion.regime], period);
+    const pendulum = { length: unless(this.#value("length"), START.length), gravity: unless(this.#value("gravity"), START.gravity) };
+    const velocity = unless(this.#value("velocity"), START.velocity);
+    const exact: Command = { question: "motion", arguments: [this.#value("angle")], options: given({ velocity, ...pendulum }) };
+    const compared = APPROXIMATIONS.filter((key) => this.#value(key) === "yes" && this.#ghosts.some((ghost) => ghost.key === key));
+    this.#keep.show(forces === undefined ? exact : forced(forces, 20), forces === undefined ? compared : [], forces === undefined ? shownTimes(motion) : undefined);
+    this.#listen.disabled = forces !== undefined || motion.regime !== "libration";
+    if (this.#tone.sounds) this.#sound(true);
+  }
+
+  /** Shows the present moment. */
+  #picture(): void {
+    const [motion, course] = [this.#motion, this.#course];
+    if (motion === undefined || course === undefined) return;
+    this.#lookAhead();
+    let place = course.at(this.#clock.time);
+    if (place === undefined && "end" in course) {
+      // Not integrated as far: the pendulum waits.
+      this.#clock.time = (course as IntegratedCourse).end;
+      place = course.at(this.#clock.time);
+    }
+    if (place === undefined) return;
+    const { time } = this.#clock;
+    if (this.#window === undefined || time < this.#window[0] || time > this.#window[1]) this.#turnPage(motion, course);
+    const angles = this.#ghosts.map((ghost) => ghost.angles(time, 0, 1)[0] ?? NaN);
+    this.#stage.show({ angle: place.angle, ghosts: this.#ghosts.map(({ colour }, n) => ({ colour, angle: angles[n] ?? NaN })) });
+    this.#graphs.mark(time, place, angles);
+    if (performance.now() - this.#read > READABLE || !this.#clock.isRunning) {
+      this.#read = performance.now();
+      this.#facts.now(time, place);
+    }
+  }
+
+  #lookAhead(): void {
+    const ahead = this.#ahead;
+    if (ahead === undefined || this.#course !== ahead.course || this.#clock.time < ahead.course.end / 2) return;
+    this.#ahead = undefined;
+    void this.#integrate(ahead.forces, 2 * ahead.until);
+  }
+
+  /** The graphs show the next stretch of time. */
+  #turnPage(motion: Motion, course: Course): void {
+    const length = shownTimes(motion);
+    const first = Math.floor(this.#clock.time / length) * length;
+    this.#window = [first, first + length];
+    const isExact = course instanceof ExactCourse;
+    const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
+    this.#graphs.show({ course, motion, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit") });
+  }
+
+  /** The time was changed by hand, or has begun or ceased to run: the address says so. */
+  #moved(): void {
+    const { speed } = this.#transport;
+    this.#address.put({ t: this.#clock.isRunning ? undefined : String(Number(this.#clock.time.toFixed(6))), speed: unless(speed, "1") });
+    this.#picture();
+  }
+
+  #held(angle: number): void {
+    if (this.#clock.isRunning) {
+      this.#wasRunning = true;
+      this.#clock.stop();
+    }
+    this.#stage.show({ angle, ghosts: [] });
+  }
+
+  /** Within half a degree it is let go exactly at the top. */
+  #letGo(angle: number, velocity: number): void {
+    const degrees = (180 / Math.PI) * angle;
+    const top = Math.abs(Math.abs(degrees) - 180) < 0.5 && velocity === 0;
+    this.#controls.form.put("angle", top ? "180deg" : `${degrees.toFixed(1)}deg`);
+    this.#controls.form.put("velocity", velocity === 0 ? START.velocity : `${velocity.toFixed(2)}rad/s`);
+    this.#resume();
+  }
+
+  #turned(by: number): void {
+    const reading = this.#mathematics.angle(this.#value("angle"));
+    const degrees = "error" in reading ? 0 : (180 / Math.PI) * reading.inTurn;
+    const turned = Math.max(-180, Math.min(180, degrees + by));
+    this.#controls.form.put("angle", `${Number(turned.toFixed(1))}deg`);
+    this.#start();
+  }
+
+  #resume(): void {
+    this.#start();
+    if (this.#wasRunning) this.#clock.run();
+    this.#wasRunning = false;
+    this.#transport.show();
+  }
+
+  #sound(isOn = !this.#tone.sounds): void {
+    const motion = this.#motion;
+    if (isOn && motion?.regime === "libration") this.#tone.play(this.#mathematics.harmonics(1e-6, 64), motion.smallAnglePeriod / motion.period);
+    else this.#tone.stop();
+    this.#listen.textContent = this.#tone.sounds ? words.silent : words.listen;
+    this.#listen.setAttribute("aria-pressed", String(this.#tone.sounds));
+  }
+}
+
+/** What is as usual need not be said. */
+function unless(value: string, usual: string): string | undefined {
+  return value === usual ? undefined : value;
+}
+
+/** How much time the graphs show, in seconds: three periods, or what can be watched of motions that have none or very long ones. */
+function shownTimes({ period, smallAnglePeriod }: Motion): number {
+  const usual = 5 * smallAnglePeriod;
+  return Number.isFinite(period) && period > 0 ? Math.min(3 * period, 12 * usual) : usual;
+}
