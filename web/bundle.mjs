@@ -1,6 +1,7 @@
 // Puts the page together: node bundle.mjs OUTPUT [ID=MODULE.wasm …]. Says how large each part is.
 
 import { build } from "esbuild";
+import { mathematicsFont } from "./mathematics_font.mjs";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
@@ -19,7 +20,8 @@ const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base
 const worker = await bundled("src/engine/worker.ts");
 // What ends a script element must not stand in one.
 const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker) })).replaceAll("</script", "<\\/script");
-const style = await bundled("src/style.css");
+const font = await mathematicsFont();
+const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
 const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
 
 const modules = new Map();
@@ -39,6 +41,7 @@ const policy = [
   `style-src ${hash(style)}`,
   "worker-src blob:",
   "img-src data: blob:",
+  "font-src data:",
   "base-uri 'none'",
   "form-action 'none'",
 ].join("; ");
