@@ -322,7 +322,7 @@ def text_of_sympy(given: Any) -> str:
     """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''."""
     import sympy
 
-    equation = given if isinstance(given, sympy.Equality) else sympy.Eq(given, 0, evaluate=False)
+    equation: Any = given if isinstance(given, sympy.Equality) else sympy.Eq(given, 0, evaluate=False)
     functions = equation.atoms(sympy.core.function.AppliedUndef)
     derivatives = sorted(equation.atoms(sympy.Derivative), key=lambda it: -it.derivative_count)
     for it in derivatives:

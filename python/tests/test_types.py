@@ -1,7 +1,6 @@
 """The types of calls, as mypy and pyright see them, each where it is installed."""
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +17,6 @@ def test_mypy():
 
 
 def test_pyright():
-    if not shutil.which("pyright"):
-        pytest.skip("pyright is not installed")
-    found = subprocess.run(["pyright", "--pythonpath", sys.executable, str(FILE)], capture_output=True, text=True)
+    pytest.importorskip("pyright")
+    found = subprocess.run([sys.executable, "-m", "pyright", "--pythonpath", sys.executable, FILE], capture_output=True, text=True)
     assert found.returncode == 0, found.stdout
