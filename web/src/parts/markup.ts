@@ -17,15 +17,27 @@ const ATTRIBUTES = new Set(
 
 /** The nodes of a piece of HTML or MathML, as far as they are on the list; the text of others stays. */
 export function fromHtml(source: string): Node[] {
-  return rebuilt(new DOMParser().parseFromString(source, "text/html").body);
+  return rebuilt(new DOMParser().parseFromString(withoutStyle(source), "text/html").body);
 }
 
 /** A picture, with its own style sheet as text. */
 export function fromSvg(source: string): { svg: SVGSVGElement; style: string } | undefined {
-  const read = new DOMParser().parseFromString(source, "image/svg+xml");
+  const read = new DOMParser().parseFromString(withoutStyle(source), "image/svg+xml");
   const [svg] = read.documentElement.localName === "svg" ? rebuiltNode(read.documentElement) : [];
   if (!(svg instanceof SVGSVGElement)) return undefined;
-  return { svg, style: read.querySelector("style")?.textContent ?? "" };
+  return { svg, style: styleOf(source) };
+}
+
+/** The first style sheet of a picture, as text. */
+export function styleOf(source: string): string {
+  return STYLE.exec(source)?.[1] ?? "";
+}
+
+const STYLE = /<style[^>]*>([^]*?)<\/style>/;
+
+// Even one that is never shown is held against the policy of the page as soon as it is read.
+function withoutStyle(source: string): string {
+  return source.replaceAll(new RegExp(STYLE, "g"), "");
 }
 
 function rebuilt(parent: Node): Node[] {

@@ -6,6 +6,7 @@ import { text } from "../texts/en.ts";
 import { ask, type Command, extended } from "./command.ts";
 import { button, element } from "./element.ts";
 import { fromSvg } from "./markup.ts";
+import { png } from "./png.ts";
 import { save } from "./save.ts";
 
 /** Narrower places get the picture of a column, whose letters are larger beside it, in CSS pixels. */
@@ -32,7 +33,7 @@ export class Picture {
   readonly #place = element("div", { class: "picture" });
   readonly #caption = element("figcaption", { class: "unseen" });
   readonly #buttons: HTMLElement;
-  #drawn: { command: Command; svg: Uint8Array; files: Files } | undefined;
+  #drawn: Uint8Array | undefined;
 
   /** `name` is that of the saved files, `option` names the file in the question. */
   constructor(engine: Engine, name: string, option: "figure" | "output" = "figure") {
@@ -52,7 +53,7 @@ export class Picture {
   async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
     const asked = this.command(command);
     const answer = await ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
-    if (answer.output.length > 0 && !signal.aborted) this.#show(asked, answer.output, files);
+    if (answer.output.length > 0 && !signal.aborted) this.#show(answer.output);
     return answer;
   }
 
@@ -100,7 +101,7 @@ export class Picture {
     this.svg = undefined;
   }
 
-  #show(command: Command, bytes: Uint8Array, files: Files): void {
+  #show(bytes: Uint8Array): void {
     const read = fromSvg(decoded({ status: 0, output: bytes, error: "", files: new Map() }));
     const root = this.#place.shadowRoot;
     if (read === undefined || root === null) return;
@@ -108,7 +109,7 @@ export class Picture {
     sheet.replaceSync(`${read.style}\n${LOOKS}`);
     root.adoptedStyleSheets = [sheet];
     root.replaceChildren(read.svg);
-    [this.svg, this.#drawn] = [read.svg, { command, svg: bytes, files }];
+    [this.svg, this.#drawn] = [read.svg, bytes];
     this.#caption.textContent = ["title", "desc"].map((name) => read.svg.querySelector(name)?.textContent ?? "").join(". ");
     this.#buttons.hidden = false;
   }
@@ -118,15 +119,11 @@ export class Picture {
   }
 
   #saveSvg(): void {
-    if (this.#drawn !== undefined) save(`${this.#name}.svg`, this.#drawn.svg, "image/svg+xml");
+    if (this.#drawn !== undefined) save(`${this.#name}.svg`, this.#drawn, "image/svg+xml");
   }
 
   async #savePng(): Promise<void> {
-    if (this.#drawn === undefined) return;
-    const file = `${this.#name}.png`;
-    const answer = await ask(this.#engine, named(this.#drawn.command, this.#option, file), { files: this.#drawn.files });
-    const bytes = answer.files.get(file);
-    if (bytes !== undefined) save(file, bytes, "image/png");
+    if (this.#drawn !== undefined) save(`${this.#name}.png`, await png(new TextDecoder().decode(this.#drawn)), "image/png");
   }
 }
 

@@ -25,7 +25,7 @@ export class PictureSlider {
   readonly #picture: Picture;
   readonly #slider: HTMLElement;
   readonly #handlers: Handlers;
-  #value = 0;
+  #value: number | undefined;
 
   constructor(picture: Picture, label: string, handlers: Handlers) {
     [this.#picture, this.#handlers] = [picture, handlers];
@@ -45,7 +45,7 @@ export class PictureSlider {
   /** The path of the line at the value, where it is within the axes. */
   line(): [name: string, path: string][] {
     const frame = this.#picture.frame();
-    if (frame === undefined) return [];
+    if (frame === undefined || this.#value === undefined) return [];
     const x = frame.left + ((this.#value - this.axis.from) / (this.axis.to - this.axis.from)) * (frame.right - frame.left);
     return x >= frame.left && x <= frame.right ? [["value", `M${x} ${frame.top}V${frame.bottom}`]] : [];
   }
@@ -74,7 +74,7 @@ export class PictureSlider {
       ArrowRight: step, ArrowUp: step, ArrowLeft: -step, ArrowDown: -step, PageUp: coarse, PageDown: -coarse, Home: -Infinity, End: Infinity,
     };
     const by = steps[event.key];
-    if (by === undefined) return;
+    if (by === undefined || this.#value === undefined) return;
     event.preventDefault();
     this.#handlers.moved(this.#within(this.#value + by));
   }

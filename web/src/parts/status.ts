@@ -24,13 +24,20 @@ export class Status {
       this.say(text.parts.computing);
       this.#stop.hidden = false;
     }, DELAY);
+    this.#busy(true);
     try {
       return await work;
     } finally {
       clearTimeout(shown);
+      this.#busy(false);
       this.#stop.hidden = true;
       this.say("");
     }
+  }
+
+  // Results that are still changing are read aloud when they are there.
+  #busy(is: boolean): void {
+    this.element.parentElement?.setAttribute("aria-busy", String(is));
   }
 
   say(words: string): void {

@@ -1,6 +1,7 @@
 // Tables that scroll by themselves where the page is narrow.
 
 import { element } from "./element.ts";
+import { scrolling } from "./scrolling.ts";
 
 export interface Column {
   readonly title: string;
@@ -16,5 +17,7 @@ export function table(caption: string, columns: readonly Column[], rows: readonl
     element("tr", {}, ...row.map((cell, place) => (place === 0 ? element("th", { scope: "row", ...kind(0) }, cell) : element("td", kind(place), cell)))),
   );
   const made = element("table", {}, element("caption", {}, caption), element("thead", {}, element("tr", {}, ...head)), element("tbody", {}, ...lines));
-  return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption }, made);
+  const place = element("div", { class: "scroll", role: "region", "aria-label": caption }, made);
+  scrolling(place);
+  return place;
 }

@@ -32,6 +32,9 @@ interface Exponent {
   readonly reason: string;
 }
 
+/** What is found, each with a picture. */
+type Part = "diagram" | "section" | "neighbours" | "verdict";
+
 export const chaos: Room = {
   name: "chaos",
   open(place, address, engine) {
@@ -48,8 +51,8 @@ class ChaosRoom {
   readonly #form: Form;
   readonly #latest = new Latest();
   readonly #status = new Status(() => this.#latest.stop());
-  readonly #pictures: Readonly<Record<"diagram" | "section" | "neighbours" | "verdict", Picture>>;
-  readonly #findings: Readonly<Record<"diagram" | "section" | "neighbours" | "verdict", Finding>>;
+  readonly #pictures: Readonly<Record<Part, Picture>>;
+  readonly #findings: Readonly<Record<Part, Finding>>;
   readonly #slider: PictureSlider;
   readonly #equivalents = new Equivalents();
   readonly #preset = element("select", { id: "chaos-preset" });
@@ -127,8 +130,11 @@ class ChaosRoom {
     this.#preset.value = this.#presetNow();
     const commands = [this.#section(), this.#neighbours(), this.#lyapunov()];
     this.#equivalents.show(this.#form.value("over") === "" ? commands : [this.#diagram(), ...commands]);
-    await this.#grow(signal);
-    if (!signal.aborted) await this.#judge(signal);
+    const isSystem = await this.#grow(signal);
+    if (signal.aborted) return;
+    // What is no system is said once.
+    if (!isSystem) return this.#nothing();
+    await this.#judge(signal);
     if (!signal.aborted) await this.#compare(signal);
     if (!signal.aborted) await this.#draw(signal);
   }
@@ -165,17 +171,20 @@ class ChaosRoom {
     return extended(this.#chosen("lyapunov", this.#starts().slice(0, 1)), { intervals: this.#form.value("intervals") });
   }
 
-  // Each stage is the section with fewer points: the same ones, so that it grows.
-  async #grow(signal: AbortSignal): Promise<void> {
+  // Each stage is the section with fewer points: the same ones, so that it grows. Whether the question was understood.
+  async #grow(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("points"));
     const earlier = Number.isInteger(last) && last > FIRST ? ladder(last, FIRST).slice(0, -1) : [];
     for (const asked of [...earlier.map(String), this.#form.value("points")]) {
       if (earlier.length > 0) this.#status.say(words.growing(Number(asked), last));
       const answer = await this.#pictures.section.draw(this.#section(asked), signal);
-      if (signal.aborted) return;
+      if (signal.aborted) return true;
       this.#findings.section.fail("");
-      if (answer.status !== 0) return this.#fail("section", answer, ["system", "set", "initial", "at", "points"]);
+      if (answer.status === 0) continue;
+      this.#fail("section", answer, ["system", "set", "initial", "at", "points"]);
+      return answer.output.length > 0 || answer.error.includes("--points");
     }
+    return true;
   }
 
   async #judge(signal: AbortSignal): Promise<void> {
@@ -216,9 +225,21 @@ class ChaosRoom {
     this.#drawn = command;
   }
 
-  #fail(part: "diagram" | "section" | "neighbours" | "verdict", answer: Answer, keys: readonly string[]): void {
+  #fail(part: Part, answer: Answer, keys: readonly string[]): void {
     this.#findings[part].fail(this.#form.blame(answer, keys) || reason(answer));
-    if (answer.output.length === 0) this.#pictures[part].clear();
+    if (answer.output.length === 0) this.#forget(part);
+  }
+
+  #nothing(): void {
+    for (const part of ["verdict", "neighbours", "diagram"] as const) {
+      this.#findings[part].show();
+      this.#forget(part);
+    }
+  }
+
+  #forget(part: Part): void {
+    this.#pictures[part].clear();
+    if (part === "diagram") this.#drawn = "";
   }
 
   async #saveCsv(name: string, command: Command): Promise<void> {

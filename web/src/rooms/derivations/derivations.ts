@@ -110,11 +110,12 @@ class DerivationsRoom {
   }
 
   async #derive(signal: AbortSignal): Promise<void> {
-    const answer = await ask(this.#engine, extended(this.#command(), { format: "html" }), { signal });
+    const notes: string[] = [];
+    const answer = await ask(this.#engine, extended(this.#command(), { format: "html" }), { signal, onNote: (line) => notes.push(line) });
     if (signal.aborted) return;
     this.#offerSaving(answer.status === 0, false);
     if (answer.status !== 0) return this.#found.fail(this.#form.blame(answer));
-    this.#found.show(this.#steps.element);
+    this.#found.show(...notes.map((note) => element("p", { class: "quiet" }, note)), this.#steps.element);
     this.#steps.show(decoded(answer));
   }
 

@@ -3,6 +3,7 @@
 import { type Address, parsed, written } from "../../address.ts";
 import { element } from "../../parts/element.ts";
 import { fromHtml } from "../../parts/markup.ts";
+import { scrolling } from "../../parts/scrolling.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.derivations;
@@ -19,10 +20,12 @@ export class Steps {
   /** Shows a derivation that the command has written as a page. */
   show(page: string): void {
     this.element.replaceChildren(...fromHtml(page).map(fitted));
-    for (const link of this.#links()) this.#aim(link);
+    scrolling(...this.element.querySelectorAll(".wide, .formula, p"));
+    for (const link of this.#links()) link.dataset["place"] = link.getAttribute("href")?.slice(1);
     const opened = this.#address.get("steps") ?? "1";
     this.#all().forEach((step, place) => (step.open = opened === "all" || place < Number(opened)));
     this.#arrive(this.#address.get("at"));
+    this.#aim();
   }
 
   /** Opens the first step that is not open; the result is whether there was one. */
@@ -32,7 +35,7 @@ export class Steps {
     const step = steps[place];
     if (step === undefined) return false;
     step.open = true;
-    this.#address.put({ steps: String(place + 1) });
+    this.#keep({ steps: String(place + 1) });
     step.scrollIntoView({ block: "start" });
     step.querySelector("summary")?.focus();
     return true;
@@ -40,7 +43,7 @@ export class Steps {
 
   setAll(open: boolean): void {
     for (const step of this.#all()) step.open = open;
-    this.#address.put({ steps: open ? "all" : "0", at: undefined });
+    this.#keep({ steps: open ? "all" : "0", at: undefined });
   }
 
   #all(): HTMLDetailsElement[] {
@@ -51,14 +54,18 @@ export class Steps {
     return [...this.element.querySelectorAll<HTMLAnchorElement>("a[href^='#']")];
   }
 
-  // The fragment of the page is its address: a place within the text is a value of it.
-  #aim(link: HTMLAnchorElement): void {
-    const place = link.getAttribute("href")?.slice(1) ?? "";
+  #keep(values: Readonly<Record<string, string | undefined>>): void {
+    this.#address.put(values);
+    this.#aim();
+  }
+
+  // The fragment of the page is its address: a place within the text is a value of it, beside what the reader has chosen.
+  #aim(): void {
     const { room, values } = parsed(location.hash);
-    values.set("at", place);
-    link.dataset["place"] = place;
-    link.href = written(room, values);
-    if (link.classList.contains("number")) link.setAttribute("aria-label", words.linkTo(link.textContent ?? ""));
+    for (const link of this.#links()) {
+      link.href = written(room, new Map([...values, ["at", link.dataset["place"] ?? ""]]));
+      if (link.classList.contains("number")) link.setAttribute("aria-label", words.linkTo(link.textContent ?? ""));
+    }
   }
 
   #follow(event: MouseEvent): void {
@@ -66,7 +73,7 @@ export class Steps {
     const place = link?.dataset["place"];
     if (place === undefined || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
-    this.#address.put({ at: place });
+    this.#keep({ at: place });
     this.#arrive(place);
   }
 
@@ -83,6 +90,8 @@ export class Steps {
 // Sections fold, and the titles of the text stand below that of the room.
 function fitted(node: Node): Node {
   if (!(node instanceof HTMLElement)) return node;
+  // A heading that is a formula is read aloud by its letters.
+  node.querySelectorAll("th:has(math)").forEach((heading) => heading.setAttribute("aria-label", heading.textContent ?? ""));
   if (node.localName === "h1") return element("h2", { class: "title", id: node.id === "" ? undefined : node.id }, ...node.childNodes);
   return node.localName === "section" ? folded(node) : node;
 }
@@ -91,6 +100,8 @@ function fitted(node: Node): Node {
 function folded(section: HTMLElement): HTMLElement {
   const step = element("details", { class: "step", id: section.id });
   const title = section.querySelector("h2");
+  // What folds the step cannot hold a link as well.
+  title?.querySelectorAll("a").forEach((link) => link.replaceWith(...link.childNodes));
   step.append(element("summary", {}, title ?? words.answers), ...section.childNodes);
   return step;
 }

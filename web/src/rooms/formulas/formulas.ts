@@ -73,11 +73,12 @@ class FormulasRoom {
   }
 
   begin(): void {
-    this.#latest.run(async (signal) => {
+    const offered = async (signal: AbortSignal) => {
       const { value } = await read<Catalogue>(this.#engine, { question: "formulas" }, signal);
       this.#selection.offer(value?.formulas ?? []);
-      this.#update();
-    });
+      await this.#answer(signal);
+    };
+    this.#latest.run((signal) => this.#status.during(offered(signal)));
   }
 
   leave(): void {

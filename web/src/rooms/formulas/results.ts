@@ -3,6 +3,7 @@
 import { element } from "../../parts/element.ts";
 import { fromLatex } from "../../parts/latex.ts";
 import { angle, digits } from "../../parts/numbers.ts";
+import { scrolling } from "../../parts/scrolling.ts";
 import { table } from "../../parts/table.ts";
 import { text } from "../../texts/en.ts";
 import type { Crossovers, Formula, Periods } from "./catalogue.ts";
@@ -53,11 +54,13 @@ export function crossovers({ crossovers }: Crossovers, formulas: ReadonlyMap<str
 /** The formula with its name, year and source. */
 export function card({ name, authors, year, source, latex, domain }: Formula): HTMLElement {
   const by = [authors, year === null ? "" : String(year)].filter((part) => part !== "").join(", ");
+  const formula = element("div", { class: "scroll" }, fromLatex(`\\frac{T}{T_0}=${latex}`));
+  scrolling(formula);
   return element(
     "article",
     { class: "formula-card" },
     element("h3", {}, by === "" ? name : `${name} (${by})`),
-    fromLatex(`\\frac{T}{T_0}=${latex}`),
+    formula,
     element("p", {}, words.domain(domain)),
     element("p", { class: "quiet" }, words.source(source)),
   );

@@ -89,7 +89,7 @@ class LaboratoryRoom {
 
   async #try(): Promise<void> {
     this.#address.put({ example: "yes" });
-    const { name, bytes } = await example(this.#engine);
+    const { name, bytes } = await this.#status.during(example(this.#engine));
     if (!this.#files.all.has(name)) this.#files.add(name, bytes);
   }
 
@@ -205,8 +205,7 @@ class LaboratoryRoom {
     const numbers = button(text.parts.saveData, () => void this.#save("csv", "fit.csv"));
     const answer = button(words.saveText, () => void this.#save(undefined, "fit.txt"));
     const page = button(words.saveReport, () => this.#report !== undefined && save(REPORT, this.#report, "text/html"));
-    const png = button(words.savePng, () => void this.#savePng());
-    return element("p", { class: "buttons screen-only", hidden: true }, page, numbers, answer, png, button(words.print, () => print()));
+    return element("p", { class: "buttons screen-only", hidden: true }, page, numbers, answer, button(words.print, () => print()));
   }
 
   async #save(form: "csv" | undefined, name: string): Promise<void> {
@@ -214,12 +213,5 @@ class LaboratoryRoom {
     const asked = form === undefined ? this.#command(this.#kind) : extended(this.#command(this.#kind), { [form]: true });
     const answer = await ask(this.#engine, asked, { files: this.#files.all });
     save(name, answer.output, form === "csv" ? "text/csv" : "text/plain");
-  }
-
-  async #savePng(): Promise<void> {
-    if (this.#kind === undefined) return;
-    const answer = await ask(this.#engine, extended(this.#command(this.#kind), { figure: "fit.png" }), { files: this.#files.all });
-    const bytes = answer.files.get("fit.png");
-    if (bytes !== undefined) save("fit.png", bytes, "image/png");
   }
 }

@@ -1,31 +1,34 @@
 // The report of a fit within the page: the command's own, with its pictures, each of which can be saved.
 
 import { button, element } from "../../parts/element.ts";
-import { fromHtml } from "../../parts/markup.ts";
+import { fromHtml, styleOf } from "../../parts/markup.ts";
+import { png } from "../../parts/png.ts";
 import { save } from "../../parts/save.ts";
+import { scrolling } from "../../parts/scrolling.ts";
 import { text } from "../../texts/en.ts";
 
 const sheet = new CSSStyleSheet();
 
 /** The report, whose titles stand below those of the room. */
 export function report(page: string): HTMLElement {
-  const read = new DOMParser().parseFromString(page, "text/html");
-  const sources = [...read.querySelectorAll("svg")];
+  const pictures = page.match(/<svg[^]*?<\/svg>/g) ?? [];
   // The pictures bring their colours for dark pages, which hold within the report.
-  sheet.replaceSync(`.report { ${sources[0]?.querySelector("style")?.textContent ?? ""} }`);
+  sheet.replaceSync(`.report { ${styleOf(pictures[0] ?? "")} }`);
   if (!document.adoptedStyleSheets.includes(sheet)) document.adoptedStyleSheets.push(sheet);
-  const shown = element("div", { class: "report" }, ...fromHtml(read.body.innerHTML));
+  const shown = element("div", { class: "report" }, ...fromHtml(page));
   for (const [from, to] of [["h3", "h4"], ["h2", "h3"], ["h1", "h2"]] as const) {
     shown.querySelectorAll(from).forEach((title) => title.replaceWith(element(to, {}, ...title.childNodes)));
   }
-  shown.querySelectorAll(".wide").forEach((wide) => wide.setAttribute("tabindex", "0"));
-  shown.querySelectorAll("figure").forEach((figure, place) => figure.append(saving(sources[place], place)));
+  scrolling(...shown.querySelectorAll(".wide"));
+  shown.querySelectorAll("figure").forEach((figure, place) => figure.append(saving(pictures[place] ?? "", place)));
   return shown;
 }
 
-function saving(picture: SVGSVGElement | undefined, place: number): HTMLElement {
-  const pressed = () => {
-    if (picture !== undefined) save(`fit-${place + 1}.svg`, new XMLSerializer().serializeToString(picture), "image/svg+xml");
-  };
-  return element("p", { class: "buttons screen-only" }, button(text.laboratory.saveSvg, pressed));
+function saving(picture: string, place: number): HTMLElement {
+  // By itself a picture says what it is written in.
+  const whole = picture.replace(/^<svg(?! xmlns)/, '<svg xmlns="http://www.w3.org/2000/svg"');
+  const name = `fit-${place + 1}`;
+  const svg = button(text.parts.savePicture("SVG"), () => save(`${name}.svg`, whole, "image/svg+xml"));
+  const painted = button(text.parts.savePicture("PNG"), async () => save(`${name}.png`, await png(whole), "image/png"));
+  return element("p", { class: "buttons screen-only" }, svg, painted);
 }

@@ -73,11 +73,12 @@ class PerturbationRoom {
   }
 
   begin(): void {
-    this.#latest.run(async (signal) => {
+    const offered = async (signal: AbortSignal) => {
       const { value } = await read<Oscillators>(this.#engine, { question: "oscillators" }, signal);
       this.#offer(value?.oscillators ?? []);
-      this.#update();
-    });
+      await this.#answer(signal);
+    };
+    this.#latest.run((signal) => this.#status.during(offered(signal)));
   }
 
   leave(): void {

@@ -28,8 +28,6 @@ export const laboratory = {
   saveReport: "Save the report",
   saveText: "Save as text",
   print: "Print",
-  savePng: "Save the fit as PNG",
-  saveSvg: "Save this picture as SVG",
   answer: "The answer in words",
   sensor: {
     title: "Your phone as the instrument",

@@ -1,0 +1,84 @@
+// Room 4 beside the command: the text of each road, its steps, links to formulas, exercises, and both documents.
+
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { answer, close, command, enter, errors, saved, settled, visit } from "./harness.mjs";
+
+after(close);
+
+/** What stands in the body of a page, without spaces. */
+const inBody = (room, page) =>
+  room.evaluate((source) => {
+    const { body } = new DOMParser().parseFromString(source.replaceAll(/<style>[^]*?<\/style>/g, ""), "text/html");
+    return body.textContent.replaceAll(/\s/g, "");
+  }, page);
+const shown = (room) => room.locator(".derivation").evaluate((it) => it.textContent.replaceAll(/\s/g, ""));
+
+for (const [fragment, words] of [
+  ["road=elliptic&amplitude=40deg&length=57cm", ["--road", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
+  ["road=elliptic&exercises=yes", ["--road", "elliptic", "--exercises"]],
+  ["road=formulas", ["--road", "formulas"]],
+  ["road=perturbation&oscillator=duffing&order=3", ["--road", "perturbation", "duffing", "--order", "3"]],
+  ["road=averaging&set=n%3D2&order=3", ["--road", "averaging", "--set", "n=2", "--order", "3"]],
+  ["road=limit-cycle", ["--road", "limit-cycle"]],
+]) {
+  test(`the derivation of ${fragment} is the command's, word by word`, () =>
+    visit(`derivations?${fragment}`, async (room) => {
+      const { output } = command("derive", ...words, "--format", "html");
+      assert.equal(await shown(room), await inBody(room, output));
+    }));
+}
+
+test("steps open one after the other by the keyboard, and a link leads to a formula", () =>
+  visit("derivations", async (room) => {
+    const open = room.locator("details.step[open]");
+    assert.equal(await open.count(), 1);
+    const next = room.getByRole("button", { name: "Next step" });
+    for (const steps of [2, 3]) {
+      await next.focus();
+      await room.keyboard.press("Enter");
+      assert.equal(await open.count(), steps);
+    }
+    const number = room.locator("details.step[open] a.number").last();
+    const link = await number.getAttribute("href");
+    await number.click();
+    const place = await room.locator(".arrived").getAttribute("id");
+    assert.equal(new URL(room.url()).hash, link);
+    await visit(new URL(room.url()).hash.slice(1), async (again) => {
+      assert.equal(await again.locator(".arrived").getAttribute("id"), place);
+      assert.equal(await again.locator("details.step[open]").count(), 3);
+    });
+  }));
+
+test("a derivation is saved in every form as the command writes it", () =>
+  visit("derivations?road=limit-cycle", async (room) => {
+    for (const [button, format] of [["a page", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["a Jupyter notebook", "ipynb"]]) {
+      const { bytes } = await saved(room, button);
+      assert.equal(bytes.toString(), command("derive", "--road", "limit-cycle", "--format", format).output);
+    }
+  }));
+
+test("both documents are judged statement by statement", () =>
+  visit("derivations?road=paper", async (room) => {
+    const { equations } = answer("paper");
+    const cards = () => room.locator(".statement h3").allTextContents();
+    assert.deepEqual(await cards(), equations.map(({ label, claim }) => `${label}: ${claim}`));
+    await room.getByLabel("Verdict").selectOption("wrong");
+    await room.getByLabel("Document").selectOption("cote");
+    await settled(room);
+    const wrong = answer("paper", "--only", "wrong", "--document", "cote").equations;
+    assert.deepEqual(await cards(), wrong.map(({ label, claim }) => `${label}: ${claim}`));
+    assert.deepEqual(await room.locator(".statement .verdict").allTextContents(), wrong.map(({ verdict }) => verdict));
+    await enter(room, "Equation", "no such label");
+    assert.match((await errors(room)).join(), /no statement matches/);
+  }));
+
+test("wrong entries are answered beside their fields", () =>
+  visit("derivations", async (room) => {
+    await enter(room, "Your amplitude", "400");
+    assert.match((await errors(room)).join(), /is not below pi/);
+    await enter(room, "Your amplitude", "");
+    await room.getByLabel("What to follow").selectOption("perturbation");
+    await enter(room, "Order", "1000");
+    assert.equal(await room.getByLabel("Order", { exact: true }).getAttribute("aria-invalid"), "true");
+  }));

@@ -1,0 +1,95 @@
+// Opens the built page in a browser without any network, and asks the command the same questions.
+// PAGE, LIBRATION and CHROMIUM name others than web/dist/libration.html, the newest of target/{release,debug}/libration and /usr/bin/chromium.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { existsSync, statSync } from "node:fs";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const clone = fileURLToPath(new URL("../../", import.meta.url));
+const page = process.env.PAGE ?? `${clone}web/dist/libration.html`;
+const built = ["release", "debug"].map((profile) => `${clone}target/${profile}/libration`).filter(existsSync);
+const libration = process.env.LIBRATION ?? built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
+
+export const EXAMPLES = `${clone}examples/`;
+export const PHONE = { width: 320, height: 640 };
+export const DESK = { width: 1280, height: 800 };
+export const PROJECTOR = { width: 1920, height: 1080 };
+
+let browser;
+
+/** A room as a reader sees it; nothing may leave the machine, and nothing may break meanwhile. */
+export async function visit(fragment, use, { viewport = DESK, ...options } = {}) {
+  browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+  const context = await browser.newContext({ viewport, ...options });
+  const complaints = [];
+  await context.route(/^(?!file:|blob:|data:)/, (route) => {
+    complaints.push(`asked for ${route.request().url()}`);
+    return route.abort();
+  });
+  try {
+    const room = await context.newPage();
+    room.on("pageerror", (error) => complaints.push(`threw ${error.message}`));
+    room.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+    await room.goto(`${pathToFileURL(page)}#${fragment}`);
+    await settled(room);
+    await use(room);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await context.close();
+  }
+}
+
+export async function close() {
+  await browser?.close();
+  browser = undefined;
+}
+
+/** Waits until what was entered is asked for, and answered. */
+export async function settled(room) {
+  await room.waitForTimeout(450);
+  await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 60_000 });
+}
+
+/** Enters a value as a reader would, and waits for what it changes. */
+export async function enter(room, label, value) {
+  await room.getByLabel(label, { exact: true }).fill(value);
+  await settled(room);
+}
+
+/** What the command says to these words, among the files of `examples`. */
+export function command(...words) {
+  const { status, stdout, stderr } = spawnSync(libration, words, { cwd: EXAMPLES, encoding: "utf8", maxBuffer: 1 << 28 });
+  return { status, output: stdout, error: stderr };
+}
+
+export function answer(...words) {
+  const { status, output, error } = command(...words, "--json");
+  assert.equal(status, 0, error);
+  return JSON.parse(output);
+}
+
+/** A number as the page writes it. */
+export function read(text) {
+  return Number(text.replaceAll("−", "-").replace("°", ""));
+}
+
+/** The cells of the table with this caption, row by row. */
+export async function rows(room, caption) {
+  const table = room.locator("table", { has: room.locator("caption", { hasText: caption }) }).first();
+  return table.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+}
+
+/** What the page says is wrong. */
+export async function errors(room) {
+  return room.locator(".error:visible").allTextContents();
+}
+
+/** A file that the reader saves by this button. */
+export async function saved(room, button) {
+  const [download] = await Promise.all([room.waitForEvent("download"), room.getByRole("button", { name: button }).first().click()]);
+  const parts = [];
+  for await (const part of await download.createReadStream()) parts.push(part);
+  return { name: download.suggestedFilename(), bytes: Buffer.concat(parts) };
+}

@@ -1,0 +1,129 @@
+// Room 5 beside the command: files of every kind, choices, saved answers, and files that are damaged.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { close, command, EXAMPLES, enter, errors, saved, settled, visit } from "./harness.mjs";
+
+after(close);
+/** The fit in words, below the report. */
+const inWords = (room) => room.locator(".results section details pre").evaluate((it) => it.textContent);
+/** What the command says, and of the report that it writes. */
+const reported = (words) => `${command(...words).output}report.html written: report with pictures\n`;
+
+async function give(room, ...files) {
+  await room.setInputFiles("#laboratory-files", files.map((file) => (typeof file === "string" ? EXAMPLES + file : file)));
+  await settled(room);
+}
+
+test("swings are fitted as the command fits them, and choices change the fit", () =>
+  visit("laboratory?length=0.56m±0.002m", async (room) => {
+    await give(room, "swing_synthetic.csv");
+    const fitted = ["fit", "trace", "swing_synthetic.csv", "--length", "0.56m±0.002m"];
+    assert.equal(await inWords(room), reported(fitted));
+    assert.ok(await room.locator(".report").evaluate((it) => it.querySelectorAll("svg").length >= 4));
+    await enter(room, "Damping", "quadratic");
+    assert.equal(await inWords(room), reported([...fitted, "--model", "quadratic"]));
+    await enter(room, "Damping", "honey");
+    assert.match((await errors(room)).join(), /honey/);
+  }));
+
+for (const [file, question, fragment, words] of [
+  ["gate_synthetic.csv", "gates", "?amplitude=0.9", ["--amplitude", "0.9"]],
+  ["period_table_synthetic.csv", "periods", "", []],
+  ["lengths_synthetic.csv", "lengths", "", []],
+]) {
+  test(`${file} is known for what it is, and fitted`, () =>
+    visit(`laboratory${fragment}`, async (room) => {
+      await give(room, file);
+      assert.deepEqual(await errors(room), []);
+      assert.equal(await room.locator(".results pre:visible").first().textContent(), command("fit", question, file, ...words).output);
+      const { bytes } = await saved(room, "Save the numbers as CSV");
+      assert.equal(bytes.toString(), command("fit", question, file, ...words, "--csv").output);
+      assert.ok(await room.locator("figure").first().isVisible());
+    }));
+}
+
+test("what a file leaves open is decided by a press", () =>
+  visit("laboratory", async (room) => {
+    await give(room, "phone/swing.txt");
+    assert.match((await errors(room)).join(), /it is not clear what column 2 holds/);
+    await room.getByRole("button", { name: "--unit rad/s" }).click();
+    await settled(room);
+    assert.equal(new URL(room.url()).hash, "#laboratory?unit=rad/s");
+    assert.equal((await inWords(room)).replaceAll("swing.txt", ""), reported(["fit", "trace", "phone/swing.txt", "--unit", "rad/s"]).replaceAll("phone/swing.txt", ""));
+  }));
+
+test("several files are one pendulum, and each can be taken away", () =>
+  visit("laboratory?unit=deg", async (room) => {
+    const swing = readFileSync(`${EXAMPLES}swing_synthetic.csv`, "utf8");
+    const [heading, ...rows] = swing.trim().split("\n").slice(2);
+    const part = (name, from, to) => ({ name, mimeType: "text/csv", buffer: Buffer.from([heading, ...rows.slice(from, to)].join("\n")) });
+    await give(room, part("a.csv", 0, 600), part("b.csv", 600));
+    assert.match(await room.locator(".report").textContent(), /1197 rows in 2 traces/);
+    await room.getByRole("button", { name: "Remove b.csv" }).click();
+    await settled(room);
+    assert.match(await room.locator(".report").textContent(), /600 rows in 1 trace/);
+  }));
+
+test("the report is saved as it is shown", () =>
+  visit("laboratory?example=yes", async (room) => {
+    await settled(room);
+    const { name, bytes } = await saved(room, "Save the report");
+    assert.equal(name, "report.html");
+    assert.match(bytes.toString(), /^<!DOCTYPE html>/i);
+    const picture = await saved(room, "Save the picture as SVG");
+    assert.match(picture.bytes.toString(), /^<svg xmlns="http:\/\/www.w3.org\/2000\/svg"/);
+    const png = await saved(room, "Save the picture as PNG");
+    assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
+  }));
+
+test("damaged files end in a message", () =>
+  visit("laboratory", async (room) => {
+    const swing = readFileSync(`${EXAMPLES}swing_synthetic.csv`, "utf8");
+    const noise = Buffer.from(Array.from({ length: 5000 }, (_, place) => (place * 7919 + (place >> 3)) % 256));
+    const damaged = {
+      "empty.csv": "",
+      "noise.csv": noise,
+      "noise.xlsx": Buffer.concat([Buffer.from("PK\u0003\u0004"), noise]),
+      "words.txt": "one two three\nfour five six\n",
+      "infinite.csv": swing.replaceAll(/,\S+/g, ",inf"),
+      "one row.csv": swing.split("\n").slice(0, 4).join("\n"),
+      "zeros.csv": Buffer.alloc(4096),
+      "-.csv": "t (s),theta (deg)\n0,1\n",
+      "still.csv": `t (s),theta (deg)\n${Array.from({ length: 300 }, (_, row) => `${row / 50},0`).join("\n")}\n`,
+    };
+    for (const [name, content] of Object.entries(damaged)) {
+      await give(room, { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+      const complaints = await errors(room);
+      assert.ok(complaints.length > 0 && complaints.every((it) => it.length > 10 && !/broke down/.test(it)), `${name}: ${complaints}`);
+      await room.getByRole("button", { name: /^Remove/ }).click();
+      await settled(room);
+    }
+  }));
+
+test("the page says that files stay, and why a desk has no motion sensor", () =>
+  visit("laboratory", async (room) => {
+    assert.match(await room.locator(".stay").textContent(), /never leave this machine/);
+    await room.getByText("Your phone as the instrument").click();
+    await room.getByRole("button", { name: "Record" }).click();
+    await room.getByText(/No reading has come/).waitFor();
+  }));
+
+test("a phone's readings become a file that is fitted", () =>
+  visit("laboratory", async (room) => {
+    await room.getByText("Your phone as the instrument").click();
+    await room.getByRole("button", { name: "Record" }).click();
+    await room.getByRole("button", { name: "Stop recording" }).waitFor();
+    await room.evaluate(() => {
+      for (let at = 0; at < 1500; at += 1) {
+        const event = new DeviceMotionEvent("devicemotion", { rotationRate: { alpha: 0.1, beta: 0.2, gamma: 60 * Math.sin(at * 0.04) } });
+        Object.defineProperty(event, "timeStamp", { value: 1000 + at * 10 });
+        dispatchEvent(event);
+      }
+    });
+    await room.getByRole("button", { name: "Stop recording" }).click();
+    await settled(room);
+    assert.match(await room.locator(".report").textContent(), /1500 rows/);
+    assert.match(await room.locator(".controls").textContent(), /about the long axis/);
+  }));

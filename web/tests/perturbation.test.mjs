@@ -1,0 +1,69 @@
+// Room 3 beside the command: series, terms and backbones of oscillators built-in and typed, and entries that are none.
+
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { answer, close, command, enter, errors, read, rows, saved, settled, visit } from "./harness.mjs";
+
+after(close);
+
+/** The letters and digits of formulas, as they are read one after the other. */
+const plain = (markup) => markup.replace(/<[^>]*>/g, "").replace(/&#x2062;/g, "\u2062").replaceAll("\n", "");
+const shown = (room) => room.locator(".series math").evaluateAll((all) => all.map((math) => math.textContent).join(""));
+
+for (const [name, fragment, words] of [
+  ["the pendulum", "perturbation", ["pendulum", "--order", "7"]],
+  ["a gauge", "perturbation?gauge=A1%3D1,A3%3D-1&order=9", ["pendulum", "--order", "9", "--gauge", "A1=1,A3=-1"]],
+  ["letters", "perturbation?oscillator=x''%2Bw^2*x%2Ba*x^2%3D0&order=4", ["x''+w^2*x+a*x^2=0", "--order", "4"]],
+  ["an order in stages", "perturbation?oscillator=duffing&order=41", ["duffing", "--order", "41"]],
+]) {
+  test(`the series of ${name} is the command's`, () =>
+    visit(fragment, async (room) => assert.equal(await shown(room), plain(command("expand", ...words, "--format", "mathml").output))));
+}
+
+test("terms and backbone have the command's numbers", () =>
+  visit("perturbation?evaluate=90deg&amplitudes=30deg,120deg", async (room) => {
+    const { steps } = answer("expand", "pendulum", "--evaluate", "90deg");
+    const terms = await rows(room, "Term by term");
+    assert.deepEqual(terms.map(([power, , term, sum]) => [read(power), read(term), read(sum)]), steps.map(({ power, term, sum }) => [power, Number(term.toPrecision(5)), Number(sum.toPrecision(15))]));
+    const { points } = answer("backbone", "pendulum", "--amplitudes", "30deg,120deg", "--order", "7");
+    const backbone = await rows(room, "Backbone");
+    assert.deepEqual(backbone.map(([, orbit, , exact, series]) => [orbit, exact, series].map(read)), points.map((it) => [it.frequency, it.exact, it.series].map((value) => Number(value.toPrecision(13)))));
+  }));
+
+test("a slow flow is shown in the command's words", () =>
+  visit("perturbation?oscillator=damped_pendulum&set=n%3D2&order=3", async (room) => {
+    assert.equal(await room.locator(".series pre").textContent(), command("expand", "damped_pendulum", "--set", "n=2", "--order", "3").output);
+  }));
+
+test("another oscillator is chosen by the keyboard alone, and a link shows it again", () =>
+  visit("perturbation", async (room) => {
+    await room.getByLabel("Built-in oscillators").focus();
+    await room.keyboard.press("ArrowDown");
+    await settled(room);
+    assert.equal(await shown(room), plain(command("expand", "duffing", "--order", "7", "--format", "mathml").output));
+    assert.deepEqual(await errors(room), []);
+    await visit(new URL(room.url()).hash.slice(1), async (again) => assert.equal(await shown(again), await shown(room)));
+  }));
+
+test("functions of a language are saved as the command writes them", () =>
+  visit("perturbation?oscillator=duffing", async (room) => {
+    await room.getByLabel("As functions in").selectOption("c");
+    const { name, bytes } = await saved(room, /^Save$/);
+    assert.equal(name, "series.c");
+    assert.equal(bytes.toString(), command("expand", "duffing", "--order", "7", "--format", "c").output);
+  }));
+
+test("entries that are no oscillators are answered in the command's words", () =>
+  visit("perturbation", async (room) => {
+    for (const entry of ["x'' + q", "x'' = 1/0", `${"(".repeat(20000)}x`, "x'' + x = 0; y", "<b>x</b>", "x''' = 0", "'\"`$(ls)"]) {
+      await enter(room, "Oscillator or equation", entry);
+      const [said = ""] = await errors(room);
+      const { status, error } = command("expand", entry, "--order", "7");
+      assert.notEqual(status, 0);
+      const reason = error.trim().replace(/^error: (?:OSCILLATOR\|EQUATION: |invalid value '[^]*?' for '[^']*': )?/, "").replace(/\n+For more information[^]*$/, "");
+      assert.equal(said, reason);
+    }
+    await enter(room, "Order", "0");
+    await enter(room, "Oscillator or equation", "pendulum");
+    assert.match((await errors(room)).join(), /give a whole number from 1 to 1000/);
+  }));
