@@ -61,7 +61,7 @@ test("a derivation is saved in every form as the command writes it", () =>
 test("both documents are judged statement by statement", () =>
   visit("derivations?road=paper", async (room) => {
     const { equations } = answer("paper");
-    const cards = () => room.locator(".statement h3").allTextContents();
+    const cards = () => room.locator(".statement h2").allTextContents();
     assert.deepEqual(await cards(), equations.map(({ label, claim }) => `${label}: ${claim}`));
     await room.getByLabel("Verdict").selectOption("wrong");
     await room.getByLabel("Document").selectOption("cote");

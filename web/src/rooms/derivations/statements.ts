@@ -45,7 +45,7 @@ function card(statement: Statement): HTMLElement {
   return element(
     "article",
     { class: `statement ${kind(verdict)}` },
-    element("h3", {}, `${label}: ${claim}`),
+    element("h2", {}, `${label}: ${claim}`),
     element("p", { class: "quiet" }, name(document)),
     element(
       "dl",

@@ -90,8 +90,6 @@ export class Steps {
 // Sections fold, and the titles of the text stand below that of the room.
 function fitted(node: Node): Node {
   if (!(node instanceof HTMLElement)) return node;
-  // A heading that is a formula is read aloud by its letters.
-  node.querySelectorAll("th:has(math)").forEach((heading) => heading.setAttribute("aria-label", heading.textContent ?? ""));
   if (node.localName === "h1") return element("h2", { class: "title", id: node.id === "" ? undefined : node.id }, ...node.childNodes);
   return node.localName === "section" ? folded(node) : node;
 }

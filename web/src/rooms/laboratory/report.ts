@@ -19,6 +19,7 @@ export function report(page: string): HTMLElement {
   for (const [from, to] of [["h3", "h4"], ["h2", "h3"], ["h1", "h2"]] as const) {
     shown.querySelectorAll(from).forEach((title) => title.replaceWith(element(to, {}, ...title.childNodes)));
   }
+  shown.querySelectorAll("th:empty").forEach((nothing) => nothing.replaceWith(element("td")));
   scrolling(...shown.querySelectorAll(".wide"));
   shown.querySelectorAll("figure").forEach((figure, place) => figure.append(saving(pictures[place] ?? "", place)));
   return shown;
