@@ -44,8 +44,9 @@ fn hessenberg(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
         if a[m][m - 1] == 0.0 {
             continue;
         }
-        let pivot_row = a[m].clone();
         for i in m + 1..n {
+            // As the step before has left it: its own diagonal entry changes.
+            let pivot_row = a[m].clone();
             let factor = a[i][m - 1] / pivot_row[m - 1];
             for (entry, of_pivot) in a[i].iter_mut().zip(&pivot_row).skip(m - 1) {
                 *entry -= factor * of_pivot;
@@ -166,6 +167,19 @@ mod tests {
         let companion: Vec<Vec<f64>> = (0..5).map(|i| (0..5).map(|j| entry(i, j)).collect()).collect();
         let roots = [(1.0, 0.0), (2.0, 0.0), (-3.0, 0.0), (0.0, 2.0), (0.0, -2.0)];
         close(&eigenvalues(&companion).unwrap(), &roots, 1e-13);
+    }
+
+    #[test]
+    fn eigenvalues_of_a_full_matrix_are_those_of_its_diagonal_form() {
+        // S·diag(16, 32, 48, −64)·S⁻¹ with S = ((1, 2, 0, 1), (0, 1, 3, 1), (1, 2, 1, 0), (2, 0, 1, 1)), whose determinant is 16.
+        let full = [
+            [-31.0, -20.0, 73.0, -13.0],
+            [-81.0, 20.0, 87.0, -3.0],
+            [-2.0, 8.0, 30.0, -6.0],
+            [-65.0, -12.0, 71.0, 13.0],
+        ];
+        let expected = [(16.0, 0.0), (32.0, 0.0), (48.0, 0.0), (-64.0, 0.0)];
+        close(&eigenvalues(&full.map(Vec::from)).unwrap(), &expected, 1e-12);
     }
 
     #[test]
