@@ -61,6 +61,19 @@ def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, (answer["parameter"], f"largest |{answer['coordinate']}|"))
+    for place, branch in enumerate(answer.branches):
+        colour = _plot.COLOURS[place % len(_plot.COLOURS)]
+        value, amplitude, stable = (np.array([point[name] for point in branch["points"]]) for name in ("parameter", "amplitude_max", "stable"))
+        ax.plot(value, amplitude, linestyle="--", linewidth=0.8, color=colour)
+        ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=branch["kind"].replace("_", " "))
+        for special in branch["special"]:
+            ax.plot([special["parameter"]], [special["amplitude_max"]], linestyle="", marker="o", markersize=4, color=colour)
+    _plot.legend(ax)
+    return ax
+
+
 def _section(answer: "Answer", ax: "Axes | None") -> "Axes":
     names, points = answer["state"], answer.points
     ax = _plot.axes(ax, (names[0], names[len(names) // 2]))
@@ -130,6 +143,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "simulate": _simulate,
     "modes": _modes,
     "orbit": _orbit,
+    "response": _response,
     "section": _section,
     "bifurcation": _bifurcation,
     "lyapunov": _lyapunov,

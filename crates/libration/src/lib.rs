@@ -105,6 +105,7 @@ pub mod comparison;
 pub mod taylor;
 
 pub mod chaos;
+pub mod continuation;
 pub mod systems;
 
 pub mod orbit;

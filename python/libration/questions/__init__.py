@@ -27,6 +27,7 @@ from ._oscillators import oscillators
 from ._paper import paper
 from ._period import period
 from ._plan import plan
+from ._response import response
 from ._section import section
 from ._simulate import simulate
 from ._sweep import sweep
@@ -62,6 +63,7 @@ __all__ = [
     "paper",
     "period",
     "plan",
+    "response",
     "section",
     "simulate",
     "sweep",

@@ -2,8 +2,8 @@
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
-    fourier, inspect, lyapunov, modes, motion, orbit, oscillators, paper, period, plan, section, simulate,
-    sweep, systems,
+    fourier, inspect, lyapunov, modes, motion, orbit, oscillators, paper, period, plan, response, section,
+    simulate, sweep, systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -51,6 +51,7 @@ fn catalogue() -> Vec<Answers> {
         systems::answers(),
         modes::answers(),
         orbit::answers(),
+        response::answers(),
         section::answers(),
         bifurcation::answers(),
         lyapunov::answers(),

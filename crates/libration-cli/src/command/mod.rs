@@ -24,6 +24,7 @@ mod page;
 mod paper;
 mod period;
 mod plan;
+pub(crate) mod response;
 mod section;
 mod simulate;
 mod sweep;
@@ -113,6 +114,7 @@ enum Question {
     Systems(systems::Systems),
     Modes(modes::Modes),
     Orbit(orbit::OrbitQuestion),
+    Response(Box<response::ResponseQuestion>),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
@@ -164,6 +166,7 @@ impl Libration {
             Question::Systems(question) => question.answer(out),
             Question::Modes(question) => question.answer(out),
             Question::Orbit(question) => question.answer(out),
+            Question::Response(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),

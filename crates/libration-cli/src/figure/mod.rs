@@ -13,6 +13,7 @@ pub(crate) mod motions;
 pub(crate) mod orbit;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod response;
 pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod simulation;

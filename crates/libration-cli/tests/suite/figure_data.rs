@@ -465,6 +465,17 @@ fn an_orbit_in_time_and_in_its_plane() {
 }
 
 #[test]
+fn a_response_of_a_linear_oscillator() {
+    // x″ + x′/2 + x = cos ωt answers with 1/√((1 − ω²)² + ω²/4).
+    let drawing = drawn("response|x'' = -x - x'/2 + cos(w*t)|--over|w=0.5:2", "--figure");
+    let curve = drawing.curves(0, FIRST).concat();
+    assert!(curve.len() > 10, "{} points", curve.len());
+    for (w, amplitude) in curve {
+        close(amplitude, 1.0 / (1.0 - w * w).hypot(0.5 * w), 0.02);
+    }
+}
+
+#[test]
 fn points_of_a_bifurcation_diagram() {
     // x″ + x′ + x = A cos t ends in x = A sin t, whose velocity is A whenever the drive begins anew.
     let question =

@@ -32,6 +32,7 @@ mod motion;
 mod paper;
 mod period;
 mod plan;
+mod response;
 mod resume;
 mod screen;
 mod simulate;

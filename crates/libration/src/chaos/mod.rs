@@ -39,7 +39,7 @@ mod lyapunov;
 pub use bifurcation::{
     Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram, bifurcation_diagram_watched,
 };
-pub use drive::drive_period;
+pub use drive::{drive_frequency, drive_period};
 pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
     lyapunov_exponent_watched,

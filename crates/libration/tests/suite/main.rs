@@ -3,6 +3,7 @@
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
 mod condition;
+mod continuation;
 mod golden;
 mod hidden_forces;
 mod period_majorants;

@@ -8,6 +8,7 @@ use libration::comparison::{
     Backbone, ExactMotion, LeadingLimitCycles, NoExactValue, NoLeadingLimitCycles, SeriesComparison,
     SeriesQuantity,
 };
+use libration::continuation::{NoBranch, Response, ResponseOptions};
 use libration::expression::Equation;
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
@@ -86,6 +87,23 @@ fn searches_of_orbits_stop_at_any_question() {
     let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
     let period = std::f64::consts::TAU;
     stops(|watch| in_numbers(Orbit::driven_watched(&driven, period, &[1.0, 0.2], watch)), no_orbit);
+}
+
+#[test]
+fn branches_stop_with_the_points_that_are_followed() {
+    let duffing = equation("x'' = -0.2*x' - x - x^3 + 0.3*cos(w*t)");
+    let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+    stops(
+        |watch| Response::over_watched(&duffing, "w", [0.9, 1.0], &options, watch),
+        |found, whole| match (found, whole) {
+            (Err(error), _) => *error == NoBranch::Interrupted(Interrupted),
+            (Ok(found), Ok(whole)) => {
+                let (part, all) = (&found.branches[0].points, &whole.branches[0].points);
+                found.interrupted && part[..] == all[..part.len()]
+            }
+            _ => false,
+        },
+    );
 }
 
 #[test]

@@ -1,0 +1,276 @@
+//! What is said of a response, its branches, their points and special points.
+
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{at_most, short};
+use libration::algebra::Complex;
+use libration::continuation::{Branch, BranchPoint, Ending, Jump, Origin, SpecialKind, SpecialPoint};
+use serde_json::Value;
+
+/// A branch of an answer, with its number from 1.
+pub(super) struct Numbered<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) number: usize,
+    pub(super) branch: &'a Branch,
+}
+
+/// A point of a branch, or a special one.
+pub(super) struct Place<'a> {
+    pub(super) of: &'a Numbered<'a>,
+    pub(super) point: &'a BranchPoint,
+    pub(super) special: Option<&'a SpecialPoint>,
+}
+
+impl Answer {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+        let numbered = (1..).zip(self.branches());
+        numbered.map(move |(number, branch)| Numbered { answer: self, number, branch })
+    }
+
+    /// A value of the parameter as a sentence has it.
+    pub(super) fn value_text(&self, value: f64) -> String {
+        format!("{} = {}", self.parameter, short(value, 6))
+    }
+
+    /// An amplitude as a sentence has it.
+    pub(super) fn amplitude_text(&self, amplitude: f64) -> String {
+        match self.is_angle() {
+            true => format!("{}°", short(amplitude.to_degrees(), 5)),
+            false => short(amplitude, 5),
+        }
+    }
+}
+
+impl<'a> Numbered<'a> {
+    pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
+        self.branch.points.iter().map(move |point| Place { of: self, point, special: None })
+    }
+
+    pub(super) fn special(&'a self) -> impl Iterator<Item = Place<'a>> {
+        let special = self.branch.special.iter();
+        special.map(move |special| Place { of: self, point: &special.point, special: Some(special) })
+    }
+
+    /// Points and special points in their order.
+    pub(super) fn places(&'a self) -> Vec<Place<'a>> {
+        let mut places: Vec<(usize, Place<'a>)> =
+            self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
+        places.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
+        places.sort_by_key(|(order, _)| *order);
+        places.into_iter().map(|(_, place)| place).collect()
+    }
+}
+
+impl Place<'_> {
+    fn amplitude(&self) -> f64 {
+        self.point.amplitude(self.of.answer.coordinate, self.of.answer.is_angle())
+    }
+
+    fn range(&self) -> [f64; 2] {
+        self.point.ranges[self.of.answer.coordinate]
+    }
+}
+
+pub(super) fn of_answer() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were understood", |it| {
+            it.model.equation().to_string().into()
+        })
+        .line_of("equation", |it| it.model.equation().to_string()),
+        Of::value("parameter", "", "name of the parameter", |it| it.parameter.as_str().into()),
+        Of::value("range[]", "", "its values at both ends", |it| json::numbers(&it.range))
+            .line_of("over", |it| {
+                format!("{} from {} to {}", it.parameter, short(it.range[0], 10), short(it.range[1], 10))
+            }),
+        Of::value("coordinate", "", "coordinate whose amplitude is meant", |it| {
+            it.model.coordinates()[it.coordinate].name.as_str().into()
+        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.response.interrupted.into()),
+        Of::nested("jumps[].", &of_jump(), |it| of_jump().records(&it.jumps)),
+    ])
+}
+
+pub(super) fn of_jump() -> Fields<Jump> {
+    type Of = Field<Jump>;
+    Fields::from([
+        Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.parameter),
+        Of::value("sweep", "", "up or down: how the parameter goes", |it| {
+            if it.rising { "up" } else { "down" }.into()
+        }),
+        Of::number("from", "", "amplitude that is left", |it| it.from),
+        Of::value(
+            "to[]",
+            "",
+            "amplitudes of the other stable answers there, between neighbouring points",
+            |it| json::numbers(&it.to),
+        ),
+    ])
+}
+
+pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value(
+            "kind",
+            "",
+            "where it comes from: primary, from an end of the range; symmetry_breaking; period_doubling",
+            |it| origin(it.branch.origin)[0].into(),
+        ),
+        Of::value("closed", "", "whether it comes back to its beginning", |it| {
+            (it.branch.ending == Ending::Closed).into()
+        }),
+        Of::value("symmetric", "", "whether the mirror image half a period later is the same motion", |it| {
+            it.branch.space.mirrored.into()
+        }),
+        Of::value("drive_periods", "1", "periods of the drive in one of the answer", |it| {
+            it.branch.space.drive_periods().into()
+        }),
+        Of::value(
+            "ending",
+            "",
+            "why it ends: range_end, closed, branch_point, slow_drive, point_limit, lost or interrupted",
+            |it| ending(it.branch.ending)[0].into(),
+        ),
+        Of::nested("points[].", &of_place(), |it| {
+            json::records(it.points().map(|place| of_place().record(&place)))
+        }),
+        Of::nested("special[].", &of_special(), |it| {
+            json::records(it.special().map(|place| of_special().record(&place)))
+        }),
+    ])
+}
+
+fn of_place<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
+        Of::number(
+            "amplitude_max",
+            "",
+            "largest displacement, of angles from the nearest bottom, in rad",
+            Place::amplitude,
+        ),
+        Of::number("minimum", "", "least value of the coordinate", |it| it.range()[0]),
+        Of::number("maximum", "", "greatest value of the coordinate", |it| it.range()[1]),
+        Of::number("period_s", "s", "period of the answer", |it| it.point.period),
+        Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
+        Of::value(
+            "multipliers[][]",
+            "1",
+            "Floquet multipliers of the whole period by descending magnitude, real and imaginary part; below 1e-13 of the first they are rounding",
+            |it| json::list(it.point.multipliers.iter().map(pair)),
+        ),
+        Of::number(
+            "error",
+            "",
+            "the state may be wrong by so much: what another tolerance and rounding change",
+            |it| it.point.error,
+        ),
+        Of::value("start[]", "", "state at the phase zero of the drive, in the order of the names", |it| {
+            json::numbers(&it.point.state)
+        }),
+    ])
+}
+
+/// A special point, whose error is that of its parameter.
+pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::value(
+            "kind",
+            "",
+            "fold, symmetry_breaking, period_doubling, neimark_sacker, neutral_saddle or branch_point",
+            |it| it.special.map(|special| kind(special.kind)).into(),
+        )
+        .words("special point", |it| it.special.map_or_else(String::new, |special| special.kind.to_string())),
+        Of::value("branch", "1", "number of its branch, from 1", |it| it.of.number.into())
+            .numeral("branch", |it| it.of.number.to_string()),
+        Of::number("parameter", "", "value of the parameter there", |it| it.point.parameter)
+            .rounded("parameter", 16),
+        Of::number("error", "", "bound on the error of that value", |it| {
+            it.special.map_or(f64::NAN, |it| it.error)
+        })
+        .numeral("to", |it| at_most(it.special.map_or(f64::NAN, |it| it.error))),
+        Of::number("amplitude_max", "", "largest displacement there", Place::amplitude)
+            .rounded("amplitude", 8),
+        Of::number("period_s", "s", "period of the answer there", |it| it.point.period),
+        Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {
+            json::list(it.point.multipliers.iter().map(pair))
+        }),
+        Of::value("start[]", "", "state at the phase zero of the drive there", |it| {
+            json::numbers(&it.point.state)
+        }),
+    ])
+}
+
+/// A line of CSV: a point, or a special one.
+pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::value("branch", "1", "number of the branch, from 1", |it| it.of.number.into()),
+        Of::value("special", "", "kind of special point, empty for other points", |it| {
+            it.special.map_or("", |special| kind(special.kind)).into()
+        }),
+        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
+        Of::number(
+            "amplitude_max",
+            "",
+            "largest displacement, of angles from the nearest bottom, in rad",
+            Place::amplitude,
+        ),
+        Of::number("period_s", "s", "period of the answer", |it| it.point.period),
+        Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
+        Of::number("error", "", "error of the state, of special points that of the parameter", |it| {
+            it.special.map_or(it.point.error, |special| special.error)
+        }),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [of_answer().described(""), of_branch().described("branches[].")].concat();
+    vec![Answers { command: "response", option: "", json, csv: of_row().described_in_csv() }]
+}
+
+/// For machines, and for people.
+pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
+    match origin {
+        Origin::Primary => ["primary", "from an end of the range"],
+        Origin::SymmetryBreaking => ["symmetry_breaking", "from a loss of symmetry"],
+        Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
+    }
+}
+
+fn kind(kind: SpecialKind) -> &'static str {
+    match kind {
+        SpecialKind::Fold => "fold",
+        SpecialKind::SymmetryBreaking => "symmetry_breaking",
+        SpecialKind::PeriodDoubling => "period_doubling",
+        SpecialKind::NeimarkSacker => "neimark_sacker",
+        SpecialKind::NeutralSaddle => "neutral_saddle",
+        SpecialKind::BranchPoint => "branch_point",
+    }
+}
+
+pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
+    match ending {
+        Ending::RangeEnd => ["range_end", "leaves the range"],
+        Ending::Closed => ["closed", "is a closed curve"],
+        Ending::BranchPoint => ["branch_point", "ends in another branch"],
+        Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero of the drive"],
+        Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
+        Ending::Lost => ["lost", "cannot be followed farther"],
+        Ending::Interrupted => ["interrupted", "is interrupted"],
+    }
+}
+
+fn pair(number: &Complex) -> Value {
+    json::numbers(&[number.re, number.im])
+}

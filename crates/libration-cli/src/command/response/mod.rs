@@ -1,0 +1,231 @@
+//! `libration response`: the periodic answers of a driven system over a parameter.
+
+mod fields;
+mod write;
+
+use crate::arguments::{InitialOptions, SystemOptions, constant, count, place_in_state, plain_name};
+use crate::failure::Failure;
+use crate::figure::response::ResponseCurve;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt, parallel};
+use libration::continuation::{Branch, Jump, NoBranch, Response, ResponseOptions, free_oscillations};
+use libration::systems::Model;
+use libration::watch::{Progress, Watch};
+use std::f64::consts::PI;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+pub(crate) use fields::answers;
+
+/// Most periods of the drive in one of an answer.
+const MOST_PERIODS: usize = 100;
+/// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
+const MOST_GENERATIONS: usize = 6;
+
+/// The periodic answers of a driven system over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings
+///
+/// Branches begin with the answers that are found at both ends of the range, and are followed through their folds; those that branch off are
+/// followed too. Every point has an error, special points are exact to their last digits.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration response driven_pendulum --set A=0.15,c=0.1 --over omega=0.3:1.4
+  libration response driven_pendulum --set omega=0.8,c=0.1 --over A=0:0.7 \\
+    --figure response.svg
+  libration response \"x'' + 0.05 x' + x + 0.1 x^3 = 0.18 cos(w t)\" \\
+    --over w=0.5:1.6 --json
+  libration response \"x'' + 0.05 x' + x + x^3 = 5 cos(w t)\" --over w=8:12 \\
+    --drive-periods 3 --initial x=3 --generations 0
+
+The parameter is a number in the equations or the frequency of the drive. Other
+answers than those at the ends of the range, such as subharmonic ones, need
+--initial near them. Ctrl-C stops early and keeps what is done.")]
+pub(crate) struct ResponseQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// The parameter and its range, such as omega=0.3:1.4
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = span)]
+    over: Span,
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// How many periods of the drive an answer takes, for subharmonic answers
+    #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
+    drive_periods: usize,
+    /// How many times one after the other answers may lose their symmetry or double their period and be followed
+    #[arg(long, value_name = "N", default_value = "2", value_parser = whole)]
+    generations: usize,
+    /// The coordinate whose amplitude is meant [default: the first]
+    #[arg(long, value_name = "NAME")]
+    coordinate: Option<String>,
+    /// Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// A parameter with its range.
+#[derive(Clone, Debug)]
+struct Span {
+    name: String,
+    range: [f64; 2],
+}
+
+/// What is written.
+pub(crate) struct Answer {
+    pub(crate) model: Model,
+    pub(crate) parameter: String,
+    pub(crate) range: [f64; 2],
+    /// The coordinate whose amplitude is meant.
+    pub(crate) coordinate: usize,
+    pub(crate) response: Response,
+    pub(crate) jumps: Vec<Jump>,
+    /// How many periods of the drive an answer takes.
+    drive_periods: usize,
+}
+
+impl ResponseQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let answer = self.computed()?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::response::response(&answer.curve());
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
+        out.flush()?;
+        match answer.response.interrupted {
+            true => Err(Failure::Interrupted("interrupted: the branches up to then are written".to_owned())),
+            false => Ok(()),
+        }
+    }
+
+    fn computed(&self) -> Result<Answer, Failure> {
+        let Span { name, range } = &self.over;
+        let model = self.system.model_with_open(&[name])?;
+        let coordinate = match &self.coordinate {
+            Some(name) => place_in_state(&model, "--coordinate", name)
+                .ok()
+                .filter(|place| *place < model.coordinates().len())
+                .ok_or_else(|| Failure::usage("--coordinate", no_coordinate(&model, name)))?,
+            None => 0,
+        };
+        interrupt::listen()?;
+        let response = self.response(&model)?;
+        let is_angle = model.coordinates()[coordinate].is_angle();
+        let jumps = response.jumps(coordinate, is_angle);
+        let parameter = name.clone();
+        let drive_periods = self.drive_periods;
+        Ok(Answer { model, parameter, range: *range, coordinate, response, jumps, drive_periods })
+    }
+
+    fn response(&self, model: &Model) -> Result<Response, Failure> {
+        let start = self.initial.is_given().then(|| self.initial.read(model)).transpose()?;
+        let options = ResponseOptions {
+            start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
+            drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),
+            generations: self.generations,
+            ..ResponseOptions::default()
+        };
+        let points = AtomicUsize::new(0);
+        let ask = |now: Progress| {
+            points.store(now.done, Ordering::Relaxed);
+            interrupt::go_on()
+        };
+        let how_far = || format!("{} points of the branches", points.load(Ordering::Relaxed));
+        let Span { name, range } = &self.over;
+        let response = parallel::with_progress(how_far, || {
+            Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
+        });
+        response.map_err(failure)
+    }
+}
+
+impl Answer {
+    pub(crate) fn is_angle(&self) -> bool {
+        self.model.coordinates()[self.coordinate].is_angle()
+    }
+
+    /// What the picture shows.
+    fn curve(&self) -> ResponseCurve<'_> {
+        ResponseCurve {
+            model: &self.model,
+            parameter: &self.parameter,
+            range: self.range,
+            coordinate: self.coordinate,
+            branches: self.branches(),
+            backbone: self.backbone(),
+        }
+    }
+
+    pub(crate) fn branches(&self) -> &[Branch] {
+        &self.response.branches
+    }
+
+    /// The free oscillations up to the largest amplitude, where the parameter sets the period of the drive.
+    fn backbone(&self) -> Vec<(f64, f64)> {
+        const PLACES: u32 = 80;
+        let points = || self.branches().iter().flat_map(|branch| &branch.points);
+        let turns = |point: &libration::continuation::BranchPoint| point.period * point.parameter;
+        let first = points().next().map_or(0.0, turns);
+        let is_frequency = points().all(|point| {
+            let ratio = turns(point) / first;
+            (ratio - ratio.round()).abs() < 1e-9 || (1.0 / ratio - (1.0 / ratio).round()).abs() < 1e-9
+        });
+        let Some(equation) = is_frequency.then(|| self.at_middle()).flatten() else { return vec![] };
+        let largest = points().map(|point| point.amplitude(0, self.is_angle())).fold(0.0, f64::max);
+        let largest = if self.is_angle() { largest.min(0.999 * PI) } else { largest };
+        let places: Vec<f64> = (1..=PLACES).map(|k| largest * f64::from(k) / f64::from(PLACES)).collect();
+        let times = crate::output::number::count(self.drive_periods);
+        let within = |frequency: f64| {
+            (self.range[0].min(self.range[1])..=self.range[0].max(self.range[1])).contains(&frequency)
+        };
+        let free = free_oscillations(&equation, &places).into_iter();
+        free.map(|(frequency, place)| (times * frequency, place))
+            .filter(|(frequency, _)| within(*frequency))
+            .collect()
+    }
+
+    fn at_middle(&self) -> Option<libration::expression::Equation> {
+        let middle = format!("{:?}", 0.5 * (self.range[0] + self.range[1])).parse().ok()?;
+        self.model.equation().with(&[(&self.parameter, middle)]).ok()
+    }
+}
+
+fn no_coordinate(model: &Model, name: &str) -> String {
+    let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
+    format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", "))
+}
+
+fn failure(error: NoBranch) -> Failure {
+    match error {
+        NoBranch::Interrupted(_) => Failure::Interrupted(
+            "interrupted before the first answer was known: nothing is written".to_owned(),
+        ),
+        NoBranch::Range { .. } => Failure::usage("--over", error),
+        NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
+        _ => Failure::no_answer("response", error),
+    }
+}
+
+/// Reads `NAME=FROM:TO`, whose numbers may be formulas of numbers.
+fn span(text: &str) -> Result<Span, String> {
+    let refusal = || "give NAME=FROM:TO, as omega=0.3:1.4".to_owned();
+    let (name, range) = text.split_once('=').ok_or_else(refusal)?;
+    let [from, to] = range.split(':').collect::<Vec<_>>()[..] else { return Err(refusal()) };
+    let end = |text: &str| {
+        let value = constant(text)?.to_f64().filter(|value| value.is_finite());
+        value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
+    };
+    Ok(Span { name: plain_name(name), range: [end(from)?, end(to)?] })
+}
+
+fn whole(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|number| *number <= MOST_GENERATIONS);
+    number.ok_or_else(|| format!("give a whole number from 0 to {MOST_GENERATIONS}"))
+}

@@ -1,0 +1,106 @@
+//! Response curves: amplitude against a parameter, stable stretches solid, unstable ones dashed, special points marked.
+
+use super::chart::{Axis, Look, Mark, Panel, Picture, Series, Units};
+use super::names::{name, symbol};
+use super::parameters::of_model;
+use super::style;
+use libration::continuation::{Branch, BranchPoint, SpecialKind};
+use libration::systems::Model;
+
+/// The dashes of what is unstable.
+const DASHES: &[f64] = &[5.0, 4.0];
+const KINDS: [SpecialKind; 6] = [
+    SpecialKind::Fold,
+    SpecialKind::SymmetryBreaking,
+    SpecialKind::PeriodDoubling,
+    SpecialKind::NeimarkSacker,
+    SpecialKind::NeutralSaddle,
+    SpecialKind::BranchPoint,
+];
+
+/// What the picture is of.
+pub(crate) struct ResponseCurve<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) parameter: &'a str,
+    pub(crate) range: [f64; 2],
+    /// The coordinate whose amplitude is shown.
+    pub(crate) coordinate: usize,
+    pub(crate) branches: &'a [Branch],
+    /// Frequency and amplitude of free oscillations, where the parameter is the frequency of the drive.
+    pub(crate) backbone: Vec<(f64, f64)>,
+}
+
+impl ResponseCurve<'_> {
+    fn is_angle(&self) -> bool {
+        self.model.coordinates()[self.coordinate].is_angle()
+    }
+
+    /// Parameter and amplitude, angles in degrees.
+    fn place(&self, point: &BranchPoint) -> (f64, f64) {
+        let amplitude = point.amplitude(self.coordinate, self.is_angle());
+        (point.parameter, if self.is_angle() { amplitude.to_degrees() } else { amplitude })
+    }
+}
+
+/// The branches, with the backbone behind them where there is one.
+pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
+    let unit = if curve.is_angle() { 1_f64.to_degrees() } else { 1.0 };
+    let mut series = vec![];
+    if !curve.backbone.is_empty() {
+        let points = curve.backbone.iter().map(|(frequency, place)| (*frequency, unit * place));
+        series.push(Series::line("free oscillations", style::reference(), points));
+    }
+    let mut named = [false; 2];
+    for branch in curve.branches {
+        for (stable, points) in stretches(curve, branch) {
+            let first = !std::mem::replace(&mut named[usize::from(stable)], true);
+            let label = if stable { "stable" } else { "unstable" };
+            series.push(Series::line(if first { label } else { "" }, look(stable), points));
+        }
+    }
+    for (number, wanted) in KINDS.iter().enumerate() {
+        let special = curve.branches.iter().flat_map(|branch| &branch.special);
+        let points: Vec<(f64, f64)> =
+            special.filter(|it| it.kind == *wanted).map(|it| curve.place(&it.point)).collect();
+        if !points.is_empty() {
+            series.push(Series::line(&wanted.to_string(), style::markers(number + 1), points));
+        }
+    }
+    let [from, to] = curve.range;
+    let top = series.iter().flat_map(|one| one.points.iter().map(|point| point.y)).fold(0.0, f64::max);
+    let coordinate = &curve.model.coordinates()[curve.coordinate].name;
+    let label =
+        format!("largest |{}|{}", symbol(coordinate), if curve.is_angle() { " / degrees" } else { "" });
+    let y = Axis::linear(&label, 0.0, if top > 0.0 { 1.05 * top } else { 1.0 });
+    let y = if curve.is_angle() { y.in_units(Units::Degrees) } else { y };
+    let x = Axis::linear(&symbol(curve.parameter), from.min(to), from.max(to));
+    let title = format!("Periodic answers: {}", name(curve.model));
+    Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(curve.model))
+}
+
+/// The stretches of a branch that are stable or not; they end at special points, and follow the branch between its points.
+fn stretches(curve: &ResponseCurve<'_>, branch: &Branch) -> Vec<(bool, Vec<(f64, f64)>)> {
+    let mut found: Vec<(bool, Vec<(f64, f64)>)> = vec![];
+    for (number, point) in branch.points.iter().enumerate() {
+        let special: Vec<(f64, f64)> =
+            branch.special.iter().filter(|it| it.before == number).map(|it| curve.place(&it.point)).collect();
+        match found.last_mut() {
+            Some((stable, points)) if *stable == point.stable => points.extend(special),
+            Some((_, points)) => {
+                let joint = special.first().copied().unwrap_or_else(|| curve.place(point));
+                points.push(joint);
+                found.push((point.stable, if special.is_empty() { vec![joint] } else { special }));
+            }
+            None => found.push((point.stable, special)),
+        }
+        if let Some((_, points)) = found.last_mut() {
+            points.push(curve.place(point));
+        }
+    }
+    found
+}
+
+fn look(stable: bool) -> Look {
+    let line = style::curve(0);
+    if stable { line } else { Look { mark: Mark::Line(DASHES), width: 1.5, ..line } }
+}

@@ -1,0 +1,113 @@
+//! `libration response` and `libration orbit`.
+
+use crate::command::{json, message, run, text};
+use serde_json::Value;
+
+fn number(value: &Value, name: &str) -> f64 {
+    value[name].as_f64().unwrap_or_else(|| panic!("{name} in {value}"))
+}
+
+#[test]
+fn a_response_has_the_fields_of_the_contract() {
+    let answer = json("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1");
+    assert_eq!((&answer["parameter"], &answer["coordinate"]), (&"omega".into(), &"theta".into()));
+    let branch = &answer["branches"][0];
+    assert_eq!(
+        (&branch["kind"], &branch["closed"], &branch["symmetric"]),
+        (&"primary".into(), &false.into(), &true.into())
+    );
+    let points = branch["points"].as_array().unwrap();
+    assert_eq!((number(&points[0], "parameter"), number(points.last().unwrap(), "parameter")), (0.7, 1.0));
+    for point in points {
+        assert!(number(point, "amplitude_max") > 0.0 && number(point, "error") < 1e-9, "{point}");
+        assert!(
+            (number(point, "period_s") * number(point, "parameter") - std::f64::consts::TAU).abs() < 1e-12
+        );
+        let sizes = point["multipliers"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|it| it[0].as_f64().unwrap().hypot(it[1].as_f64().unwrap()));
+        assert_eq!(point["stable"].as_bool().unwrap(), sizes.fold(0.0, f64::max) <= 1.0 + 1e-9);
+    }
+    let special = branch["special"].as_array().unwrap();
+    let folds: Vec<&Value> = special.iter().filter(|it| it["kind"] == "fold").collect();
+    assert_eq!(folds.len(), 2);
+    // By Fourier collocation and by shooting in 130-bit floats.
+    assert!((number(folds[0], "parameter") - 0.8721575691379171688795389).abs() < 1e-13);
+    assert!(
+        (number(folds[0], "amplitude_max") - 0.910968343596304066).abs() < 1e-12
+            && number(folds[0], "error") < 1e-13
+    );
+    let jumps = answer["jumps"].as_array().unwrap();
+    assert_eq!(jumps.iter().map(|it| it["sweep"].as_str().unwrap()).collect::<Vec<_>>(), ["up", "down"]);
+}
+
+#[test]
+fn a_response_is_told_in_words() {
+    let told = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1");
+    let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "Upwards in omega the answer jumps up at omega = 0.872158, from 52.195° to 8",
+        "Downwards in omega the answer jumps down at omega = 0.780633, from 106.32° to 22.",
+        "fold 1 0.872157569137917",
+    ] {
+        assert!(words.contains(part), "{part} in {told}");
+    }
+    let csv = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1 --csv");
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let fold = rows.iter().position(|row| row[1] == "fold").unwrap();
+    // Beyond both neighbours, of which one is stable.
+    let value = |row: usize| rows[row][2].parse::<f64>().unwrap();
+    assert!(value(fold) > value(fold - 1) && value(fold) > value(fold + 1));
+    assert_eq!((rows[fold - 1][5], rows[fold + 1][5]), ("true", "false"));
+}
+
+#[test]
+fn a_response_to_the_frequency_zero_and_over_the_top_is_named() {
+    let slow = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0:1 --generations 0");
+    assert!(
+        slow.split_whitespace().collect::<Vec<_>>().join(" ").contains("goes on to the frequency zero"),
+        "{slow}"
+    );
+    let over = text("response driven_pendulum --set A=0.2,c=0.1 --over omega=0.3:1.4 --generations 0");
+    assert!(over.split_whitespace().collect::<Vec<_>>().join(" ").contains("beyond the top"), "{over}");
+}
+
+#[test]
+fn an_orbit_of_each_kind_is_told() {
+    let kind = |question: &str| json(question)["kind"].as_str().unwrap().to_owned();
+    assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");
+    assert_eq!(kind("orbit pendulum --initial theta=60deg"), "released");
+    assert_eq!(kind("orbit van_der_pol --initial x=0.5"), "limit_cycle");
+    assert_eq!(kind("orbit lotka_volterra --initial x=1,y=2 --period 6.5"), "near");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_what_would_do() {
+    let cases: [(&[&str], i32, &[&str]); 8] = [
+        (&["response", "pendulum", "--over", "omega0=1:2"], 1, &["no drive", "sines and cosines"]),
+        (&["response", "driven_pendulum", "--over", "omega=1"], 2, &["--over", "omega=0.3:1.4"]),
+        (&["response", "driven_pendulum", "--over", "omega=1:1"], 2, &["--over", "no width"]),
+        (&["response", "driven_pendulum", "--over", "b=1:2"], 2, &["--over", "b"]),
+        (
+            &["response", "driven_pendulum", "--over", "omega=1:2", "--coordinate", "x"],
+            2,
+            &["--coordinate", "theta"],
+        ),
+        (&["orbit", "pendulum"], 2, &["--initial", "theta=60deg"]),
+        (&["orbit", "double_pendulum", "--initial", "theta1=1"], 2, &["--period", "no period is known"]),
+        (
+            &["orbit", "pendulum", "--initial", "theta=1", "--drive-periods", "2"],
+            2,
+            &["--drive-periods", "no drive"],
+        ),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        for part in parts {
+            assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! A branch of periodic motions, followed from a place on it.
+
+use super::corrector::{Corrector, norm};
+use super::node::{Node, between, difference, in_units, largest_swing, units};
+use super::point::BranchPoint;
+use super::space::Space;
+use super::special::{SpecialPoint, Stretch};
+
+/// Periodic motions one behind the other, as a parameter changes.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Branch {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// How its motions repeat themselves.
+    pub space: Space,
+    /// In their order along the branch; of a closed one the last is the first.
+    pub points: Vec<BranchPoint>,
+    /// In the same order.
+    pub special: Vec<SpecialPoint>,
+    /// Why it ends.
+    pub ending: Ending,
+}
+
+/// Where a branch comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum Origin {
+    /// A motion at an end of the range.
+    Primary,
+    /// A loss of symmetry.
+    SymmetryBreaking,
+    /// A doubling of the period.
+    PeriodDoubling,
+}
+
+/// Why a branch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum Ending {
+    /// It leaves the range of the parameter.
+    RangeEnd,
+    /// It has come back to where it began.
+    Closed,
+    /// It ends in another branch, of which it is one side.
+    BranchPoint,
+    /// It has as many points as were allowed.
+    PointLimit,
+    /// The period of the drive grows beyond a hundred times its least: the branch goes on to the frequency zero.
+    SlowDrive,
+    /// Its motions can be followed no farther: no step is short enough.
+    Lost,
+    /// The watch said so.
+    Interrupted,
+}
+
+/// How far a branch is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Limits {
+    /// The ends of the range, the lower first.
+    pub(super) range: [f64; 2],
+    pub(super) most_points: usize,
+    pub(super) longest_period: f64,
+}
+
+/// The longest and the shortest step, in units of the motion and of the range.
+const STEPS: [f64; 2] = [0.12, 1e-7];
+/// The first.
+const FIRST: f64 = 0.02;
+/// A step that is short enough to tell a fold from a place where branches meet.
+const SHORT: f64 = 0.01;
+/// A step whose guess is farther off than this part of it may have come to another branch.
+const FAR: f64 = 0.2;
+/// And one whose corrections do not shrink to this part each time.
+const SLOW: f64 = 0.3;
+/// The largest angle between the directions at both ends, and the one that is meant.
+const TURNS: [f64; 2] = [0.35, 0.14];
+
+/// A branch under way.
+pub(super) struct Walk<'a> {
+    corrector: Corrector<'a>,
+    limits: Limits,
+    /// The largest swing so far.
+    largest: f64,
+    nodes: Vec<Node>,
+    special: Vec<(SpecialPoint, Node)>,
+    /// The length of the last step.
+    last: f64,
+    /// Where it meets the branch it is a side of.
+    meeting: Option<f64>,
+}
+
+/// A followed branch, with the nodes of its singular points.
+pub(super) struct Walked {
+    pub(super) branch: Branch,
+    pub(super) specials: Vec<(SpecialPoint, Node)>,
+    /// The value of the parameter where it meets the branch it is a side of.
+    pub(super) meeting: Option<f64>,
+}
+
+impl<'a> Walk<'a> {
+    pub(super) fn new(corrector: Corrector<'a>, limits: Limits, start: Node) -> Self {
+        let largest = largest_swing(&start.point);
+        Self { corrector, limits, largest, nodes: vec![start], special: vec![], last: 0.0, meeting: None }
+    }
+
+    pub(super) fn walked(mut self, origin: Origin) -> Walked {
+        let ending = self.followed();
+        let points = self.nodes.into_iter().map(|node| node.point).collect();
+        let special = self.special.iter().map(|(special, _)| special.clone()).collect();
+        let branch = Branch { origin, space: self.corrector.space, points, special, ending };
+        Walked { branch, specials: self.special, meeting: self.meeting }
+    }
+
+    fn followed(&mut self) -> Ending {
+        let mut length = FIRST;
+        while self.nodes.len() < self.limits.most_points {
+            if self.corrector.family.watch.reached(self.nodes.len()).is_err() {
+                return Ending::Interrupted;
+            }
+            let Some(ending) = self.step(&mut length) else { continue };
+            return if self.corrector.family.watch.is_stopped() { Ending::Interrupted } else { ending };
+        }
+        Ending::PointLimit
+    }
+
+    fn at(&self) -> &Node {
+        self.nodes.last().expect("a walk begins with a node")
+    }
+
+    /// One step, or a shorter one next; why there is none.
+    fn step(&mut self, length: &mut f64) -> Option<Ending> {
+        let width = self.limits.range[1] - self.limits.range[0];
+        let units = units(&self.corrector.family.layout, &self.at().point, self.largest, width);
+        let next = self.next(&units, *length).filter(|(next, ..)| {
+            let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
+            *length <= SHORT || !stretch.may_meet_other_branch()
+        });
+        let Some((next, turn, off)) = next else {
+            *length *= 0.5;
+            return (*length < STEPS[1]).then_some(Ending::Lost);
+        };
+        self.last = *length;
+        let longer = (TURNS[1] / turn.max(1e-3)).min(libm::cbrt(0.2 * FAR / off.max(1e-6))).clamp(0.5, 1.6);
+        *length = (*length * longer).min(STEPS[0]);
+        let parameter = next.point.parameter;
+        let [low, high] = self.limits.range;
+        if next.point.period > self.limits.longest_period {
+            return Some(Ending::SlowDrive);
+        }
+        if !(low..=high).contains(&parameter) {
+            let boundary = if parameter < low { low } else { high };
+            let Some(end) = self.at_parameter(&next, &units, boundary) else { return Some(Ending::Lost) };
+            return Some(self.accept(end, &units).unwrap_or(Ending::RangeEnd));
+        }
+        if let Some(end) = self.closing(&next, &units) {
+            return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
+        }
+        self.accept(next, &units)
+    }
+
+    /// The node after a step of a length, the angle it turned by, and how far its guess was off as a part of the step; none where it may
+    /// be on another branch.
+    fn next(&self, units: &[f64], length: f64) -> Option<(Node, f64, f64)> {
+        let tangent = in_units(&self.at().direction, units);
+        let curvature = match self.nodes.len().checked_sub(2) {
+            Some(before) => {
+                let before = in_units(&self.nodes[before].direction, units);
+                tangent.iter().zip(before).map(|(now, then)| (now - then) / self.last).collect()
+            }
+            None => vec![0.0; tangent.len()],
+        };
+        let step = |j: usize| units[j] * length * (tangent[j] + 0.5 * length * curvature[j]);
+        let guess: Vec<f64> = self.at().place().iter().enumerate().map(|(j, x)| x + step(j)).collect();
+        let corrected = self.corrector.corrected(&guess, &tangent, units)?;
+        let off = corrected.first / length;
+        if off > FAR || (corrected.contraction > SLOW && corrected.first > 1e-6) {
+            return None;
+        }
+        let node = Node::new(&self.corrector, corrected, &self.at().direction, units)?;
+        let cosine: f64 = in_units(&node.direction, units).iter().zip(&tangent).map(|(a, b)| a * b).sum();
+        let turn = libm::acos(cosine.clamp(-1.0, 1.0));
+        (turn <= TURNS[0]).then_some((node, turn, off))
+    }
+
+    /// The place on the stretch to a node where the parameter has a value.
+    fn at_parameter(&self, next: &Node, units: &[f64], value: f64) -> Option<Node> {
+        let mut bracket = [0.0, 1.0];
+        let side = |s: f64| between(self.at(), next, units, s).last().is_some_and(|p| *p > value);
+        let begins = side(0.0);
+        for _ in 0..30 {
+            let middle = 0.5 * (bracket[0] + bracket[1]);
+            bracket[usize::from(side(middle) != begins)] = middle;
+        }
+        let mut guess = between(self.at(), next, units, bracket[0]);
+        *guess.last_mut()? = value;
+        let mut across = vec![0.0; guess.len()];
+        *across.last_mut()? = 1.0;
+        let mut corrected = self.corrector.corrected(&guess, &across, units)?;
+        *corrected.place.last_mut()? = value;
+        Node::new(&self.corrector, corrected, &self.at().direction, units)
+    }
+
+    /// The start, if the stretch to a node goes through it in the same direction.
+    fn closing(&self, next: &Node, units: &[f64]) -> Option<Node> {
+        let start = self.nodes.first().filter(|_| self.nodes.len() > 3)?;
+        let along = in_units(&start.direction, units);
+        let before = difference(self.at().place(), start.place(), units);
+        let after = difference(next.place(), start.place(), units);
+        let side = |to: &[f64]| -> f64 { to.iter().zip(&along).map(|(a, b)| a * b).sum() };
+        let near = norm(&before).min(norm(&after)) <= 2.0 * self.last.max(1e-3);
+        if !(near && side(&before) < 0.0 && side(&after) >= 0.0) {
+            return None;
+        }
+        let part = side(&before) / (side(&before) - side(&after));
+        let guess = between(self.at(), next, units, part);
+        let corrected = self.corrector.corrected(&guess, &along, units)?;
+        /// Ten thousand roundings; another branch is farther away.
+        const SAME: f64 = 1e-8;
+        let off = norm(&difference(&corrected.place, start.place(), units));
+        (off < SAME).then(|| start.clone())
+    }
+
+    /// Takes a node in, and the singular points on the way to it; an ending where the branch meets the one it came from.
+    fn accept(&mut self, next: Node, units: &[f64]) -> Option<Ending> {
+        let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units };
+        if stretch.may_meet_other_branch()
+            && let Some(parameter) = stretch.meeting()
+        {
+            self.meeting = Some(parameter);
+            return Some(Ending::BranchPoint);
+        }
+        let found = stretch.specials();
+        let before = self.nodes.len();
+        self.special.extend(found.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
+        self.largest = self.largest.max(largest_swing(&next.point));
+        self.nodes.push(next);
+        None
+    }
+}

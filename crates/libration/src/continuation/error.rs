@@ -1,0 +1,36 @@
+//! Why there is no branch of periodic motions.
+
+use crate::expression::{EquationError, WithoutValue};
+use crate::orbit::NoOrbit;
+use crate::watch::Interrupted;
+
+/// Why there is no branch of periodic motions.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoBranch {
+    /// A value that the equations cannot have.
+    #[error(transparent)]
+    Equation(#[from] EquationError),
+    /// Another parameter without a value.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// Equations without a periodic drive.
+    #[error(
+        "the equations have no drive with a known period: the time may stand in sines and cosines only, in simple proportions"
+    )]
+    NotDriven,
+    /// A range without a width, or with ends that are not finite.
+    #[error("the range from {from:?} to {to:?} has no width: give two different finite numbers")]
+    Range {
+        /// One end.
+        from: f64,
+        /// The other.
+        to: f64,
+    },
+    /// No motion to begin with at either end.
+    #[error("no periodic motion is found at either end of the range: {0}")]
+    NoStart(NoOrbit),
+    /// The watch said so, before there was anything.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}

@@ -1,0 +1,49 @@
+//! Branches of periodic motions of driven systems over a parameter, through their folds, with stability and errors.
+//!
+//! ```
+//! use libration::continuation::{Response, ResponseOptions, SpecialKind};
+//!
+//! let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
+//! let response = Response::over(&pendulum, "w", [0.3, 1.4], &ResponseOptions::default())?;
+//! let folds: Vec<f64> = response.branches[0]
+//!     .special
+//!     .iter()
+//!     .filter(|special| special.kind == SpecialKind::Fold)
+//!     .map(|special| special.point.parameter)
+//!     .collect();
+//! // The jump up, going down: by Fourier collocation 0.8721575691379171688795389.
+//! assert!((folds[0] - 0.87215756913791717).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+
+mod drive_law;
+mod space;
+
+mod symmetry;
+
+mod family;
+
+mod corrector;
+
+mod point;
+
+mod node;
+
+mod special;
+
+mod backbone;
+mod branch;
+mod response;
+
+mod jumps;
+
+pub use backbone::free_oscillations;
+pub use branch::{Branch, Ending, Origin};
+pub use error::NoBranch;
+pub use jumps::Jump;
+pub use point::BranchPoint;
+pub use response::{Response, ResponseOptions};
+pub use space::Space;
+pub use special::{SpecialKind, SpecialPoint};

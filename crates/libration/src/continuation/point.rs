@@ -1,0 +1,112 @@
+//! A periodic motion at one value of the parameter.
+
+use super::corrector::{Corrected, Corrector, bordered, norm};
+use super::family::TOLERANCES;
+use crate::algebra::{Complex, Doubles};
+use crate::linear::{eigenvalues, solve};
+use crate::roots::{Tolerance, bisect};
+use crate::taylor::{OwnedStep, StateLayout};
+use std::f64::consts::TAU;
+
+/// A periodic motion at one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct BranchPoint {
+    /// The value of the parameter.
+    pub parameter: f64,
+    /// The state when the phase of the drive is zero: coordinates, then velocities.
+    pub state: Vec<f64>,
+    /// After which the motion repeats itself.
+    pub period: f64,
+    /// The least and the greatest value of each coordinate.
+    pub ranges: Vec<[f64; 2]>,
+    /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding.
+    pub multipliers: Vec<Complex>,
+    /// Whether all deviations die out, or none grows where energy is conserved.
+    pub stable: bool,
+    /// The state may be wrong by so much: what another tolerance of the integration and rounding change, across the branch.
+    pub error: f64,
+}
+
+/// Multipliers beyond the unit circle by less than this are on it.
+const ON_THE_CIRCLE: f64 = 1e-9;
+
+impl BranchPoint {
+    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there.
+    #[must_use]
+    pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {
+        let [low, high] = self.ranges[coordinate];
+        let centre = if is_angle { TAU * libm::rint(0.5 * (low + high) / TAU) } else { 0.0 };
+        (high - centre).abs().max((low - centre).abs())
+    }
+}
+
+impl Corrector<'_> {
+    /// What there is to say about a motion; `None` where it cannot be followed.
+    pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
+        let (&parameter, state) = corrected.place.split_last()?;
+        let [duration, _] = self.family.duration(self.space, parameter)?;
+        let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
+        let (steps, end) = self.family.motion(state, parameter, duration, other).ok()?;
+        let sign = self.space.sign();
+        let defect: Vec<f64> = end.iter().zip(state).map(|(end, start)| sign * end - start).collect();
+        let multipliers = multipliers(&corrected.image.map, self.space.mirrored)?;
+        let largest = multipliers.first().map_or(0.0, |it| it.abs());
+        Some(BranchPoint {
+            parameter,
+            state: state.to_vec(),
+            period: if self.space.mirrored { 2.0 * duration } else { duration },
+            ranges: ranges(&self.family.layout, &steps, self.space.mirrored),
+            stable: largest <= 1.0 + ON_THE_CIRCLE,
+            multipliers,
+            error: error(corrected, &defect, tangent, units)?,
+        })
+    }
+}
+
+/// Of a mirrored motion the whole period is twice the time of its map.
+fn multipliers(map: &[Vec<f64>], mirrored: bool) -> Option<Vec<Complex>> {
+    let own = eigenvalues(map)?;
+    Some(if mirrored { own.into_iter().map(|it| it * it).collect() } else { own })
+}
+
+/// How far both defects lead across the branch, and what the rounding of the state does.
+fn error(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<f64> {
+    let matrix = bordered(&corrected.image, tangent, units);
+    let numbers = other.len();
+    let rounding: Vec<f64> = corrected.place[..numbers].iter().map(|x| f64::EPSILON * x.abs()).collect();
+    let missed: Vec<f64> = (0..numbers)
+        .map(|i| (corrected.image.defect[i].abs() + other[i].abs() + rounding[i]) / units[i])
+        .chain([0.0])
+        .collect();
+    let change = solve(&Doubles, |x| x.abs(), &matrix, &missed)?;
+    let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
+    Some(4.0 * unit * norm(&change))
+}
+
+/// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins.
+fn ranges(layout: &StateLayout, steps: &[OwnedStep], mirrored: bool) -> Vec<[f64; 2]> {
+    let of_coordinate = |coordinate: usize| {
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
+        for own in steps {
+            let step = own.step();
+            let rate = |time: f64| match layout.velocity(coordinate) {
+                Some(velocity) => step.state_at(time)[velocity],
+                None => step.speeds_at(time)[coordinate],
+            };
+            let (start, end) = (step.start(), step.end());
+            widen(step.state_at(start)[coordinate]);
+            widen(step.state_at(end)[coordinate]);
+            let rises = rate(start) > 0.0;
+            if (rate(end) > 0.0) != rises {
+                let [turn, _] =
+                    bisect([start, end], Tolerance::relative(1e-9), |time| (rate(time) > 0.0) == rises);
+                widen(step.state_at(turn)[coordinate]);
+            }
+        }
+        let [low, high] = range;
+        if mirrored { [low.min(-high), high.max(-low)] } else { range }
+    };
+    (0..layout.coordinates()).map(of_coordinate).collect()
+}

@@ -1,0 +1,227 @@
+//! Singular points of a branch, to the last digits.
+
+use super::corrector::{Corrected, Corrector, norm};
+use super::family::TOLERANCES;
+use super::node::{Node, Tests, between, difference, in_units};
+use super::point::BranchPoint;
+use super::space::Space;
+use crate::linear::eigenvalues;
+use crate::roots::{Tolerance, zero_between};
+
+/// What happens at a singular point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum SpecialKind {
+    /// The branch turns back: on one side of the value there are two motions, on the other none of them.
+    Fold,
+    /// A symmetric motion loses its symmetry: two mirrored ones branch off.
+    SymmetryBreaking,
+    /// A motion with twice the period branches off.
+    PeriodDoubling,
+    /// Two complex multipliers cross the unit circle: a second frequency comes up.
+    NeimarkSacker,
+    /// The product of two real multipliers is one: no bifurcation, though the determinant looks like one.
+    NeutralSaddle,
+    /// Another branch of the same period crosses this one.
+    BranchPoint,
+}
+
+impl std::fmt::Display for SpecialKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Fold => "fold",
+            Self::SymmetryBreaking => "symmetry breaking",
+            Self::PeriodDoubling => "period doubling",
+            Self::NeimarkSacker => "Neimark–Sacker",
+            Self::NeutralSaddle => "neutral saddle",
+            Self::BranchPoint => "branch point",
+        })
+    }
+}
+
+/// A singular point.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SpecialPoint {
+    /// What happens there.
+    pub kind: SpecialKind,
+    /// The motion there.
+    pub point: BranchPoint,
+    /// Its parameter may be wrong by so much: what another tolerance of the integration changes, and rounding.
+    pub error: f64,
+    /// So many points of the branch are before it.
+    pub before: usize,
+}
+
+/// What changes its sign at a singular point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Test {
+    Fold,
+    Branching,
+    Flip,
+    Torus,
+}
+
+impl Test {
+    fn of(self, tests: &Tests) -> f64 {
+        match self {
+            Self::Fold => tests.fold,
+            Self::Branching => tests.branching,
+            Self::Flip => tests.flip,
+            Self::Torus => tests.torus,
+        }
+    }
+
+    /// How far from zero its values must be to have a sign: of conservative systems products of multipliers are one throughout, to rounding.
+    fn sure(self) -> f64 {
+        match self {
+            Self::Fold => 0.0,
+            Self::Branching | Self::Flip => 1e-12,
+            Self::Torus => 1e-9,
+        }
+    }
+
+    fn changes(self, a: &Node, b: &Node) -> bool {
+        let values = [a, b].map(|node| self.of(&node.tests));
+        values.iter().all(|it| it.abs() > self.sure()) && (values[0] > 0.0) != (values[1] > 0.0)
+    }
+}
+
+/// A stretch of a branch between two places.
+pub(super) struct Stretch<'s> {
+    pub(super) corrector: &'s Corrector<'s>,
+    pub(super) ends: [&'s Node; 2],
+    pub(super) units: &'s [f64],
+}
+
+/// A singular point with the node there.
+pub(super) struct Located {
+    pub(super) special: SpecialPoint,
+    pub(super) node: Node,
+}
+
+impl Stretch<'_> {
+    /// Whether the branch turns back on the way, in a space with parts that other branches are in.
+    pub(super) fn may_meet_other_branch(&self) -> bool {
+        let Corrector { family, space, .. } = self.corrector;
+        let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
+        turns
+            && (!space.within(family.symmetry).is_empty()
+                || (space.mirrored && self.size(self.ends[1].place()) < 1.0))
+    }
+
+    /// The size of a state in units.
+    fn size(&self, place: &[f64]) -> f64 {
+        let state = place.iter().zip(self.units).take(place.len() - 1);
+        norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
+    }
+
+    /// The value of the parameter where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is
+    /// a side of, and goes back as its own mirror image or half a period later.
+    pub(super) fn meeting(&self) -> Option<f64> {
+        /// Of the size of the motion: on a short stretch the interpolation misses much less.
+        const SAME: f64 = 1e-3;
+        let [a, b] = self.ends.map(|node| node.tests.fold);
+        let place = between(self.ends[0], self.ends[1], self.units, a / (a - b));
+        let (parameter, state) = place.split_last()?;
+        let Corrector { family, space, tolerance, .. } = self.corrector;
+        let misses = |smaller: Space| {
+            let image = family.image(smaller, state, *parameter, *tolerance)?;
+            Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
+        };
+        /// Of units that are themselves a fiftieth of the largest swing or more.
+        const REST: f64 = 0.05;
+        if space.mirrored {
+            return (self.size(&place) < REST).then_some(*parameter);
+        }
+        let mut smaller = space.within(family.symmetry).into_iter();
+        smaller.any(|it| misses(it).is_some_and(|off| off < SAME)).then_some(*parameter)
+    }
+
+    /// The singular points on the way, in their order.
+    pub(super) fn specials(&self) -> Vec<Located> {
+        let [a, b] = self.ends;
+        let folds = Test::Fold.changes(a, b);
+        // At a fold a multiplier is +1 too.
+        let branches = Test::Branching.changes(a, b) != folds;
+        let wanted = [
+            (folds, Test::Fold),
+            (branches && !folds, Test::Branching),
+            (Test::Flip.changes(a, b), Test::Flip),
+            (Test::Torus.changes(a, b), Test::Torus),
+        ];
+        let found = wanted.iter().filter(|(changes, _)| *changes).filter_map(|(_, test)| self.located(*test));
+        let mut found: Vec<(f64, Located)> = found.collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.into_iter().map(|(_, located)| located).collect()
+    }
+
+    fn located(&self, test: Test) -> Option<(f64, Located)> {
+        let precise = Corrector { stale: 0.0, ..self.corrector.clone() };
+        let s = self.zero(&precise, test, [0.0, 1.0])?;
+        let node = self.node_at(&precise, s)?;
+        let other = Corrector { tolerance: TOLERANCES[1], ..precise.clone() };
+        /// A stretch in which the other tolerance must have its zero too, unless it is badly determined.
+        const NEAR: f64 = 1e-4;
+        let near = [(s - NEAR).max(0.0), (s + NEAR).min(1.0)];
+        let again = self.zero(&other, test, near).or_else(|| self.zero(&other, test, [0.0, 1.0]));
+        let again = self.node_at(&other, again?)?;
+        let parameter = node.point.parameter;
+        let error = 4.0 * (parameter - again.point.parameter).abs() + 4.0 * f64::EPSILON * parameter.abs();
+        let special =
+            SpecialPoint { kind: self.kind(test, &node)?, point: node.point.clone(), error, before: 0 };
+        Some((s, Located { special, node }))
+    }
+
+    /// The part of the way at which a test vanishes.
+    fn zero(&self, corrector: &Corrector<'_>, test: Test, [from, to]: [f64; 2]) -> Option<f64> {
+        /// The next roundings of the test make no better place.
+        const WIDTH: f64 = 1e-13;
+        let value = |s: f64| self.tests_at(corrector, s).map_or(f64::NAN, |tests| test.of(&tests));
+        zero_between([(from, value(from)), (to, value(to))], Tolerance::absolute(WIDTH), value)
+    }
+
+    fn tests_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Tests> {
+        let (corrected, secant) = self.corrected_at(corrector, s)?;
+        let along = in_units(&self.ends[0].direction, self.units);
+        let tangent = corrector.tangent(&corrected.image, &secant, self.units);
+        let tangent = tangent.or_else(|| corrector.tangent(&corrected.image, &along, self.units))?;
+        Tests::new(&corrected.image, *tangent.last()?)
+    }
+
+    fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
+        let (corrected, _) = self.corrected_at(corrector, s)?;
+        Node::new(corrector, corrected, &self.ends[0].direction, self.units)
+    }
+
+    fn corrected_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<(Corrected, Vec<f64>)> {
+        let [a, b] = self.ends;
+        let guess = between(a, b, self.units, s);
+        let secant = difference(b.place(), a.place(), self.units);
+        let size = norm(&secant);
+        let secant: Vec<f64> = secant.into_iter().map(|x| x / size).collect();
+        Some((corrector.corrected(&guess, &secant, self.units)?, secant))
+    }
+
+    fn kind(&self, test: Test, node: &Node) -> Option<SpecialKind> {
+        Some(match test {
+            Test::Fold => SpecialKind::Fold,
+            Test::Branching => SpecialKind::BranchPoint,
+            Test::Flip if self.corrector.space.mirrored => SpecialKind::SymmetryBreaking,
+            Test::Flip => SpecialKind::PeriodDoubling,
+            Test::Torus => torus_or_saddle(node)?,
+        })
+    }
+}
+
+/// Two multipliers whose product is one: complex ones of size one, or a real one and its inverse.
+fn torus_or_saddle(node: &Node) -> Option<SpecialKind> {
+    let own = eigenvalues(&node.corrected.image.map)?;
+    let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let off = |(i, j): &(usize, usize)| {
+        let product = own[*i] * own[*j];
+        libm::hypot(product.re - 1.0, product.im)
+    };
+    let (i, _) = pairs.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+    Some(if own[i].im.abs() > 0.0 { SpecialKind::NeimarkSacker } else { SpecialKind::NeutralSaddle })
+}

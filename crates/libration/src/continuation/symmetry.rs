@@ -1,0 +1,56 @@
+//! Whether the mirror image of a motion is a motion.
+
+use super::drive_law::DriveLaw;
+use super::space::Symmetry;
+use crate::algebra::Doubles;
+use crate::expression::{Jet, Tape};
+use crate::taylor::StateLayout;
+
+/// States, times and parameters at which it is tried: were the equations not symmetric they would have to be so by chance at all.
+const TRIALS: u32 = 12;
+/// Accelerations that differ by less than this part of their size do so by rounding.
+const SAME: f64 = 1e-11;
+
+/// F(−x, −x′, t + τ) = −F(x, x′, t) with τ zero or half a period, as the values of both sides tell.
+pub(super) fn symmetry(
+    layout: &StateLayout,
+    rates: &Tape,
+    law: &DriveLaw,
+    range: [f64; 2],
+) -> Option<Symmetry> {
+    [(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)]
+        .into_iter()
+        .find(|(_, shift)| {
+            (0..TRIALS)
+                .all(|trial| holds(layout, rates, law, range, [*shift, f64::from(trial)]).unwrap_or(true))
+        })
+        .filter(|_| {
+            (0..TRIALS).any(|trial| holds(layout, rates, law, range, [0.0, f64::from(trial)]).is_some())
+        })
+        .map(|(symmetry, _)| symmetry)
+}
+
+/// `None` where there are no values, as for a negative frequency under a root.
+fn holds(
+    layout: &StateLayout,
+    rates: &Tape,
+    law: &DriveLaw,
+    range: [f64; 2],
+    [shift, trial]: [f64; 2],
+) -> Option<bool> {
+    // Parts of the golden ratio are spread evenly and hit no symmetric place.
+    let drawn = |k: u32| 2.0 * ((7.0 * trial + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0;
+    let parameter = range[0] + 0.5 * (drawn(0) + 1.0) * (range[1] - range[0]);
+    let [period, _] = law.period(parameter)?;
+    let time = period * 0.5 * (drawn(1) + 1.0);
+    let state: Vec<f64> = (2..).map(drawn).take(layout.numbers()).collect();
+    let values = |sign: f64, time: f64| -> Option<Vec<f64>> {
+        let inputs: Vec<f64> = state.iter().map(|x| sign * x).chain([time, parameter]).collect();
+        let jet = Jet::new(&Doubles, rates, &inputs).ok()?;
+        let values: Vec<f64> = (0..layout.coordinates()).map(|result| jet.result(result)[0]).collect();
+        values.iter().all(|it| it.is_finite()).then_some(values)
+    };
+    let (own, mirrored) = (values(1.0, time)?, values(-1.0, time + shift * period)?);
+    let size = own.iter().chain(&mirrored).map(|it| it.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    Some(own.iter().zip(&mirrored).all(|(a, b)| (a + b).abs() <= SAME * size.max(1.0)))
+}

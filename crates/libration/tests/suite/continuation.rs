@@ -1,0 +1,283 @@
+//! Branches of periodic motions beside numbers from two other roads: Fourier collocation with extended systems, and Taylor shooting with the
+//! equations of small deviations, both in floats of 130 bits, which agree in 30 digits where nothing else is said.
+
+use libration::algebra::Complex;
+use libration::continuation::{
+    Branch, BranchPoint, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind,
+};
+use libration::expression::Equation;
+use libration::taylor::{Effort, Moment, System, integrate};
+use std::f64::consts::{PI, TAU};
+
+const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
+
+fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
+    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
+    text.parse::<Equation>().unwrap().with(&values).unwrap()
+}
+
+fn over(equation: &Equation, parameter: &str, range: [f64; 2]) -> Response {
+    let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
+    Response::over(equation, parameter, range, &options).unwrap()
+}
+
+fn specials(response: &Response, kind: SpecialKind) -> Vec<f64> {
+    let special = response.branches.iter().flat_map(|branch| &branch.special);
+    special.filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+}
+
+/// That one of the special points of a kind is at a value, to 12 digits, and as near as it says.
+fn assert_special(response: &Response, kind: SpecialKind, expected: f64, amplitude: Option<f64>) {
+    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
+    let off = |parameter: f64| (parameter - expected).abs();
+    let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
+    let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {expected}"));
+    let found = nearest.point.parameter;
+    assert!(off(found) <= 1e-12 * expected, "{kind} at {found:?} for {expected:?}");
+    assert!(
+        off(found) <= nearest.error.max(2e-13 * expected),
+        "{kind} at {found:?} ± {:e} for {expected:?}",
+        nearest.error
+    );
+    if let Some(amplitude) = amplitude {
+        let found = nearest.point.amplitude(0, true);
+        assert!((found - amplitude).abs() < 1e-11, "{kind}: amplitude {found:?} for {amplitude:?}");
+    }
+}
+
+#[test]
+fn folds_of_the_driven_pendulum_are_exact() {
+    let over_frequency = [
+        (["0.1", "0.15"], [0.6, 1.2], 0.8721575691379171688795389, 0.910968343596304066),
+        (["0.02", "0.03"], [0.8, 1.1], 0.9551194895409523057690497, 0.505695523476957057),
+        (["0.2", "0.32"], [0.6, 1.2], 0.7855183495770513073720936, 1.21672100780130924),
+    ];
+    for ([c, a], range, value, amplitude) in over_frequency {
+        let response = over(&equation(PENDULUM, &[("c", c), ("A", a)]), "w", range);
+        assert_special(&response, SpecialKind::Fold, value, Some(amplitude));
+    }
+    let over_amplitude = [
+        (["0.1", "0.7"], [0.1, 0.45], 0.4211893702662230667519522, 1.24503010174801422),
+        (["0.02", "0.9"], [0.0, 0.1], 0.09223553605572827970804111, 0.729620901589684041),
+    ];
+    for ([c, w], range, value, amplitude) in over_amplitude {
+        let response = over(&equation(PENDULUM, &[("c", c), ("w", w)]), "A", range);
+        assert_special(&response, SpecialKind::Fold, value, Some(amplitude));
+    }
+}
+
+#[test]
+fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once() {
+    let response = over(&equation(PENDULUM, &[("c", "1/2"), ("w", "2/3")]), "A", [0.9, 1.07]);
+    assert_special(
+        &response,
+        SpecialKind::SymmetryBreaking,
+        1.004319477426467863662657,
+        Some(2.66092145730151213),
+    );
+    assert_special(&response, SpecialKind::PeriodDoubling, 1.06637286245520700528907, None);
+    let asymmetric =
+        response.branches.iter().filter(|it| !it.space.mirrored && it.space.drive_periods() == 1);
+    assert_eq!(
+        asymmetric.count(),
+        1,
+        "{:?}",
+        response.branches.iter().map(|it| (it.origin, it.space)).collect::<Vec<_>>()
+    );
+    assert!(specials(&response, SpecialKind::Fold).is_empty());
+    let doubled: Vec<&Branch> =
+        response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
+    assert_eq!(doubled.len(), 1);
+    // It begins at its doubling, stable, with twice the period.
+    let [first, second] = [&doubled[0].points[0], &doubled[0].points[1]];
+    assert!(
+        (first.parameter - 1.066372862455207).abs() < 1e-12
+            && second.stable
+            && second.parameter > first.parameter
+    );
+    assert!((second.period - 6.0 * PI).abs() < 1e-12);
+    // Over the damping, from a published notebook: Q about 1.348.
+    let response = over(&equation(PENDULUM, &[("A", "1.5"), ("w", "2/3")]), "c", [0.735, 0.78]);
+    assert_special(&response, SpecialKind::PeriodDoubling, 0.7411730170883635402983935, None);
+}
+
+#[test]
+fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
+    let duffing = "x'' = -c*x' - x - b*x^3 + F*cos(w*t)";
+    let response = over(&equation(duffing, &[("c", "0.1"), ("b", "-1"), ("F", "0.05")]), "w", [0.7, 1.2]);
+    assert_special(&response, SpecialKind::Fold, 0.8927792130704409856717577, None);
+    let response = over(&equation(duffing, &[("c", "0.1"), ("b", "-0.1"), ("F", "0.1")]), "w", [0.5, 1.5]);
+    assert_eq!(response.branches.len(), 1);
+    assert_eq!(response.branches[0].special, []);
+    assert!(response.branches[0].points.iter().all(|point| point.stable));
+    // The 1/3-subharmonic answer has a curve of its own, which a start near it finds.
+    let options = ResponseOptions {
+        start: Some(vec![3.06, 3.95]),
+        drive_periods: 3,
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let subharmonic = equation(duffing, &[("c", "0.05"), ("b", "1"), ("F", "5")]);
+    let response = Response::over(&subharmonic, "w", [9.0, 10.5], &options).unwrap();
+    assert_special(&response, SpecialKind::Fold, 10.02822141013707399662466, None);
+    assert_eq!(response.branches[0].space.drive_periods(), 3);
+}
+
+#[test]
+fn a_determinant_of_one_is_a_bifurcation_where_multipliers_are_complex() {
+    let van_der_pol = "x'' = mu*(1 - x^2)*x' - x + F*cos(w*t)";
+    let response = over(&equation(van_der_pol, &[("mu", "1"), ("F", "1")]), "w", [0.5, 1.3]);
+    assert_special(&response, SpecialKind::NeimarkSacker, 0.5439378644861768229010272, None);
+    assert_special(&response, SpecialKind::Fold, 1.196077164552389013827867, None);
+    // By the same two roads: the determinant is one there, and the trace 2.89.
+    let saddles = specials(&response, SpecialKind::NeutralSaddle);
+    assert!(saddles.len() == 1 && (saddles[0] - 1.17072).abs() < 1e-5, "{saddles:?}");
+    assert_eq!(specials(&response, SpecialKind::NeimarkSacker).len(), 1);
+    let response = over(&equation(van_der_pol, &[("mu", "0.1"), ("F", "0.2")]), "w", [0.8, 1.0]);
+    assert_special(&response, SpecialKind::NeimarkSacker, 0.9306613812095431400414873, None);
+}
+
+#[test]
+fn without_damping_every_determinant_is_one_and_none_is_special() {
+    let response = over(&equation(PENDULUM, &[("c", "0"), ("A", "0.1")]), "w", [0.4, 1.4]);
+    assert!(specials(&response, SpecialKind::NeutralSaddle).is_empty());
+    assert!(specials(&response, SpecialKind::NeimarkSacker).is_empty());
+}
+
+#[test]
+fn neighbouring_branches_are_not_mistaken_for_each_other() {
+    // Their amplitudes at w = 0.85 differ by 0.05.
+    let response = over(&equation(PENDULUM, &[("c", "0.02"), ("A", "0.03")]), "w", [0.85, 1.4]);
+    assert_eq!(response.branches.len(), 2);
+    let [low, high] = [0, 1].map(|number| response.branches[number].points.last().unwrap());
+    assert_eq!((low.parameter, high.parameter), (0.85, 0.85));
+    assert!((low.amplitude(0, true) - 1.5277505972561323741).abs() < 1e-12 && !low.stable);
+    let multipliers = [0.6822691251387183, 1.2642656414894033];
+    for (found, expected) in low.multipliers.iter().rev().zip(multipliers) {
+        assert!((found.re - expected).abs() < 1e-11 && found.im.abs() < 1e-300, "{found:?}");
+    }
+    assert!(high.stable && (high.amplitude(0, true) - 1.58).abs() < 0.01, "{}", high.amplitude(0, true));
+}
+
+#[test]
+fn a_strong_drive_leads_over_the_top_and_to_the_frequency_zero() {
+    let pendulum = |a: &str| equation(PENDULUM, &[("c", "0.1"), ("A", a)]);
+    let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+    let response = Response::over(&pendulum("0.2"), "w", [0.3, 1.4], &options).unwrap();
+    let last = response.branches.iter().map(|branch| branch.points.last().unwrap());
+    assert!(last.into_iter().any(|point| point.parameter == 0.3 && point.amplitude(0, false) > PI));
+    let response = Response::over(&pendulum("0.15"), "w", [0.0, 1.4], &options).unwrap();
+    assert_eq!(response.branches[0].ending, Ending::SlowDrive);
+    assert_eq!(specials(&response, SpecialKind::Fold).len(), 2);
+}
+
+#[test]
+fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
+    let shaken = equation("theta'' = -0.1*theta' - (1 - 0.1*w^2*cos(w*t))*sin(theta)", &[]);
+    let response = over(&shaken, "w", [1.5, 2.5]);
+    assert!(response.branches[0].points.iter().all(|point| point.amplitude(0, true) == 0.0));
+    let edges = specials(&response, SpecialKind::PeriodDoubling);
+    assert_eq!(edges.len(), 2);
+    let swings: Vec<&Branch> =
+        response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
+    assert_eq!((swings.len(), swings[0].ending), (1, Ending::BranchPoint));
+    // At rest again: the swings of w = 2 and below, of which the two roads tell one each.
+    let at_two: Vec<&BranchPoint> = response.branches[0].points.iter().filter(|it| !it.stable).collect();
+    assert!(at_two.iter().all(|point| (edges[0]..=edges[1]).contains(&point.parameter)));
+    let swing = over(&shaken, "w", [1.9, 2.0]);
+    let ends: Vec<f64> = swing
+        .branches
+        .iter()
+        .flat_map(|it| [&it.points[0], it.points.last().unwrap()])
+        .map(|it| it.amplitude(0, true))
+        .collect();
+    assert!(ends.iter().all(|it| *it == 0.0), "the range has no edge: {ends:?}");
+    let options = ResponseOptions {
+        start: Some(vec![0.3, 0.97]),
+        drive_periods: 2,
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let swing = Response::over(&shaken, "w", [1.9, 2.0], &options).unwrap();
+    let ends: Vec<f64> = swing
+        .branches
+        .iter()
+        .flat_map(|it| [&it.points[0], it.points.last().unwrap()])
+        .map(|it| it.amplitude(0, true))
+        .collect();
+    for expected in [1.3244542926298063671, 1.0834319329429958589] {
+        assert!(ends.iter().any(|it| (it - expected).abs() < 1e-12), "{expected} in {ends:?}");
+    }
+}
+
+#[test]
+fn sweeps_of_the_integrator_land_on_the_stable_branches() {
+    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let response = over(&pendulum, "w", [0.5, 1.2]);
+    let branch = &response.branches[0];
+    let fold = branch.special[0].before;
+    let upwards: Vec<&BranchPoint> = branch.points[..fold].iter().step_by(4).collect();
+    let downwards: Vec<&BranchPoint> = branch
+        .points
+        .iter()
+        .rev()
+        .filter(|point| point.parameter > 0.8)
+        .take_while(|point| point.stable)
+        .step_by(4)
+        .collect();
+    assert!(upwards.len() > 2 && downwards.len() > 2);
+    for points in [upwards, downwards] {
+        let mut state = points[0].state.iter().map(|x| x + 0.01).collect::<Vec<f64>>();
+        for point in points {
+            let exact = format!("{:?}", point.parameter);
+            let system = System::new(&pendulum.with(&[("w", exact.parse().unwrap())]).unwrap()).unwrap();
+            for _ in 0..90 {
+                let start = Moment { time: 0.0, state };
+                state = integrate(&system, &start, &[TAU / point.parameter], &Effort::to_tolerance(1e-15))
+                    .unwrap()
+                    .end
+                    .state;
+            }
+            let off = state.iter().zip(&point.state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "{off:e} at {}", point.parameter);
+        }
+    }
+    let jumps = response.jumps(0, true);
+    assert_eq!(jumps.iter().map(|it| it.rising).collect::<Vec<_>>(), [true, false]);
+    assert!(
+        jumps[0].to.len() == 1 && jumps[0].to[0] > 1.5 && jumps[1].to.len() == 1 && jumps[1].to[0] < 0.5,
+        "{jumps:?}"
+    );
+}
+
+#[test]
+fn multipliers_of_two_coordinates_have_the_product_that_the_damping_tells() {
+    let pair = equation("x'' = -x + y - 0.1*x' - x^3 + 0.3*cos(w*t); y'' = x - 2*y - 0.1*y'", &[]);
+    let response = over(&pair, "w", [0.9, 1.2]);
+    let branch = &response.branches[0];
+    for point in &branch.points {
+        let product = point.multipliers.iter().fold(Complex::from(1.0), |a, b| a * *b);
+        assert!(
+            (product.re - libm::exp(-0.2 * point.period)).abs() < 1e-12,
+            "{product:?} at {}",
+            point.parameter
+        );
+    }
+    assert!(
+        !specials(&response, SpecialKind::Fold).is_empty()
+            && specials(&response, SpecialKind::BranchPoint).is_empty()
+    );
+}
+
+#[test]
+fn what_has_no_branch_says_why() {
+    let refused = |text: &str, range: [f64; 2]| {
+        Response::over(&equation(text, &[]), "w", range, &ResponseOptions::default()).unwrap_err()
+    };
+    assert_eq!(refused("x'' = -w*x", [1.0, 2.0]), NoBranch::NotDriven);
+    assert_eq!(refused("x'' = -x + cos(w*t)", [1.0, 1.0]), NoBranch::Range { from: 1.0, to: 1.0 });
+    assert!(matches!(refused("x'' = -x + cos(w*t)", [1.0, f64::NAN]), NoBranch::Range { .. }));
+    assert!(matches!(refused("x'' = -k*x + cos(w*t)", [1.0, 2.0]), NoBranch::WithoutValue(_)));
+    // Without damping the answer at its resonance has no bound, at both ends.
+    assert!(matches!(refused("x'' = -x + w*cos(t)", [1.0, 2.0]), NoBranch::NoStart(_)));
+}
