@@ -2,8 +2,9 @@
 
 import { build } from "esbuild";
 import { mathematicsFont } from "./mathematics_font.mjs";
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, statSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 const [output, ...given] = process.argv.slice(2);
@@ -16,10 +17,33 @@ async function bundled(path, define = {}) {
   return outputFiles[0].text.trimEnd();
 }
 
+/** As `src/engine/lzma.ts` decompresses it. */
+function lzma(path) {
+  const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0", "--stdout", path], { maxBuffer: 1 << 28 });
+  // xz, which writes to a pipe, leaves the size open.
+  made.writeBigUInt64LE(BigInt(statSync(path).size), 5);
+  return made;
+}
+
+/** As `src/engine/base85.ts` reads it; zeros fill the last group. */
+function base85(bytes) {
+  const letters = Array.from({ length: 88 }, (_, n) => String.fromCharCode(35 + n)).filter((letter) => !"&<>".includes(letter));
+  const whole = Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)]);
+  const groups = [];
+  for (let at = 0; at < whole.length; at += 4) {
+    let value = whole.readUInt32BE(at);
+    const group = ["", "", "", "", ""];
+    for (let n = 4; n >= 0; n--, value = Math.floor(value / 85)) group[n] = letters[value % 85];
+    groups.push(group.join(""));
+  }
+  return groups.join("");
+}
+
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+const version = readFileSync(here("../Cargo.toml"), "utf8").match(/^version = "(.+)"$/m)[1];
 const worker = await bundled("src/engine/worker.ts");
 // What ends a script element must not stand in one.
-const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker) })).replaceAll("</script", "<\\/script");
+const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker), VERSION: JSON.stringify(version) })).replaceAll("</script", "<\\/script");
 const font = await mathematicsFont();
 const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
 const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
@@ -27,10 +51,10 @@ const sizes = [["script", script], ["style", style]].map(([name, text]) => [name
 const modules = new Map();
 for (const [id, path] of given.map((pair) => pair.split("="))) {
   const raw = readFileSync(path);
-  const compressed = gzipSync(raw, { level: 9 });
-  const base64 = compressed.toString("base64");
-  modules.set(id, `<script type="text/plain" id="${id}">${base64}</script>`);
-  sizes.push([id, raw.length, compressed.length, base64.length]);
+  const compressed = lzma(path);
+  const text = base85(compressed);
+  modules.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
+  sizes.push([id, raw.length, compressed.length, text.length]);
 }
 const first = ["pendulum", "pendulum-fused"].flatMap((id) => modules.get(id) ?? []);
 const whole = ["whole"].flatMap((id) => modules.get(id) ?? []);
@@ -50,6 +74,6 @@ const page = readFileSync(here("src/page.html"), "utf8").replace(/\{\{(\w+)\}\}/
 writeFileSync(output, page);
 
 const bytes = (count) => count.toLocaleString("en").padStart(11);
-console.log(`${"bytes of".padEnd(16)}        raw       gzip    in page`);
+console.log(`${"bytes of".padEnd(16)}        raw compressed    in page`);
 for (const [name, ...counts] of sizes) console.log(name.padEnd(16) + counts.map(bytes).join(""));
 console.log("the page".padEnd(38) + bytes(Buffer.byteLength(page)));

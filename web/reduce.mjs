@@ -1,4 +1,4 @@
-// Keeps of a module what the page calls, and makes it small: node reduce.mjs MODULE OUTPUT.
+// Keeps of a module what the page calls: node reduce.mjs MODULE OUTPUT. (Optimising it once more takes minutes, and compressed it gains nothing.)
 //
 // A package far below asks for random numbers by functions of a browser that nothing calls; they go with the exports that are not ours.
 
@@ -13,11 +13,10 @@ const enabled = features.map((feature) => `--enable-${feature}`);
 const foreign = /^__|^fma$/;
 const roots = WebAssembly.Module.exports(new WebAssembly.Module(readFileSync(made))).map(({ name }) => name).filter((name) => !foreign.test(name));
 const graph = [{ name: "page", root: true, reaches: roots }, ...roots.map((name) => ({ name, export: name }))];
-const [graphFile, kept] = [`${output}.graph`, `${output}.kept`];
+const graphFile = `${output}.graph`;
 writeFileSync(graphFile, JSON.stringify(graph));
-execFileSync(process.execPath, [tool("wasm-metadce"), made, `--graph-file=${graphFile}`, "-o", kept, ...enabled], { stdio: ["ignore", "ignore", "inherit"] });
-execFileSync(process.execPath, [tool("wasm-opt"), kept, "-Oz", "-o", output, ...enabled]);
-for (const file of [graphFile, kept]) rmSync(file);
+execFileSync(process.execPath, [tool("wasm-metadce"), made, `--graph-file=${graphFile}`, "-o", output, ...enabled], { stdio: ["ignore", "ignore", "inherit"] });
+rmSync(graphFile);
 
 const imports = WebAssembly.Module.imports(new WebAssembly.Module(readFileSync(output)));
 const strange = imports.filter(({ module }) => module !== "page" && module !== "fused");

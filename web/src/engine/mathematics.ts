@@ -1,7 +1,7 @@
 // The small module: the exact motion of the pendulum, at once and without a worker.
 
 import { instantiated } from "./fused.ts";
-import { module } from "./module.ts";
+import { compiled, text } from "./module.ts";
 
 interface Exports {
   readonly memory: WebAssembly.Memory;
@@ -83,7 +83,7 @@ export class Mathematics {
   }
 
   static async load(): Promise<Mathematics> {
-    return Mathematics.from(await module("pendulum"));
+    return Mathematics.from(await compiled(await text("pendulum")));
   }
 
   static async from(compiled: WebAssembly.Module): Promise<Mathematics> {

@@ -1,6 +1,7 @@
 // The worker: holds the whole module and answers one question after the other.
 
 import { instantiated } from "./fused.ts";
+import { compiled } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 
 /** What the module offers: places for what is asked, and the question itself. */
@@ -27,7 +28,8 @@ let files = new Map<string, Uint8Array>();
 
 onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   try {
-    if (data.kind === "module") exports = begun(data.module);
+    if (data.kind === "text") exports = shared(data.text);
+    else if (data.kind === "module") exports = begun(data.module);
     else answer(await exports, data.words, data.files);
   } catch (fault) {
     // What the module has said last is better than that it is unreachable.
@@ -58,6 +60,13 @@ function put(module: Exports, ...parts: Uint8Array[]): void {
     new Uint8Array(module.memory.buffer, at, part.length).set(part);
     at += part.length;
   }
+}
+
+/** Hands the module on to the page, so that no other worker has to compile it. */
+async function shared(text: string): Promise<Exports> {
+  const module = await compiled(text);
+  say({ kind: "module", module });
+  return begun(module);
 }
 
 async function begun(module: WebAssembly.Module): Promise<Exports> {

@@ -2,7 +2,7 @@
 
 import { text as texts } from "../texts/en.ts";
 import type { Answer, Engine, Question } from "./engine.ts";
-import { module } from "./module.ts";
+import { text as moduleText } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 
 /** The source of the worker, as `web/build` has bundled it. */
@@ -11,7 +11,7 @@ declare const WORKER_SOURCE: string;
 const INTERRUPTED = 130;
 
 export class WorkerEngine implements Engine {
-  #module: Promise<WebAssembly.Module> | undefined;
+  #module: WebAssembly.Module | undefined;
   #worker: Worker | undefined;
   #last: Promise<unknown> = Promise.resolve();
 
@@ -39,6 +39,9 @@ export class WorkerEngine implements Engine {
       worker.onerror = (event) => fault(event.message);
       worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
         switch (data.kind) {
+          case "module":
+            this.#module = data.module;
+            return;
           case "output":
             chunks.push(data.chunk);
             return question.onOutput?.(data.chunk);
@@ -58,9 +61,7 @@ export class WorkerEngine implements Engine {
   }
 
   async #ready(): Promise<Worker> {
-    this.#module ??= module("whole");
-    const compiled = await this.#module;
-    this.#worker ??= begun(compiled);
+    this.#worker ??= begun(this.#module === undefined ? { kind: "text", text: await moduleText("whole") } : { kind: "module", module: this.#module });
     return this.#worker;
   }
 
@@ -70,11 +71,11 @@ export class WorkerEngine implements Engine {
   }
 }
 
-function begun(compiled: WebAssembly.Module): Worker {
+function begun(first: ToWorker): Worker {
   const source = URL.createObjectURL(new Blob([WORKER_SOURCE], { type: "text/javascript" }));
   const worker = new Worker(source);
   URL.revokeObjectURL(source);
-  worker.postMessage({ kind: "module", module: compiled } satisfies ToWorker);
+  worker.postMessage(first);
   return worker;
 }
 

@@ -1,6 +1,7 @@
 // Every sentence of the interface. A room has its own section in a file of its own.
 
 import { chaos } from "./en/chaos.ts";
+import { about } from "./en/about.ts";
 import { derivations } from "./en/derivations.ts";
 import { formulas } from "./en/formulas.ts";
 import { laboratory } from "./en/laboratory.ts";
@@ -26,6 +27,7 @@ export const text = {
     chaos: "Order and chaos",
     about: "About",
   } as Readonly<Record<string, string>>,
+  about,
   pendulum,
   formulas,
   perturbation,

@@ -41,12 +41,11 @@ export class Controls {
     this.#listen(planet, changed, formulasWanted);
     const start = this.form.part(words.start, ["angle", "velocity", "length", "gravity"]);
     start.append(planet.element);
+    const forces = this.form.part(words.forces, ["damping", "drive", "driveFrequency"], { folded: true });
     this.elements = [
-      start,
-      this.form.part(words.ghosts, [...APPROXIMATIONS, "formula"]),
-      this.form.part(words.forces, ["damping", "drive", "driveFrequency"], { folded: true }),
-      element("div", {}, this.#field("unit").element),
       this.#presets(changed),
+      start,
+      element("div", {}, this.form.part(words.ghosts, [...APPROXIMATIONS, "formula"]), forces, this.#field("unit").element),
     ];
   }
 

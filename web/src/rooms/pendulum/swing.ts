@@ -81,7 +81,7 @@ export class Swing {
     const slider = element("label", { class: "swing-slider" }, element("span", {}, words.fields.slider), this.#controls.slider);
     const stage = element("div", { class: "swing-stage" }, this.#stage.element, slider, this.#transport.element, this.#how, this.#said);
     const graphs = element("div", { class: "swing-graphs" }, ...this.#graphs.elements);
-    const below = element("div", { class: "swing-below" }, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen), this.#keep.element);
+    const below = element("div", { class: "swing-below" }, element("div", {}, this.#facts.element, element("p", { class: "buttons screen-only" }, this.#listen)), this.#keep.element);
     place.append(element("div", { class: "swing" }, stage, controls, graphs, below));
     const key = (event: KeyboardEvent) => {
       if (!event.defaultPrevented && this.#transport.key(event)) event.preventDefault();
