@@ -75,6 +75,14 @@ test("what is saved is what the command writes", () =>
     assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
   }));
 
+test("keys move no amplitude that is none", () =>
+  visit("formulas?amplitude=nonsense", async (room) => {
+    await room.getByRole("slider").focus();
+    await room.keyboard.press("ArrowRight");
+    await settled(room);
+    assert.equal(await room.getByLabel("Amplitude", { exact: true }).inputValue(), "nonsense");
+  }));
+
 test("wrong entries are answered beside their fields", () =>
   visit("formulas", async (room) => {
     await enter(room, "Amplitude", "200deg");

@@ -102,6 +102,18 @@ test("damaged files end in a message", () =>
     }
   }));
 
+test("markup in a file and in its name stays text", () =>
+  visit("laboratory", async (room) => {
+    const swing = readFileSync(`${EXAMPLES}swing_synthetic.csv`, "utf8").replace("theta (deg)", "<b><img>angle</b> (deg)");
+    const name = "<img src=x onerror=alert(2)>.csv";
+    await give(room, { name, mimeType: "text/csv", buffer: Buffer.from(swing) });
+    assert.equal(await room.locator("main img, main script").count(), 0);
+    assert.equal(await room.locator(".reading h3").textContent(), name);
+    const report = await room.locator(".report").textContent();
+    assert.ok(report.includes("<b><img>angle</b> (deg)"));
+    assert.doesNotMatch(report, /Copy for Word/);
+  }));
+
 test("the page says that files stay, and why a desk has no motion sensor", () =>
   visit("laboratory", async (room) => {
     assert.match(await room.locator(".stay").textContent(), /never leave this machine/);

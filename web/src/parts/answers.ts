@@ -1,9 +1,7 @@
 // Answers read as JSON.
 
-import type { Engine } from "../engine/engine.ts";
-import { text as decoded } from "../engine/engine.ts";
+import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
 import { ask, type Command, extended } from "./command.ts";
-import type { Answer } from "../engine/engine.ts";
 
 /** An answer, and what it says where it says something. */
 export interface Read<T> {

@@ -5,9 +5,6 @@ const MATH = "math maction menclose mfrac mi mn mo mover mpadded mphantom mroot 
 const SVG = "svg g path rect circle line polyline polygon text tspan title desc";
 const ELEMENTS = new Set(`${HTML} ${MATH} ${SVG}`.split(" "));
 
-/** Of these not even the text stays. */
-const LEFT_OUT = new Set(["style", "script", "button", "template"]);
-
 const ATTRIBUTES = new Set(
   ("class id scope colspan rowspan open display mathvariant stretchy form lspace rspace largeop symmetric minsize maxsize width height depth " +
     "columnalign rowspacing columnspacing displaystyle scriptlevel accent accentunder linethickness notation " +
@@ -15,7 +12,7 @@ const ATTRIBUTES = new Set(
     "font-size font-family font-style font-weight text-anchor dominant-baseline transform").split(" "),
 );
 
-/** The nodes of a piece of HTML or MathML, as far as they are on the list; the text of others stays. */
+/** The nodes of a piece of HTML or MathML, as far as they are on the list; others are left out with all that is in them. */
 export function fromHtml(source: string): Node[] {
   return rebuilt(new DOMParser().parseFromString(withoutStyle(source), "text/html").body);
 }
@@ -46,8 +43,10 @@ function rebuilt(parent: Node): Node[] {
 
 function rebuiltNode(node: Node): Node[] {
   if (node instanceof Text) return [document.createTextNode(node.data)];
-  if (!(node instanceof Element) || LEFT_OUT.has(node.localName) || node.hasAttribute("hidden")) return [];
-  if (!ELEMENTS.has(node.localName)) return rebuilt(node);
+  if (!(node instanceof Element)) return [];
+  // The page has one of its own.
+  if (node.localName === "main") return rebuilt(node);
+  if (!ELEMENTS.has(node.localName)) return [];
   const made = document.createElementNS(node.namespaceURI, node.localName);
   for (const { name, value } of Array.from(node.attributes)) {
     // A link leads only to a place on the same page.

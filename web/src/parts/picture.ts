@@ -1,7 +1,6 @@
 // Pictures that the command draws: shown, described in words, and saved.
 
-import type { Answer, Engine } from "../engine/engine.ts";
-import { text as decoded } from "../engine/engine.ts";
+import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
 import { ask, type Command, extended } from "./command.ts";
 import { button, element } from "./element.ts";

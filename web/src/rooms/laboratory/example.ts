@@ -1,7 +1,6 @@
 // A swing to try the laboratory with: computed by the command, written as an instrument would, in whole tenths of a degree.
 
-import type { Engine } from "../../engine/engine.ts";
-import { text as decoded } from "../../engine/engine.ts";
+import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { ask, given } from "../../parts/command.ts";
 
 const QUESTION = {

@@ -1,8 +1,7 @@
 // Room 5: measurements are read, fitted and judged, without leaving the machine.
 
 import type { Address } from "../../address.ts";
-import type { Engine } from "../../engine/engine.ts";
-import { text as decoded } from "../../engine/engine.ts";
+import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
 import { ask, type Command, extended, given, reason } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";

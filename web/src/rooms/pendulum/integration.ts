@@ -1,7 +1,6 @@
 // Damped and driven motions, which have no formula: integrated by the command, further ahead as the time goes on.
 
-import type { Engine } from "../../engine/engine.ts";
-import { text as decoded } from "../../engine/engine.ts";
+import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { ask, type Command, extended, reason } from "../../parts/command.ts";
 import { IntegratedCourse } from "./course.ts";
 

@@ -1,8 +1,7 @@
 // Room 3: exact series of any oscillator, beside its exact motion.
 
 import type { Address } from "../../address.ts";
-import type { Answer, Engine } from "../../engine/engine.ts";
-import { text as decoded } from "../../engine/engine.ts";
+import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
 import { ask, type Command, extended, given, reason } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
