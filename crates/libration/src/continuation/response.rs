@@ -61,7 +61,7 @@ impl Response {
     /// # Examples
     /// ```
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
-    /// // Duffing's equation with hardening: up to w = 1.6 there is one answer, and no fold at this force.
+    /// // Duffing's equation with hardening, which bends its resonance to higher frequencies.
     /// let duffing = "x'' = -0.05*x' - x - 0.1*x^3 + 0.18*cos(w*t)".parse()?;
     /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default())?;
     /// let folds = response.branches[0].special.iter().filter(|it| it.kind == SpecialKind::Fold);
