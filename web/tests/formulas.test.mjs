@@ -75,6 +75,16 @@ test("what is saved is what the command writes", () =>
     assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
   }));
 
+test("every formula is typeset, with fractions and roots as LaTeX reads them", () =>
+  visit(`formulas?formulas=${answer("formulas").formulas.map(({ key }) => key).join()}`, async (room) => {
+    const unread = await room.locator(".formula-card math").evaluateAll((all) => all.filter((math) => math.querySelector("mtext") !== null || /[\\{}^_]/.test(math.textContent)).map((math) => math.textContent));
+    assert.deepEqual(unread, []);
+    const half = room.locator(".formula-card", { hasText: "AGM, second geometric mean" }).locator("mfrac").nth(1);
+    assert.deepEqual(await half.evaluate((it) => [...it.children].map((child) => child.textContent)), ["1", "2"]);
+    const ganley = room.locator(".formula-card", { hasText: "Ganley" }).locator("msqrt").nth(1);
+    assert.equal(await ganley.textContent(), "3");
+  }));
+
 test("keys move no amplitude that is none", () =>
   visit("formulas?amplitude=nonsense", async (room) => {
     await room.getByRole("slider").focus();

@@ -29,17 +29,21 @@ function node(name: string, ...children: (Element | string)[]): Element {
 }
 
 class Reader {
-  readonly #tokens: readonly string[];
+  readonly #tokens: string[];
   #at = 0;
 
-  constructor(tokens: readonly string[]) {
+  constructor(tokens: string[]) {
     this.#tokens = tokens;
   }
 
   /** Everything up to a token that closes. */
   row(closing?: string): Element[] {
     const parts: Element[] = [];
-    while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) parts.push(this.#scripted(closing));
+    while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) {
+      const isFunction = FUNCTIONS.has(this.#tokens[this.#at]?.slice(1) ?? "");
+      parts.push(this.#scripted(closing));
+      if (isFunction && !["(", "\\left", closing].includes(this.#tokens[this.#at])) parts.push(space("0.17em"));
+    }
     this.#at += 1;
     return parts;
   }
@@ -52,12 +56,19 @@ class Reader {
       const sign = this.#tokens[this.#at];
       if (sign !== "_" && sign !== "^") break;
       this.#at += 1;
-      if (sign === "_") below = this.#piece();
-      else above = this.#piece();
+      if (sign === "_") below = this.#argument();
+      else above = this.#argument();
     }
     if (below !== undefined && above !== undefined) return node("msubsup", base, below, above);
     if (below !== undefined) return node("msub", base, below);
     return above === undefined ? base : node("msup", base, above);
+  }
+
+  // As LaTeX takes it: of a number without braces one digit only, so that \tfrac12 is a half.
+  #argument(): Element {
+    const [digit = "", ...rest] = this.#tokens[this.#at] ?? "";
+    if (/^\d/.test(digit) && rest.length > 0) this.#tokens.splice(this.#at, 1, digit, rest.join(""));
+    return this.#piece();
   }
 
   #piece(): Element {
@@ -71,17 +82,14 @@ class Reader {
   }
 
   #command(name: string): Element {
-    if (name === "frac" || name === "tfrac" || name === "dfrac") return node("mfrac", this.#piece(), this.#piece());
-    if (name === "sqrt") return node("msqrt", this.#piece());
+    if (name === "frac" || name === "tfrac" || name === "dfrac") return node("mfrac", this.#argument(), this.#argument());
+    if (name === "sqrt") return node("msqrt", this.#argument());
     if (name === "left") return this.#bracketed();
     const letter = NAMED[name];
     if (letter !== undefined) return node("mi", letter);
     if (FUNCTIONS.has(name)) return upright(name);
-    const space = SPACES[name];
-    if (space === undefined) return node("mtext", name);
-    const made = node("mspace");
-    made.setAttribute("width", space);
-    return made;
+    const width = SPACES[name];
+    return width === undefined ? node("mtext", name) : space(width);
   }
 
   #bracketed(): Element {
@@ -90,6 +98,12 @@ class Reader {
     const inside = this.row("\\right");
     return node("mrow", node("mo", open), ...inside, node("mo", bracket()));
   }
+}
+
+function space(width: string): Element {
+  const made = node("mspace");
+  made.setAttribute("width", width);
+  return made;
 }
 
 function upright(name: string): Element {
