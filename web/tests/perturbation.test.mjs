@@ -45,6 +45,13 @@ test("another oscillator is chosen by the keyboard alone, and a link shows it ag
     await visit(new URL(room.url()).hash.slice(1), async (again) => assert.equal(await shown(again), await shown(room)));
   }));
 
+test("an equation without an angle is tried at plain numbers", () =>
+  visit("perturbation?oscillator=x''%3D-x-x^3", async (room) => {
+    assert.deepEqual(await errors(room), []);
+    assert.equal(await room.getByLabel("Amplitude to try it at", { exact: true }).inputValue(), "0.4");
+    assert.equal((await rows(room, "Backbone")).length, 8);
+  }));
+
 test("functions of a language are saved as the command writes them", () =>
   visit("perturbation?oscillator=duffing", async (room) => {
     await room.getByLabel("As functions in").selectOption("c");

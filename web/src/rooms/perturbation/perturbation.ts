@@ -103,15 +103,20 @@ class PerturbationRoom {
 
   #update(): void {
     const key = this.#form.value("oscillator");
-    // An equation without an angle is not tried at angles that nobody has entered.
-    const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
-    if (key.includes("=") && !/theta|phi|angle/.test(key) && isUntouched) this.#put(PLAIN);
     this.#builtIn.value = Array.from(this.#builtIn.options).some(({ value }) => value === key) ? key : "";
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
+  // An equation without an angle is not tried at angles that nobody has entered.
+  #fit(): void {
+    const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
+    const oscillator = this.#form.value("oscillator");
+    if (oscillator.includes("=") && !/theta|phi|angle/.test(oscillator) && isUntouched) this.#put(PLAIN);
+  }
+
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
+    this.#fit();
     if (this.#form.value("oscillator") === "") return this.#series.fail(words.none);
     this.#equivalents.show([this.#expansion(), this.#evaluation(), this.#seriesPicture.command(this.#figure()), this.#backboneCommand()]);
     if (!(await this.#expand(signal)) || signal.aborted) return;
