@@ -8,7 +8,7 @@ import { close, DESK, PHONE, PROJECTOR, visit } from "./harness.mjs";
 
 after(close);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const ROOMS = ["formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", "chaos?over=A%3D1:1.5:0.05&points=300"];
+const ROOMS = ["pendulum?angle=150deg&small-angle=yes", "about", "formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", "chaos?over=A%3D1:1.5:0.05&points=300"];
 
 for (const fragment of ROOMS) {
   for (const [viewport, colorScheme] of [[PHONE, "light"], [DESK, "dark"], [DESK, "light"], [PROJECTOR, "dark"]]) {

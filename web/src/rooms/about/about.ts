@@ -20,7 +20,7 @@ export const about: Room = {
       element("h1", {}, text.titles["about"] ?? ""),
       element("p", { class: "lead" }, words.lead),
       section(accuracy.title, accuracy.intro, table(accuracy.caption, [{ title: quantity }, { title: error }], accuracy.rows), accuracy.ulp, accuracy.others),
-      section(sources.title, sources.intro, element("ul", {}, ...sources.entries.map(([name = "", link = ""]) => element("li", {}, `${name}. `, element("a", { href: link, rel: "noreferrer" }, link))))),
+      section(sources.title, sources.intro, element("ul", { class: "lead" }, ...sources.entries.map(([name = "", link = ""]) => element("li", {}, `${name}. `, element("a", { href: link, rel: "noreferrer" }, link))))),
       section(licences.title, licences.own, licences.others),
       section(cite.title, cite.intro, element("pre", { tabindex: "0", "aria-label": cite.label }, element("code", {}, bibtex())), copyButton(bibtex, cite.label)),
     );

@@ -235,16 +235,16 @@ function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5)
 }
 
 function legend(pen: Pen, entries: readonly (readonly [Parameters<Pen["line"]>[2], string])[]): void {
-  const { context } = pen;
+  const { context, unit } = pen;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  let x = 60;
+  let x = 60 * unit;
   for (const [colour, name] of entries) {
     context.fillStyle = pen.colours[colour];
-    context.fillRect(x, 14, 14, 4);
+    context.fillRect(x, 14 * unit, 14 * unit, 4 * unit);
     context.fillStyle = pen.colours.ink;
-    context.fillText(name, x + 18, 16);
-    x += 28 + context.measureText(name).width;
+    context.fillText(name, x + 18 * unit, 16 * unit);
+    x += 28 * unit + context.measureText(name).width;
   }
 }
 

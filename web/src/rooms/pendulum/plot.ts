@@ -24,6 +24,8 @@ export class Pen {
     readonly x: (value: number) => number,
     readonly y: (value: number) => number,
     readonly colours: Colours,
+    /** What 1 px is where letters are of their usual size. */
+    readonly unit: number,
   ) {}
 
   line(xs: ArrayLike<number>, ys: ArrayLike<number>, colour: Colour, width = 1.75, dash: number[] = []): void {
@@ -64,8 +66,23 @@ export class Pen {
   }
 }
 
-const FONT = "12px system-ui, 'DejaVu Sans', sans-serif";
-const MARGIN = { left: 52, right: 18, top: 8, bottom: 36 };
+const FONT = "system-ui, 'DejaVu Sans', sans-serif";
+
+interface Margin {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** Letters grow with those of the page. */
+function letterUnit(): number {
+  return parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+}
+
+function margins(unit: number): Margin {
+  return { left: 52 * unit, right: 18 * unit, top: 8 * unit, bottom: 36 * unit };
+}
 
 export class Plot {
   readonly element: HTMLElement;
@@ -108,18 +125,21 @@ export class Plot {
     const context = this.#still.getContext("2d");
     if (context === null) return;
     context.scale(scale, scale);
-    const frame = framed(axes, width, height);
+    const unit = letterUnit();
+    const margin = margins(unit);
+    const frame = framed(axes, width, height, margin);
     const all = colours();
-    drawAxes(new Pen(context, frame.x, frame.y, all), frame.axes, width, height);
+    const pen = new Pen(context, frame.x, frame.y, all, unit);
+    drawAxes(pen, frame.axes, width, height, margin);
     context.save();
     context.beginPath();
-    context.rect(MARGIN.left, 0, width - MARGIN.left, height - MARGIN.bottom + 4);
+    context.rect(margin.left, 0, width - margin.left, height - margin.bottom + 4);
     context.clip();
-    this.#curves(new Pen(context, frame.x, frame.y, all));
+    this.#curves(pen);
     context.restore();
     if (this.#context !== null) {
       this.#context.setTransform(scale, 0, 0, scale, 0, 0);
-      this.#pen = new Pen(this.#context, frame.x, frame.y, all);
+      this.#pen = new Pen(this.#context, frame.x, frame.y, all, unit);
     }
     this.#picture();
   }
@@ -144,8 +164,8 @@ interface Frame {
   readonly y: (value: number) => number;
 }
 
-function framed(axes: Axes, width: number, height: number): Frame {
-  const [across, up] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
+function framed(axes: Axes, width: number, height: number, margin: Margin): Frame {
+  const [across, up] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
   let { x, y } = axes;
   if (axes.square === true) {
     const unit = Math.max((x[1] - x[0]) / across, (y[1] - y[0]) / up);
@@ -157,35 +177,35 @@ function framed(axes: Axes, width: number, height: number): Frame {
   const [perX, perY] = [across / (x[1] - x0), up / (y[1] - y0)];
   return {
     axes: { ...axes, x, y },
-    x: (value) => MARGIN.left + (value - x0) * perX,
-    y: (value) => height - MARGIN.bottom - (value - y0) * perY,
+    x: (value) => margin.left + (value - x0) * perX,
+    y: (value) => height - margin.bottom - (value - y0) * perY,
   };
 }
 
-function drawAxes(pen: Pen, axes: Axes, width: number, height: number): void {
-  const { context } = pen;
-  const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
-  context.font = FONT;
+function drawAxes(pen: Pen, axes: Axes, width: number, height: number, margin: Margin): void {
+  const { context, unit } = pen;
+  const [left, right, top, bottom] = [margin.left, width - margin.right, margin.top, height - margin.bottom];
+  context.font = `${12 * unit}px ${FONT}`;
   context.fillStyle = pen.colours.quiet;
   context.strokeStyle = pen.colours.line;
   context.lineWidth = 1;
   context.textAlign = "center";
   context.textBaseline = "top";
-  for (const [value, words] of axes.xTicks ?? ticks(axes.x, (right - left) / 60)) {
+  for (const [value, words] of axes.xTicks ?? ticks(axes.x, (right - left) / (60 * unit))) {
     const x = Math.round(pen.x(value)) + 0.5;
     stroke(context, x, top, x, bottom);
-    context.fillText(words, x, bottom + 4);
+    context.fillText(words, x, bottom + 4 * unit);
   }
-  context.fillText(axes.xLabel, (left + right) / 2, bottom + 19);
+  context.fillText(axes.xLabel, (left + right) / 2, bottom + 19 * unit);
   context.textAlign = "right";
   context.textBaseline = "middle";
-  for (const [value, words] of axes.yTicks ?? ticks(axes.y, (bottom - top) / 36)) {
+  for (const [value, words] of axes.yTicks ?? ticks(axes.y, (bottom - top) / (36 * unit))) {
     const y = Math.round(pen.y(value)) + 0.5;
     stroke(context, left, y, right, y);
-    context.fillText(words, left - 4, y);
+    context.fillText(words, left - 4 * unit, y);
   }
   context.save();
-  context.translate(10, (top + bottom) / 2);
+  context.translate(10 * unit, (top + bottom) / 2);
   context.rotate(-Math.PI / 2);
   context.textAlign = "center";
   context.fillText(axes.yLabel, 0, 0);
