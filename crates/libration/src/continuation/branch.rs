@@ -91,11 +91,33 @@ pub(super) struct Walk<'a> {
 }
 
 /// A followed branch, with the nodes of its singular points.
+#[derive(Clone, Debug)]
 pub(super) struct Walked {
     pub(super) branch: Branch,
     pub(super) specials: Vec<(SpecialPoint, Node)>,
     /// The value of the parameter where it meets the branch it is a side of.
     pub(super) meeting: Option<f64>,
+}
+
+impl Walked {
+    /// This one backwards, and then another one that begins at the same point.
+    pub(super) fn turned_into(mut self, onward: &Self) -> Self {
+        let all = self.branch.points.len();
+        let turned = |(special, node): (SpecialPoint, Node)| {
+            (SpecialPoint { before: all - special.before, ..special }, node)
+        };
+        let later = |(special, node): &(SpecialPoint, Node)| {
+            (SpecialPoint { before: special.before + all - 1, ..special.clone() }, node.clone())
+        };
+        self.specials =
+            self.specials.into_iter().rev().map(turned).chain(onward.specials.iter().map(later)).collect();
+        self.branch.special = self.specials.iter().map(|(special, _)| special.clone()).collect();
+        self.branch.points.reverse();
+        self.branch.points.extend_from_slice(&onward.branch.points[1..]);
+        self.branch.ending = onward.branch.ending;
+        self.meeting = self.meeting.or(onward.meeting);
+        self
+    }
 }
 
 impl<'a> Walk<'a> {
@@ -213,7 +235,11 @@ impl<'a> Walk<'a> {
             return None;
         }
         let part = side(&before) / (side(&before) - side(&after));
-        let guess = between(self.at(), next, units, part);
+        let mut guess = between(self.at(), next, units, part);
+        let beside = side(&difference(&guess, start.place(), units));
+        for ((number, along), unit) in guess.iter_mut().zip(&along).zip(units) {
+            *number -= beside * along * unit;
+        }
         let corrected = self.corrector.corrected(&guess, &along, units)?;
         /// Ten thousand roundings; another branch is farther away.
         const SAME: f64 = 1e-8;

@@ -27,8 +27,18 @@ pub enum NoBranch {
         /// The other.
         to: f64,
     },
+    /// A start outside of the range.
+    #[error("the answers are looked for at {at:?}, which is outside of the range from {from:?} to {to:?}")]
+    Outside {
+        /// Where they are looked for.
+        at: f64,
+        /// One end.
+        from: f64,
+        /// The other.
+        to: f64,
+    },
     /// No motion to begin with at either end.
-    #[error("no periodic motion is found at either end of the range: {0}")]
+    #[error("no periodic motion is found at the ends of the range, or where it is looked for: {0}")]
     NoStart(NoOrbit),
     /// The watch said so, before there was anything.
     #[error(transparent)]

@@ -1,6 +1,6 @@
 //! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
-use super::branch::{Branch, Limits, Origin, Walk, Walked};
+use super::branch::{Branch, Ending, Limits, Origin, Walk, Walked};
 use super::corrector::{Corrected, Corrector};
 use super::error::NoBranch;
 use super::family::{Family, TOLERANCES};
@@ -19,6 +19,9 @@ use crate::watch::{Stage, Watch};
 pub struct ResponseOptions {
     /// The state from which a motion is looked for at each end of the range; rest, where all numbers are zero, if there is none.
     pub start: Option<Vec<f64>>,
+    /// The value of the parameter at which it is looked for, and followed from both ways; the ends of the range if there is none. Curves that
+    /// close within the range are found from there only.
+    pub at: Option<f64>,
     /// How many periods of the drive an answer takes: 1, or more for subharmonic answers.
     pub drive_periods: u32,
     /// How many times one after the other branches may lose their symmetry or double their period, to be followed there.
@@ -29,7 +32,7 @@ pub struct ResponseOptions {
 
 impl Default for ResponseOptions {
     fn default() -> Self {
-        Self { start: None, drive_periods: 1, generations: 2, most_points: 3000 }
+        Self { start: None, at: None, drive_periods: 1, generations: 2, most_points: 3000 }
     }
 }
 
@@ -99,6 +102,9 @@ impl Response {
         }
         watch.begin(Stage::Whole, None);
         let range = [from.min(to), from.max(to)];
+        if let Some(at) = options.at.filter(|at| !(range[0]..=range[1]).contains(at)) {
+            return Err(NoBranch::Outside { at, from, to });
+        }
         let family = Family::new(equation, parameter, range, watch)?;
         let search = Search { equation, parameter, family: &family, range, options };
         search.response()
@@ -119,12 +125,13 @@ impl Search<'_> {
         let mut left: Vec<(usize, Leaving)> = vec![];
         let mut met: Vec<(Space, f64)> = vec![];
         let mut missing = None;
-        for (number, value) in self.range.into_iter().enumerate() {
-            let into = if number == 0 { 1.0 } else { -1.0 };
+        let [low, high] = self.range;
+        let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
+        for (value, into) in places {
             match self.start(value) {
                 Ok(state) if is_known(&branches, value, &state) => {}
                 Ok(state) => {
-                    let Some(walked) = self.primary(value, &state, into) else { continue };
+                    let Some(walked) = self.through(value, &state, into) else { continue };
                     left.extend(self.leaving(&walked, 0));
                     met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
                     branches.push(walked.branch);
@@ -196,7 +203,16 @@ impl Search<'_> {
         Corrector { family: self.family, space, tolerance: TOLERANCES[0], stale: STALE }
     }
 
-    /// The branch from a motion at an end of the range on, in the smallest space that has the motion.
+    /// The branch through a motion, in the smallest space that has it: from an end of the range on, or both ways.
+    fn through(&self, value: f64, state: &[f64], into: f64) -> Option<Walked> {
+        let walked = self.primary(value, state, into)?;
+        if self.options.at.is_none() || walked.branch.ending == Ending::Closed {
+            return Some(walked);
+        }
+        let back = self.primary(value, state, -into);
+        Some(back.map_or_else(|| walked.clone(), |back| back.turned_into(&walked)))
+    }
+
     fn primary(&self, value: f64, state: &[f64], into: f64) -> Option<Walked> {
         let corrector = self.corrector(self.smallest(self.space(), state, value));
         let mut along = vec![0.0; state.len() + 1];

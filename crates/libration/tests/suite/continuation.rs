@@ -124,6 +124,31 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
 }
 
 #[test]
+fn a_curve_that_closes_is_followed_once_around() {
+    let duffing = equation("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", &[]);
+    let options = ResponseOptions {
+        start: Some(vec![1.4, 1.5]),
+        at: Some(4.5),
+        drive_periods: 3,
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let response = Response::over(&duffing, "w", [2.5, 6.0], &options).unwrap();
+    let branch = &response.branches[0];
+    assert_eq!((response.branches.len(), branch.ending), (1, Ending::Closed));
+    assert_eq!(branch.points.first(), branch.points.last());
+    // Each of its two folds is met as often as its phases, which differ by periods of the drive, follow each other on the curve.
+    let folds = specials(&response, SpecialKind::Fold);
+    assert!(
+        folds.iter().any(|w| (w - 5.294354133015116).abs() < 1e-5)
+            && folds.iter().any(|w| (w - 3.64886).abs() < 1e-5)
+    );
+    assert!(folds.len() == 2 || folds.len() == 6, "{folds:?}");
+    let outside = ResponseOptions { at: Some(7.0), ..options };
+    assert!(matches!(Response::over(&duffing, "w", [2.5, 6.0], &outside), Err(NoBranch::Outside { .. })));
+}
+
+#[test]
 fn a_determinant_of_one_is_a_bifurcation_where_multipliers_are_complex() {
     let van_der_pol = "x'' = mu*(1 - x^2)*x' - x + F*cos(w*t)";
     let response = over(&equation(van_der_pol, &[("mu", "1"), ("F", "1")]), "w", [0.5, 1.3]);
