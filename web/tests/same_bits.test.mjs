@@ -60,6 +60,7 @@ const QUESTIONS = [
   ["inspect", "swing_synthetic.csv", "--json"],
   ["fit", "periods", "period_table_synthetic.csv", "--length", "0.9940(5) m", "--json"],
   ["fit", "lengths", "lengths_synthetic.csv", "--amplitude", "10deg", "--json"],
+  ["fit", "trace", "swing_synthetic.csv", "--length", "0.56m±0.002m", "--json"],
   ["figure", "errors", "--output", "-"],
   ["period", "60degg"],
   ["period", "200deg"],
@@ -69,16 +70,6 @@ const ANSWERS = QUESTIONS.map((words) => command(...words));
 
 function compareStates(found) {
   MOTIONS.forEach(({ angle, velocity }, n) => assert.deepEqual(found[n], STATES[n], `${angle}, ${velocity} rad/s`));
-}
-
-/** Products of matrices are formed as the processor likes, so that fits of swings have other last digits. */
-const FIT = ["fit", "trace", "swing_synthetic.csv", "--length", "0.56m±0.002m", "--json"];
-
-function compareFits(found) {
-  const numbers = (text) => text.match(/-?\d+(\.\d+)?(e[+-]?\d+)?/g).map(Number);
-  const [shown, expected] = [numbers(found), numbers(command(...FIT).output)];
-  assert.equal(shown.length, expected.length);
-  expected.forEach((number, n) => assert.ok(Math.abs(shown[n] - number) <= 1e-9 * Math.abs(number) + 1e-12, `${shown[n]} instead of ${number}`));
 }
 
 function compareAnswers(found) {
@@ -110,7 +101,7 @@ test("a thousand periods and every kind of question in node", async () => {
   await context.onmessage({ data: { kind: "module", module: new WebAssembly.Module(readFileSync(here("../dist/whole.wasm"))) } });
   const files = new Map(Object.entries(FILES).map(([name, text]) => [name, Buffer.from(text)]));
   const found = [];
-  for (const words of [...QUESTIONS, FIT]) {
+  for (const words of QUESTIONS) {
     messages.length = 0;
     await context.onmessage({ data: { kind: "question", words, files } });
     const end = messages.at(-1);
@@ -118,7 +109,6 @@ test("a thousand periods and every kind of question in node", async () => {
     const output = Buffer.concat(messages.filter(({ kind }) => kind === "output").map(({ chunk }) => chunk)).toString();
     found.push({ status: end.status, error: end.error, output });
   }
-  compareFits(found.pop().output);
   compareAnswers(found);
 });
 
