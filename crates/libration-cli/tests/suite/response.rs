@@ -41,6 +41,9 @@ fn a_response_has_the_fields_of_the_contract() {
     );
     let jumps = answer["jumps"].as_array().unwrap();
     assert_eq!(jumps.iter().map(|it| it["sweep"].as_str().unwrap()).collect::<Vec<_>>(), ["up", "down"]);
+    // From SciPy's DOP853 and fsolve.
+    let landing = (jumps[0]["to"][0].as_f64().unwrap(), jumps[0]["to_error"][0].as_f64().unwrap());
+    assert!((landing.0.to_degrees() - 89.119173515280).abs() < 1e-9 && landing.1 < 1e-12, "{landing:?}");
 }
 
 #[test]
@@ -48,8 +51,8 @@ fn a_response_is_told_in_words() {
     let told = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1");
     let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "Upwards in omega the answer jumps up at omega = 0.872158, from 52.195° to 8",
-        "Downwards in omega the answer jumps down at omega = 0.780633, from 106.32° to 22.",
+        "Upwards in omega the answer jumps up at omega = 0.872158, from 52.195° to 89.119°",
+        "Downwards in omega the answer jumps down at omega = 0.780633, from 106.32° to 22.624°",
         "fold 1 0.872157569137917",
     ] {
         assert!(words.contains(part), "{part} in {told}");

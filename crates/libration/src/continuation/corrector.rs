@@ -68,7 +68,7 @@ impl Corrector<'_> {
 
     pub(super) fn image(&self, place: &[f64]) -> Option<Image> {
         let (parameter, state) = place.split_last()?;
-        self.family.image(self.space, state, *parameter, self.tolerance)
+        self.family.image(self.space, state, &[*parameter], self.tolerance)
     }
 
     /// The unit vector along the branch, in units, that goes with another one.
@@ -86,7 +86,7 @@ pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> Vec<Vec<f6
     let numbers = image.defect.len();
     let entry = |i: usize, j: usize| {
         let own = if i == j { 1.0 } else { 0.0 };
-        let derivative = if j < numbers { image.map[i][j] - own } else { image.by_parameter[i] };
+        let derivative = if j < numbers { image.map[i][j] - own } else { image.by_parameters[0][i] };
         derivative * units[j] / units[i]
     };
     let rows = (0..numbers).map(|i| (0..=numbers).map(|j| entry(i, j)).collect());

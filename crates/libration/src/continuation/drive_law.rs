@@ -1,32 +1,35 @@
-//! The period of the drive as a function of the parameter.
+//! The period of the drive as a function of the parameters.
 
 use super::error::NoBranch;
 use crate::algebra::Doubles;
 use crate::chaos::drive_frequency;
-use crate::expression::{Equation, Jet, Symbol, Tape};
+use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
 use std::f64::consts::TAU;
 
-/// T = n·2π/ω(p).
+/// T = n·2π/ω(p, …).
 #[derive(Clone, Debug)]
 pub(super) struct DriveLaw {
-    /// ω and dω/dp.
+    /// ω, then its derivative by each parameter.
     frequency: Tape,
     times: f64,
 }
 
 impl DriveLaw {
-    pub(super) fn new(equation: &Equation, parameter: &str) -> Result<Self, NoBranch> {
+    pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Self, NoBranch> {
         let (frequency, times) = drive_frequency(equation).ok_or(NoBranch::NotDriven)?;
-        let symbol = Symbol::plain(parameter);
-        let slope = frequency.derivative(&symbol).simplified();
-        Ok(Self { frequency: Tape::new(&[&frequency, &slope], &[symbol])?, times: f64::from(times) })
+        let symbols: Vec<Symbol> = parameters.iter().map(|name| Symbol::plain(name)).collect();
+        let slopes: Vec<Expression> =
+            symbols.iter().map(|it| frequency.derivative(it).simplified()).collect();
+        let formulas: Vec<&Expression> = std::iter::once(&frequency).chain(&slopes).collect();
+        Ok(Self { frequency: Tape::new(&formulas, &symbols)?, times: f64::from(times) })
     }
 
-    /// The period and its derivative; `None` where there is none.
-    pub(super) fn period(&self, parameter: f64) -> Option<[f64; 2]> {
-        let jet = Jet::new(&Doubles, &self.frequency, &[parameter]).ok()?;
-        let [frequency, slope] = [0, 1].map(|result| jet.result(result)[0]);
+    /// The period and its derivatives; `None` where there is none.
+    pub(super) fn period(&self, parameters: &[f64]) -> Option<(f64, Vec<f64>)> {
+        let jet = Jet::new(&Doubles, &self.frequency, parameters).ok()?;
+        let frequency = jet.result(0)[0];
         let period = self.times * TAU / frequency.abs();
-        (period > 0.0 && period.is_finite()).then_some([period, -period * slope / frequency])
+        let slope = |number: usize| -period * jet.result(number)[0] / frequency;
+        (period > 0.0 && period.is_finite()).then(|| (period, (1..=parameters.len()).map(slope).collect()))
     }
 }

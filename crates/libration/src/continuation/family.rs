@@ -1,4 +1,4 @@
-//! A driven system over one parameter: how the end of a motion depends on its start and on the parameter.
+//! A driven system over its open parameters: how the end of a motion depends on its start and on them.
 
 use super::drive_law::DriveLaw;
 use super::error::NoBranch;
@@ -11,14 +11,14 @@ use crate::taylor::{
 };
 use crate::watch::Watch;
 
-/// A system whose drive has a period at each value of a parameter.
+/// A system whose drive has a period at each value of its open parameters.
 #[derive(Debug)]
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
     law: DriveLaw,
     plain: System,
-    /// Followed by the derivatives by the parameter and by each number of the start.
+    /// Followed by the derivatives by each parameter and by each number of the start.
     with_derivatives: System,
     rates: Tape,
     pub(super) watch: &'w Watch<'w>,
@@ -31,8 +31,8 @@ pub(super) struct Image {
     pub(super) defect: Vec<f64>,
     /// How the end depends on the start, by rows.
     pub(super) map: Vec<Vec<f64>>,
-    /// And on the parameter, of which the time is a function.
-    pub(super) by_parameter: Vec<f64>,
+    /// And on each parameter, of which the time is a function.
+    pub(super) by_parameters: Vec<Vec<f64>>,
 }
 
 /// The tolerance of steps from which places are computed, and another one that makes other errors.
@@ -43,49 +43,57 @@ const MOST_STEPS: usize = 100_000;
 impl<'w> Family<'w> {
     pub(super) fn new(
         equation: &Equation,
-        parameter: &str,
-        range: [f64; 2],
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
         watch: &'w Watch<'w>,
     ) -> Result<Self, NoBranch> {
         let layout = StateLayout::new(equation);
-        let law = DriveLaw::new(equation, parameter)?;
-        let plain = System::with_parameters(equation, &[parameter])?;
-        let derivatives = with_sensitivities(equation, &[parameter], layout.numbers());
-        let with_derivatives = System::with_parameters(&derivatives, &[parameter])?;
+        let law = DriveLaw::new(equation, parameters)?;
+        let plain = System::with_parameters(equation, parameters)?;
+        let derivatives = with_sensitivities(equation, parameters, layout.numbers());
+        let with_derivatives = System::with_parameters(&derivatives, parameters)?;
         let mut inputs = layout.symbols(equation.variables());
-        inputs.extend([Symbol::plain("t"), Symbol::plain(parameter)]);
+        inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
         let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        let symmetry = symmetry(&layout, &rates, &law, range);
+        let symmetry = symmetry(&layout, &rates, &law, ranges);
         Ok(Self { layout, symmetry, law, plain, with_derivatives, rates, watch })
     }
 
-    /// The time of a space, and its derivative by the parameter.
-    pub(super) fn duration(&self, space: Space, parameter: f64) -> Option<[f64; 2]> {
-        let half_periods = f64::from(space.half_periods);
-        self.law.period(parameter).map(|period| period.map(|it| 0.5 * half_periods * it))
+    /// The time of a space.
+    pub(super) fn duration(&self, space: Space, parameters: &[f64]) -> Option<f64> {
+        self.law.period(parameters).map(|(period, _)| 0.5 * f64::from(space.half_periods) * period)
     }
 
     /// The image of a state with its derivatives; `None` where the motion cannot be followed.
-    pub(super) fn image(&self, space: Space, state: &[f64], parameter: f64, tolerance: f64) -> Option<Image> {
-        let [duration, slope] = self.duration(space, parameter)?;
-        let numbers = self.layout.numbers();
-        let place = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, 1 + numbers);
-        let mut start = vec![0.0; numbers * (2 + numbers)];
+    pub(super) fn image(
+        &self,
+        space: Space,
+        state: &[f64],
+        parameters: &[f64],
+        tolerance: f64,
+    ) -> Option<Image> {
+        let (period, slopes) = self.law.period(parameters)?;
+        let share = 0.5 * f64::from(space.half_periods);
+        let (numbers, by) = (self.layout.numbers(), parameters.len());
+        let place = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, by + numbers);
+        let mut start = vec![0.0; numbers * (1 + by + numbers)];
         for (number, value) in state.iter().enumerate() {
             start[place(number, 0)] = *value;
-            start[place(number, 2 + number)] = 1.0;
+            start[place(number, 1 + by + number)] = 1.0;
         }
-        let end = self.end(&self.with_derivatives, start, parameter, duration, tolerance)?;
+        let end = self.end(&self.with_derivatives, start, parameters, share * period, tolerance)?;
         let own: Vec<f64> = (0..numbers).map(|number| end[place(number, 0)]).collect();
-        let rate = self.rate(&own, duration, parameter)?;
+        let rate = self.rate(&own, share * period, parameters)?;
         let sign = space.sign();
-        let row = |number: usize| (0..numbers).map(|by| sign * end[place(number, 2 + by)]).collect();
+        let row =
+            |number: usize| (0..numbers).map(|start| sign * end[place(number, 1 + by + start)]).collect();
+        let by_parameter = |(number, slope): (usize, f64)| {
+            (0..numbers).map(|it| sign * (end[place(it, 1 + number)] + share * slope * rate[it])).collect()
+        };
         Some(Image {
             defect: own.iter().zip(state).map(|(end, start)| sign * end - start).collect(),
             map: (0..numbers).map(row).collect(),
-            by_parameter: (0..numbers)
-                .map(|number| sign * (end[place(number, 1)] + slope * rate[number]))
-                .collect(),
+            by_parameters: slopes.into_iter().enumerate().map(by_parameter).collect(),
         })
     }
 
@@ -93,12 +101,12 @@ impl<'w> Family<'w> {
         &self,
         system: &System,
         state: Vec<f64>,
-        parameter: f64,
+        parameters: &[f64],
         duration: f64,
         tolerance: f64,
     ) -> Option<Vec<f64>> {
         let start = Moment { time: 0.0, state };
-        let trajectory = Trajectory { start, parameters: vec![parameter], times: &[duration] };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
         let solution = trajectory.integrate_watched(system, &effort(tolerance), |_| self.watch.flow());
         Some(solution.ok()?.end.state).filter(|state| state.iter().all(|it| it.is_finite()))
     }
@@ -107,12 +115,12 @@ impl<'w> Family<'w> {
     pub(super) fn motion(
         &self,
         state: &[f64],
-        parameter: f64,
+        parameters: &[f64],
         duration: f64,
         tolerance: f64,
     ) -> Result<(Vec<OwnedStep>, Vec<f64>), IntegrationError> {
         let start = Moment { time: 0.0, state: state.to_vec() };
-        let trajectory = Trajectory { start, parameters: vec![parameter], times: &[duration] };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
         let mut steps = vec![];
         let solution = trajectory.integrate_watched(&self.plain, &effort(tolerance), |step| {
             steps.push(step.to_owned_step());
@@ -122,8 +130,8 @@ impl<'w> Family<'w> {
     }
 
     /// The derivative of a state by the time.
-    fn rate(&self, state: &[f64], time: f64, parameter: f64) -> Option<Vec<f64>> {
-        let inputs: Vec<f64> = state.iter().copied().chain([time, parameter]).collect();
+    fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
+        let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
         let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;
         let coordinates = 0..self.layout.coordinates();
         let mut rate = vec![0.0; state.len()];

@@ -1,68 +1,80 @@
 //! Where a slow sweep of the parameter jumps from one motion to another.
 
 use super::branch::Branch;
-use super::response::Response;
-use super::special::SpecialKind;
+use super::corrector::{Corrector, norm};
+use super::node::Node;
+use super::point::BranchPoint;
+use super::space::Space;
+use super::special::{SpecialKind, SpecialPoint};
 
 /// A fold in which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Jump {
-    /// The value of the parameter.
-    pub parameter: f64,
     /// Whether it happens as the parameter rises.
     pub rising: bool,
-    /// The amplitude that is left.
-    pub from: f64,
-    /// Amplitudes of the stable periodic motions there, between neighbouring points, to some parts in a thousand; none where all that were
-    /// found are unstable.
-    pub to: Vec<f64>,
+    /// The motion that is left, at the value of the parameter.
+    pub from: BranchPoint,
+    /// The other stable periodic motions at this value; none where all that were found are unstable.
+    pub to: Vec<BranchPoint>,
 }
 
-impl Response {
-    /// The jumps of slow sweeps, by the amplitude of one coordinate.
-    #[must_use]
-    pub fn jumps(&self, coordinate: usize, is_angle: bool) -> Vec<Jump> {
-        let of_branch = |(number, branch): (usize, &Branch)| {
-            let folds = branch.special.iter().filter(|it| it.kind == SpecialKind::Fold);
-            let jump = |fold: &super::special::SpecialPoint| {
-                let neighbours =
-                    [branch.points.get(fold.before.checked_sub(1)?)?, branch.points.get(fold.before)?];
-                let left = neighbours.into_iter().find(|point| point.stable)?;
-                let others = self.branches.iter().enumerate().flat_map(|(other, it)| {
-                    let own = (other == number).then_some(fold.before);
-                    stable_amplitudes(it, fold.point.parameter, own, coordinate, is_angle)
-                });
-                Some(Jump {
-                    parameter: fold.point.parameter,
-                    rising: left.parameter < fold.point.parameter,
-                    from: fold.point.amplitude(coordinate, is_angle),
-                    to: others.collect(),
-                })
-            };
-            folds.filter_map(jump).collect::<Vec<_>>()
-        };
-        self.branches.iter().enumerate().flat_map(of_branch).collect()
-    }
+/// The jumps of slow sweeps, branch by branch.
+pub(super) fn jumps<'a>(
+    branches: &[Branch],
+    corrector: impl Fn(Space) -> Corrector<'a>,
+    width: f64,
+) -> Vec<Jump> {
+    let jump = |number: usize, fold: &SpecialPoint| {
+        let points = &branches[number].points;
+        let neighbours = [points.get(fold.before.checked_sub(1)?)?, points.get(fold.before)?];
+        let left = neighbours.into_iter().find(|point| point.stable)?;
+        let value = fold.point.parameter;
+        let pairs = branches.iter().enumerate().flat_map(|(other, branch)| {
+            let own = (other == number).then_some(fold.before);
+            stable_stretches(branch, value, own).map(|pair| (branch.space, pair))
+        });
+        let to = pairs.map(|(space, pair)| landing(&corrector(space), pair, value, width));
+        Some(Jump {
+            rising: left.parameter < value,
+            from: fold.point.clone(),
+            to: to.filter(|it| it.stable).collect(),
+        })
+    };
+    let folds = branches.iter().enumerate().flat_map(|(number, branch)| {
+        let folds = branch.special.iter().filter(|it| it.kind == SpecialKind::Fold);
+        folds.map(move |fold| (number, fold))
+    });
+    folds.filter_map(|(number, fold)| jump(number, fold)).collect()
 }
 
-/// Where stable stretches of a branch go through a value, except on both sides of a fold.
-fn stable_amplitudes(
+/// Neighbours on stable stretches of a branch with a value between them, except on both sides of a fold.
+fn stable_stretches(
     branch: &Branch,
     value: f64,
     fold: Option<usize>,
-    coordinate: usize,
-    is_angle: bool,
-) -> Vec<f64> {
-    let pairs = branch.points.windows(2).enumerate();
-    let away = pairs.filter(|(number, _)| fold.is_none_or(|fold| number + 1 != fold));
-    let through = |(_, pair): (usize, &[super::point::BranchPoint])| {
-        let [a, b] = pair else { return None };
-        let (before, after) = (a.parameter - value, b.parameter - value);
-        let crosses = a.stable && b.stable && (before < 0.0) != (after < 0.0);
-        let part = before / (before - after);
-        let [x, y] = [a, b].map(|point| point.amplitude(coordinate, is_angle));
-        crosses.then_some(x + part * (y - x))
-    };
-    away.filter_map(through).collect()
+) -> impl Iterator<Item = [&BranchPoint; 2]> {
+    let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).enumerate();
+    let away = pairs.filter(move |(number, _)| fold.is_none_or(|fold| number + 1 != fold));
+    away.map(|(_, (a, b))| [a, b])
+        .filter(move |[a, b]| a.stable && b.stable && (a.parameter < value) != (b.parameter < value))
+}
+
+/// The motion at a value between two points; the nearer of them, with their distance as its error, where none is found between them.
+fn landing(corrector: &Corrector<'_>, [a, b]: [&BranchPoint; 2], value: f64, width: f64) -> BranchPoint {
+    let part = (value - a.parameter) / (b.parameter - a.parameter);
+    let place: Vec<f64> =
+        a.state.iter().zip(&b.state).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
+    let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
+    let nearer = if part < 0.5 { a } else { b };
+    let apart = distance(a, b);
+    let node = Node::near(corrector, &place, [&along, &along], width);
+    match node.map(|node| node.point).filter(|point| distance(point, nearer) <= apart) {
+        Some(point) => BranchPoint { parameter: value, ..point },
+        None => BranchPoint { error: apart.max(nearer.error), ..nearer.clone() },
+    }
+}
+
+fn distance(a: &BranchPoint, b: &BranchPoint) -> f64 {
+    norm(&a.state.iter().zip(&b.state).map(|(x, y)| x - y).collect::<Vec<_>>())
 }

@@ -35,9 +35,10 @@ mod special;
 
 mod backbone;
 mod branch;
-mod response;
 
 mod jumps;
+
+mod response;
 
 pub use backbone::free_oscillations;
 pub use branch::{Branch, Ending, Origin};

@@ -46,6 +46,26 @@ impl Node {
         Some(Self { corrected, direction, point, tests })
     }
 
+    /// The node nearest to a place, across a direction and along one, where the parameter has a range of a width: once to learn the sizes of
+    /// its motion, and again with these.
+    pub(super) fn near(
+        corrector: &Corrector<'_>,
+        place: &[f64],
+        [across, along]: [&[f64]; 2],
+        width: f64,
+    ) -> Option<Self> {
+        let mut sizes = vec![1.0; place.len()];
+        *sizes.last_mut()? = width;
+        let mut node: Option<Self> = None;
+        for _ in 0..2 {
+            let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
+            let found = Self::new(corrector, corrected, along, &sizes)?;
+            sizes = units(&corrector.family.layout, &found.point, largest_swing(&found.point), width);
+            node = Some(found);
+        }
+        node
+    }
+
     pub(super) fn place(&self) -> &[f64] {
         &self.corrected.place
     }

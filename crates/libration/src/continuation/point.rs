@@ -45,9 +45,9 @@ impl Corrector<'_> {
     /// What there is to say about a motion; `None` where it cannot be followed.
     pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
         let (&parameter, state) = corrected.place.split_last()?;
-        let [duration, _] = self.family.duration(self.space, parameter)?;
+        let duration = self.family.duration(self.space, &[parameter])?;
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
-        let (steps, end) = self.family.motion(state, parameter, duration, other).ok()?;
+        let (steps, end) = self.family.motion(state, &[parameter], duration, other).ok()?;
         let sign = self.space.sign();
         let defect: Vec<f64> = end.iter().zip(state).map(|(end, start)| sign * end - start).collect();
         let multipliers = multipliers(&corrected.image.map, self.space.mirrored)?;

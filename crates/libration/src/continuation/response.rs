@@ -1,10 +1,11 @@
 //! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
 use super::branch::{Branch, Ending, Limits, Origin, Walk, Walked};
-use super::corrector::{Corrected, Corrector};
+use super::corrector::Corrector;
 use super::error::NoBranch;
 use super::family::{Family, TOLERANCES};
-use super::node::{Node, in_units, largest_swing, units};
+use super::jumps::{Jump, jumps};
+use super::node::{Node, largest_swing, units};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
@@ -42,6 +43,8 @@ impl Default for ResponseOptions {
 pub struct Response {
     /// Those from the ends of the range before those that branch off.
     pub branches: Vec<Branch>,
+    /// The jumps of slow sweeps, branch by branch.
+    pub jumps: Vec<Jump>,
     /// Whether the watch ended it before all was followed.
     pub interrupted: bool,
 }
@@ -105,7 +108,7 @@ impl Response {
         if let Some(at) = options.at.filter(|at| !(range[0]..=range[1]).contains(at)) {
             return Err(NoBranch::Outside { at, from, to });
         }
-        let family = Family::new(equation, parameter, range, watch)?;
+        let family = Family::new(equation, &[parameter], &[range], watch)?;
         let search = Search { equation, parameter, family: &family, range, options };
         search.response()
     }
@@ -157,15 +160,16 @@ impl Search<'_> {
             met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
             branches.push(walked.branch);
         }
-        Ok(Response { branches, interrupted: self.family.watch.is_stopped() })
+        let jumps = jumps(&branches, |space| self.corrector(space), self.width());
+        Ok(Response { branches, jumps, interrupted: self.family.watch.is_stopped() })
     }
 
     /// A periodic motion at an end of the range.
     fn start(&self, value: f64) -> Result<Vec<f64>, NoOrbit> {
         let exact = |value: f64| Some(Expression::Number(BigFloat::from_f64(value, 53)?.to_rational()));
         let put_in = exact(value).and_then(|exact| self.equation.with(&[(self.parameter, exact)]).ok());
-        let duration = self.family.duration(self.space(), value);
-        let (Some(equation), Some([period, _])) = (put_in, duration) else { return Err(NoOrbit::NoPeriod) };
+        let duration = self.family.duration(self.space(), &[value]);
+        let (Some(equation), Some(period)) = (put_in, duration) else { return Err(NoOrbit::NoPeriod) };
         let start = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
         match Orbit::driven_watched(&equation, period, &start, self.family.watch) {
             Ok(orbit) => Ok(orbit.start()),
@@ -180,19 +184,22 @@ impl Search<'_> {
         /// Of the range, as the interpolation shows the place.
         const SAME: f64 = 1e-3;
         let off = (start.node.point.parameter - parameter).abs();
-        start.space.drive_periods() == space.drive_periods() && off <= SAME * (self.range[1] - self.range[0])
+        start.space.drive_periods() == space.drive_periods() && off <= SAME * self.width()
     }
 
     fn space(&self) -> Space {
         Space::of_periods(self.options.drive_periods)
     }
 
+    fn width(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
+
     fn limits(&self) -> Limits {
         /// Times the least period: at so low a frequency the motion follows the drive through all its superharmonic resonances.
         const SLOW: f64 = 100.0;
-        let periods = self
-            .range
-            .map(|value| self.family.duration(self.space(), value).map_or(f64::INFINITY, |it| it[0]));
+        let periods =
+            self.range.map(|value| self.family.duration(self.space(), &[value]).unwrap_or(f64::INFINITY));
         let longest_period = SLOW * periods[0].min(periods[1]);
         Limits { range: self.range, most_points: self.options.most_points, longest_period }
     }
@@ -218,7 +225,7 @@ impl Search<'_> {
         let mut along = vec![0.0; state.len() + 1];
         *along.last_mut()? = into;
         let place: Vec<f64> = state.iter().copied().chain([value]).collect();
-        let start = node_near(&corrector, &place, &along, &along, self.limits())?;
+        let start = Node::near(&corrector, &place, [&along, &along], self.width())?;
         Some(Walk::new(corrector, self.limits(), start).walked(Origin::Primary))
     }
 
@@ -227,7 +234,7 @@ impl Search<'_> {
         const SAME: f64 = 1e-9;
         let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let belongs = |smaller: &Space| {
-            let image = self.family.image(*smaller, state, value, TOLERANCES[0]);
+            let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
             image.is_some_and(|it| it.defect.iter().all(|d| d.abs() <= SAME * size))
         };
         match space.within(self.family.symmetry).into_iter().find(belongs) {
@@ -271,17 +278,17 @@ impl Search<'_> {
         let matrix: Vec<Vec<f64>> = leaving.node.corrected.image.map.iter().enumerate().map(turned).collect();
         let vector = null_space(&Doubles, |x| x.abs(), &matrix, 1)?.pop()?;
         let parent = &leaving.node.point;
-        let sizes = units(&self.family.layout, parent, largest_swing(parent), self.range[1] - self.range[0]);
+        let sizes = units(&self.family.layout, parent, largest_swing(parent), self.width());
         let largest = vector.iter().zip(&sizes).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
         let aside: Vec<f64> = vector.iter().map(|x| ASIDE * x / largest).chain([0.0]).collect();
         let place: Vec<f64> = leaving.node.place().iter().zip(&aside).map(|(x, d)| x + d).collect();
-        let start = node_near(&self.corrector(leaving.space), &place, &aside, &aside, self.limits())?;
+        let start = Node::near(&self.corrector(leaving.space), &place, [&aside, &aside], self.width())?;
         let space = self.smallest(leaving.space, &start.point.state, start.point.parameter);
         if space == leaving.parent {
             return None;
         }
         let corrector = self.corrector(space);
-        let start = node_near(&corrector, start.place(), &aside, &aside, self.limits())?;
+        let start = Node::near(&corrector, start.place(), [&aside, &aside], self.width())?;
         let mut walked = Walk::new(corrector, self.limits(), start).walked(leaving.origin);
         walked.branch.begin_with(leaving.node.point.clone());
         Some(walked)
@@ -305,31 +312,6 @@ impl Branch {
         self.points.insert(0, if is_doubled { doubled } else { point });
         self.special.iter_mut().for_each(|special| special.before += 1);
     }
-}
-
-/// The node nearest to a place, across a direction and along one: once to learn the sizes of its motion, and again with these.
-fn node_near(
-    corrector: &Corrector<'_>,
-    place: &[f64],
-    across: &[f64],
-    along: &[f64],
-    limits: Limits,
-) -> Option<Node> {
-    let mut sizes = vec![1.0; place.len()];
-    *sizes.last_mut()? = limits.range[1] - limits.range[0];
-    let mut node: Option<Node> = None;
-    for _ in 0..2 {
-        let corrected: Corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
-        let found = Node::new(corrector, corrected, along, &sizes)?;
-        sizes = units(
-            &corrector.family.layout,
-            &found.point,
-            largest_swing(&found.point),
-            limits.range[1] - limits.range[0],
-        );
-        node = Some(found);
-    }
-    node
 }
 
 /// Whether a motion at an end of the range is the end of a branch that is followed already.

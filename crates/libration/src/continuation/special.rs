@@ -126,7 +126,7 @@ impl Stretch<'_> {
         let (parameter, state) = place.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
         let misses = |smaller: Space| {
-            let image = family.image(smaller, state, *parameter, *tolerance)?;
+            let image = family.image(smaller, state, &[*parameter], *tolerance)?;
             Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
         };
         /// Of units that are themselves a fiftieth of the largest swing or more.

@@ -16,16 +16,16 @@ pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
     law: &DriveLaw,
-    range: [f64; 2],
+    ranges: &[[f64; 2]],
 ) -> Option<Symmetry> {
     [(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)]
         .into_iter()
         .find(|(_, shift)| {
             (0..TRIALS)
-                .all(|trial| holds(layout, rates, law, range, [*shift, f64::from(trial)]).unwrap_or(true))
+                .all(|trial| holds(layout, rates, law, ranges, [*shift, f64::from(trial)]).unwrap_or(true))
         })
         .filter(|_| {
-            (0..TRIALS).any(|trial| holds(layout, rates, law, range, [0.0, f64::from(trial)]).is_some())
+            (0..TRIALS).any(|trial| holds(layout, rates, law, ranges, [0.0, f64::from(trial)]).is_some())
         })
         .map(|(symmetry, _)| symmetry)
 }
@@ -35,17 +35,19 @@ fn holds(
     layout: &StateLayout,
     rates: &Tape,
     law: &DriveLaw,
-    range: [f64; 2],
+    ranges: &[[f64; 2]],
     [shift, trial]: [f64; 2],
 ) -> Option<bool> {
     // Parts of the golden ratio are spread evenly and hit no symmetric place.
     let drawn = |k: u32| 2.0 * ((7.0 * trial + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0;
-    let parameter = range[0] + 0.5 * (drawn(0) + 1.0) * (range[1] - range[0]);
-    let [period, _] = law.period(parameter)?;
-    let time = period * 0.5 * (drawn(1) + 1.0);
-    let state: Vec<f64> = (2..).map(drawn).take(layout.numbers()).collect();
+    let within = |(k, [low, high]): (u32, &[f64; 2])| low + 0.5 * (drawn(k) + 1.0) * (high - low);
+    let parameters: Vec<f64> = (1..).zip(ranges).map(within).collect();
+    let (period, _) = law.period(&parameters)?;
+    let time = period * 0.5 * (drawn(0) + 1.0);
+    let state: Vec<f64> = (10..).map(drawn).take(layout.numbers()).collect();
     let values = |sign: f64, time: f64| -> Option<Vec<f64>> {
-        let inputs: Vec<f64> = state.iter().map(|x| sign * x).chain([time, parameter]).collect();
+        let signed = state.iter().map(|x| sign * x);
+        let inputs: Vec<f64> = signed.chain([time]).chain(parameters.iter().copied()).collect();
         let jet = Jet::new(&Doubles, rates, &inputs).ok()?;
         let values: Vec<f64> = (0..layout.coordinates()).map(|result| jet.result(result)[0]).collect();
         values.iter().all(|it| it.is_finite()).then_some(values)

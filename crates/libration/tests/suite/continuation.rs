@@ -7,7 +7,9 @@ use libration::continuation::{
 };
 use libration::expression::Equation;
 use libration::taylor::{Effort, Moment, System, integrate};
+use libration::watch::{Progress, Watch};
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
 
@@ -235,6 +237,22 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     }
 }
 
+/// Where the integrator leads in so many periods of the drive, whose frequency is w.
+fn followed(equation: &Equation, frequency: f64, mut state: Vec<f64>, periods: u32) -> Vec<f64> {
+    let exact = format!("{frequency:?}").parse().unwrap();
+    let system = System::new(&equation.with(&[("w", exact)]).unwrap()).unwrap();
+    for _ in 0..periods {
+        let start = Moment { time: 0.0, state };
+        let solution = integrate(&system, &start, &[TAU / frequency], &Effort::to_tolerance(1e-15));
+        state = solution.unwrap().end.state;
+    }
+    state
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
 #[test]
 fn sweeps_of_the_integrator_land_on_the_stable_branches() {
     let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
@@ -254,25 +272,41 @@ fn sweeps_of_the_integrator_land_on_the_stable_branches() {
     for points in [upwards, downwards] {
         let mut state = points[0].state.iter().map(|x| x + 0.01).collect::<Vec<f64>>();
         for point in points {
-            let exact = format!("{:?}", point.parameter);
-            let system = System::new(&pendulum.with(&[("w", exact.parse().unwrap())]).unwrap()).unwrap();
-            for _ in 0..90 {
-                let start = Moment { time: 0.0, state };
-                state = integrate(&system, &start, &[TAU / point.parameter], &Effort::to_tolerance(1e-15))
-                    .unwrap()
-                    .end
-                    .state;
-            }
-            let off = state.iter().zip(&point.state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            state = followed(&pendulum, point.parameter, state, 90);
+            let off = apart(&state, &point.state);
             assert!(off < 1e-9, "{off:e} at {}", point.parameter);
         }
     }
-    let jumps = response.jumps(0, true);
+    let jumps = &response.jumps;
     assert_eq!(jumps.iter().map(|it| it.rising).collect::<Vec<_>>(), [true, false]);
+    assert!(jumps.iter().all(|jump| jump.to.len() == 1), "{jumps:?}");
+    // Where the integrator comes to rest beyond the first fold, and SciPy's with the shooting of another library: 89.1191735153° there.
+    let landing = &jumps[0].to[0];
     assert!(
-        jumps[0].to.len() == 1 && jumps[0].to[0] > 1.5 && jumps[1].to.len() == 1 && jumps[1].to[0] < 0.5,
-        "{jumps:?}"
+        (landing.amplitude(0, true).to_degrees() - 89.119173515280).abs() < 1e-9 && landing.error < 1e-12
     );
+    for jump in jumps {
+        assert_eq!(jump.to[0].parameter.to_bits(), jump.from.parameter.to_bits());
+        let state = followed(&pendulum, jump.from.parameter, jump.to[0].state.clone(), 1);
+        assert!(apart(&state, &jump.to[0].state) < 1e-12, "{jump:?}");
+    }
+}
+
+#[test]
+fn jumps_of_an_interrupted_response_lead_to_the_nearest_points_and_say_how_far_that_may_be() {
+    let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
+    let whole = over(&pendulum, "w", [0.7, 1.0]);
+    let most = whole.branches[0].points.len() - 3;
+    let ask = |progress: Progress| {
+        if progress.done < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let options = ResponseOptions::default();
+    let response = Response::over_watched(&pendulum, "w", [0.7, 1.0], &options, &Watch::new(&ask)).unwrap();
+    assert!(response.interrupted && response.jumps.len() == 2);
+    for (jump, exact) in response.jumps.iter().zip(&whole.jumps) {
+        let off = apart(&jump.to[0].state, &exact.to[0].state);
+        assert!(off > 1e-6 && off < jump.to[0].error && jump.to[0].error < 0.2, "{off:e}: {jump:?}");
+    }
 }
 
 #[test]

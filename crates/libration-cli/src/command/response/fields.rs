@@ -16,6 +16,12 @@ pub(super) struct Numbered<'a> {
     pub(super) branch: &'a Branch,
 }
 
+/// A jump of a slow sweep.
+pub(super) struct Jumping<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) jump: &'a Jump,
+}
+
 /// A point of a branch, or a special one.
 pub(super) struct Place<'a> {
     pub(super) of: &'a Numbered<'a>,
@@ -27,6 +33,15 @@ impl Answer {
     pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
         let numbered = (1..).zip(self.branches());
         numbered.map(move |(number, branch)| Numbered { answer: self, number, branch })
+    }
+
+    pub(super) fn jumps(&self) -> impl Iterator<Item = Jumping<'_>> {
+        self.response.jumps.iter().map(|jump| Jumping { answer: self, jump })
+    }
+
+    /// The amplitude of the coordinate that is meant.
+    pub(super) fn amplitude(&self, point: &BranchPoint) -> f64 {
+        point.amplitude(self.coordinate, self.is_angle())
     }
 
     /// A value of the parameter as a sentence has it.
@@ -63,9 +78,15 @@ impl<'a> Numbered<'a> {
     }
 }
 
+impl Jumping<'_> {
+    fn of_landings(&self, value: fn(&Answer, &BranchPoint) -> f64) -> Value {
+        json::numbers(&self.jump.to.iter().map(|point| value(self.answer, point)).collect::<Vec<_>>())
+    }
+}
+
 impl Place<'_> {
     fn amplitude(&self) -> f64 {
-        self.point.amplitude(self.of.answer.coordinate, self.of.answer.is_angle())
+        self.of.answer.amplitude(self.point)
     }
 
     fn range(&self) -> [f64; 2] {
@@ -94,24 +115,26 @@ pub(super) fn of_answer() -> Fields<Answer> {
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.response.interrupted.into()),
-        Of::nested("jumps[].", &of_jump(), |it| of_jump().records(&it.jumps)),
+        Of::nested("jumps[].", &of_jump(), |it| {
+            json::records(it.jumps().map(|jump| of_jump().record(&jump)))
+        }),
     ])
 }
 
-pub(super) fn of_jump() -> Fields<Jump> {
-    type Of = Field<Jump>;
+fn of_jump<'a>() -> Fields<Jumping<'a>> {
+    type Of<'a> = Field<Jumping<'a>>;
     Fields::from([
-        Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.parameter),
+        Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.jump.from.parameter),
         Of::value("sweep", "", "up or down: how the parameter goes", |it| {
-            if it.rising { "up" } else { "down" }.into()
+            if it.jump.rising { "up" } else { "down" }.into()
         }),
-        Of::number("from", "", "amplitude that is left", |it| it.from),
-        Of::value(
-            "to[]",
-            "",
-            "amplitudes of the other stable answers there, between neighbouring points",
-            |it| json::numbers(&it.to),
-        ),
+        Of::number("from", "", "amplitude that is left", |it| it.answer.amplitude(&it.jump.from)),
+        Of::value("to[]", "", "amplitudes of the other stable answers there", |it| {
+            it.of_landings(Answer::amplitude)
+        }),
+        Of::value("to_error[]", "", "the states of these answers may be wrong by so much", |it| {
+            it.of_landings(|_, point| point.error)
+        }),
     ])
 }
 

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::continuation::{Branch, Jump, NoBranch, Response, ResponseOptions, free_oscillations};
+use libration::continuation::{Branch, NoBranch, Response, ResponseOptions, free_oscillations};
 use libration::systems::Model;
 use libration::watch::{Progress, Watch};
 use std::f64::consts::PI;
@@ -81,7 +81,6 @@ pub(crate) struct Answer {
     /// The coordinate whose amplitude is meant.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
-    pub(crate) jumps: Vec<Jump>,
     /// How many periods of the drive an answer takes.
     drive_periods: usize,
 }
@@ -117,11 +116,9 @@ impl ResponseQuestion {
         };
         interrupt::listen()?;
         let response = self.response(&model)?;
-        let is_angle = model.coordinates()[coordinate].is_angle();
-        let jumps = response.jumps(coordinate, is_angle);
         let parameter = name.clone();
         let drive_periods = self.drive_periods;
-        Ok(Answer { model, parameter, range: *range, coordinate, response, jumps, drive_periods })
+        Ok(Answer { model, parameter, range: *range, coordinate, response, drive_periods })
     }
 
     fn response(&self, model: &Model) -> Result<Response, Failure> {

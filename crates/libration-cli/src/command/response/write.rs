@@ -1,10 +1,10 @@
 //! A response as a sheet with its special points and words, JSON and CSV.
 
 use super::Answer;
-use super::fields::{Numbered, ending, of_answer, of_branch, of_row, of_special, origin};
+use super::fields::{Jumping, Numbered, ending, of_answer, of_branch, of_row, of_special, origin};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::{Ending, Jump};
+use libration::continuation::Ending;
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
@@ -58,43 +58,32 @@ impl Answer {
             }
             table.finish(out)?;
         }
-        if !self.jumps.is_empty() {
+        if !self.response.jumps.is_empty() {
             writeln!(out)?;
         }
-        self.jumps.iter().try_for_each(|jump| write_text(out, "", &self.told(jump)))
+        self.jumps().try_for_each(|jump| write_text(out, "", &told(&jump)))
     }
+}
 
-    fn told(&self, jump: &Jump) -> String {
-        let way = if jump.rising { "Upwards" } else { "Downwards" };
-        let to: Vec<String> = jump.to.iter().map(|it| self.amplitude_text(*it)).collect();
-        let where_to = match &to[..] {
-            [] => "to no other stable answer that was found".to_owned(),
-            some => format!("to {}", some.join(" or ")),
-        };
-        let up = jump.to.iter().all(|it| *it > jump.from);
-        let verb = if to.is_empty() {
-            "leaves"
-        } else if up {
-            "jumps up"
-        } else {
-            "jumps down"
-        };
-        let (value, from) = (self.value_text(jump.parameter), self.amplitude_text(jump.from));
-        match to.is_empty() {
-            true => format!("{way} in {} the answer {verb} {from} at {value}, {where_to}.", self.parameter),
-            false => {
-                format!("{way} in {} the answer {verb} at {value}, from {from} {where_to}.", self.parameter)
-            }
-        }
+fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
+    let way = if jump.rising { "Upwards" } else { "Downwards" };
+    let left = answer.amplitude(&jump.from);
+    let (value, from) = (answer.value_text(jump.from.parameter), answer.amplitude_text(left));
+    let begin = format!("{way} in {} the answer", answer.parameter);
+    let mut to: Vec<String> = jump.to.iter().map(|it| answer.amplitude_text(answer.amplitude(it))).collect();
+    to.dedup();
+    if to.is_empty() {
+        return format!("{begin} leaves {from} at {value}, to no other stable answer that was found.");
     }
+    let rises = jump.to.iter().all(|it| answer.amplitude(it) > left);
+    let verb = if rises { "jumps up" } else { "jumps down" };
+    format!("{begin} {verb} at {value}, from {from} to {}.", to.join(" or "))
 }
 
 /// Where a branch comes from and goes, and how much of it is stable.
 fn summary(branch: &Numbered<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
-    let amplitude =
-        |point: &libration::continuation::BranchPoint| point.amplitude(answer.coordinate, answer.is_angle());
-    let largest = points.iter().map(amplitude).fold(0.0, f64::max);
+    let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
     let stable = points.iter().filter(|point| point.stable).count();
     let periods = match branch.branch.space.drive_periods() {
         1 => "period of the drive".to_owned(),
@@ -107,7 +96,11 @@ fn summary(branch: &Numbered<'_>) -> String {
     };
     let end = points.last().filter(|_| branch.branch.ending == Ending::RangeEnd);
     let at = end.map_or_else(String::new, |point| {
-        format!(" at {} with {}", answer.value_text(point.parameter), answer.amplitude_text(amplitude(point)))
+        format!(
+            " at {} with {}",
+            answer.value_text(point.parameter),
+            answer.amplitude_text(answer.amplitude(point))
+        )
     });
     format!(
         "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}; {}{at}",
