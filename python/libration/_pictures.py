@@ -36,6 +36,36 @@ def _motion(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _period(answer: "Answer", ax: "Axes | None") -> "Axes":
+    results = answer.results
+    ax = _plot.axes(ax, ("θ₀ / °", "T / s"))
+    ax.plot(np.degrees(results.amplitude_rad), results.period_s, marker="." if len(results) < 50 else "")
+    return ax
+
+
+def _fourier(answer: "Answer", ax: "Axes | None") -> "Axes":
+    terms = answer.harmonics
+    ax = _plot.axes(ax, ("harmonic", "absolute value of the coefficient"))
+    for name, label in [("angle_rad", "angle / rad"), ("velocity_rad_per_s", "velocity / (rad/s)")]:
+        ax.plot(terms.n, np.abs(terms[name]), linestyle="", marker="o", markersize=4, label=label)
+    ax.set_yscale("log")
+    _plot.legend(ax)
+    return ax
+
+
+def _plan(answer: "Answer", ax: "Axes | None") -> "Axes":
+    choices = answer.choices
+    ax = _plot.axes(ax, ("amplitude / °", "relative uncertainty of g"))
+    for name in ("total", "noise", "angle_scale", "length", "clock"):
+        part = np.asarray(choices[name], dtype=float)
+        if (part > 0).any():
+            ax.plot(np.degrees(choices.amplitude_rad), np.where(part > 0, part, np.nan), marker=".", label=name.replace("_", " "))
+    ax.axhline(answer["wanted"], color="#888888", linewidth=0.8)
+    ax.set_yscale("log")
+    _plot.legend(ax)
+    return ax
+
+
 def _backbone(answer: "Answer", ax: "Axes | None") -> "Axes":
     points = answer.points
     ax = _plot.axes(ax, ("amplitude", "frequency"))
@@ -137,7 +167,9 @@ def _fit_gates(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 
 PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
+    "period": _period,
     "motion": _motion,
+    "fourier": _fourier,
     "decay": _decay,
     "backbone": _backbone,
     "simulate": _simulate,
@@ -147,6 +179,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "section": _section,
     "bifurcation": _bifurcation,
     "lyapunov": _lyapunov,
+    "plan": _plan,
     "fit gates": _fit_gates,
     "fit trace": _fit_trace,
 }

@@ -63,7 +63,10 @@ def test_html_tables_of_many_rows_are_short():
 
 DRAWN = {
     "decay": lambda: lb.decay("60deg", linear=0.1, cycles=2),
+    "period": lambda: questions.period("10deg:170deg:20deg"),
     "motion": lambda: questions.motion("60deg"),
+    "fourier": lambda: questions.fourier("170deg"),
+    "plan": lambda: lb.lab.plan(g_to=1e-3, length="1.00(1) m", angle_noise="0.2deg", rate=60),
     "backbone": lambda: lb.backbone("duffing", amplitudes=[0.5, 1]),
     "simulate": lambda: questions.simulate("double_pendulum", initial={"theta1": 1}, times="0:2:0.1"),
     "modes": lambda: lb.modes("double_pendulum"),
@@ -98,7 +101,7 @@ def test_all_pictures_are_tested():
 
 
 def test_what_has_no_picture_says_so():
-    with pytest.raises(TypeError, match="no picture of an answer to `systems`, but of motion, decay"):
+    with pytest.raises(TypeError, match="no picture of an answer to `systems`, but of period, motion"):
         lb.systems("lorenz").plot()
 
 
