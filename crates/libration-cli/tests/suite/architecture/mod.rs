@@ -81,6 +81,15 @@ fn files_beside_each_other_do_not_go_in_circles() {
 }
 
 #[test]
+fn every_file_is_compiled() {
+    for name in CRATES {
+        let source = Source::of(name);
+        let orphans: Vec<_> = source.orphans().map(|module| module.join("/")).collect();
+        assert!(orphans.is_empty(), "{name} has files that no `mod` declares: {orphans:?}");
+    }
+}
+
+#[test]
 fn crates_depend_on_those_below_them() {
     for (place, name) in CRATES.iter().enumerate() {
         let manifest = std::fs::read_to_string(source::folder(name).join("Cargo.toml")).unwrap();

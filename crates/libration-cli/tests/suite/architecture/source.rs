@@ -16,6 +16,8 @@ pub(crate) struct Source {
 
 #[derive(Debug)]
 struct File {
+    /// Files that the compiler is told to read.
+    declared: BTreeSet<String>,
     /// Where the names come from that stand in a `use`.
     imported: BTreeMap<String, UsePath>,
     /// What is used, but for names that are only handed on.
@@ -40,10 +42,18 @@ fn code(text: &str) -> String {
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
+/// What stands behind `mod`, and the names of files that are given as a `path`.
+fn declared(text: &str) -> BTreeSet<String> {
+    let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    let modules = words.windows(2).filter(|pair| pair[0] == "mod").map(|pair| pair[1].to_owned());
+    let paths = text.split("path = \"").skip(1).filter_map(|rest| rest.split_once(".rs\""));
+    modules.chain(paths.map(|(name, _)| name.to_owned())).collect()
+}
+
 impl Source {
     pub(crate) fn of(name: &str) -> Self {
         let root = folder(name).join("src");
-        let mut texts = BTreeMap::new();
+        let mut texts: BTreeMap<Module, String> = BTreeMap::new();
         for path in rust_files(&root) {
             let mut module: Module = path
                 .strip_prefix(&root)
@@ -56,7 +66,8 @@ impl Source {
                 continue;
             }
             module.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
-            texts.insert(module, code(&fs::read_to_string(&path).unwrap()));
+            // A library and a program of one crate share the root.
+            *texts.entry(module).or_default() += &code(&fs::read_to_string(&path).unwrap());
         }
         let modules: BTreeSet<Module> = texts.keys().cloned().collect();
         let files = texts.iter().map(|(module, text)| (module.clone(), File::read(module, text, &modules)));
@@ -68,6 +79,16 @@ impl Source {
         self.files.keys().filter_map(|module| match &module[..] {
             [only] => Some(only.as_str()),
             _ => None,
+        })
+    }
+
+    /// Files that no other file declares, so that the compiler never sees them.
+    pub(crate) fn orphans(&self) -> impl Iterator<Item = &Module> {
+        self.files.keys().filter(|module| {
+            let declared = |(name, above): (&String, &[String])| {
+                self.files.get(above).is_some_and(|file| file.declared.contains(name))
+            };
+            module.split_last().is_some_and(|place| !declared(place))
         })
     }
 
@@ -123,6 +144,6 @@ impl File {
         let inline = inline_paths(text)
             .into_iter()
             .filter(|path| ["crate", "super", "self"].contains(&path[0].as_str()) || is_child(path));
-        Self { imported, used: taken.chain(inline).collect() }
+        Self { declared: declared(text), imported, used: taken.chain(inline).collect() }
     }
 }
