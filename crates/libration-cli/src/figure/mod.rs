@@ -25,8 +25,10 @@ pub(crate) mod file;
 pub(crate) mod names;
 
 mod cusps;
+#[cfg(not(target_family = "wasm"))]
 mod font;
 pub(crate) mod parameters;
+#[cfg_attr(target_family = "wasm", path = "no_png.rs")]
 mod png;
 mod size;
 

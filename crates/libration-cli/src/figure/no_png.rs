@@ -1,0 +1,8 @@
+//! In a page, which draws pictures by itself, there is no PNG.
+
+use libration_report::scene::Scene;
+
+/// Why there is none.
+pub(super) fn file(_: &Scene) -> Result<Vec<u8>, String> {
+    Err("a page has no PNG of its own: give a file name ending in .svg".to_owned())
+}
