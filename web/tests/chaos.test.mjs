@@ -16,6 +16,7 @@ test("pictures and verdict are the command's", () =>
       ["section", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--points", "300", "--figure", "-"],
       ["figure", "trajectories", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--until", "100", "--output", "-"],
       ["lyapunov", ...at, "--initial", "theta=0.2", "--intervals", "100", "--figure", "-"],
+      ["orbit", ...at, "--initial", "theta=0.2", "--figure", "-"],
     ];
     const buttons = room.getByRole("button", { name: "Save the picture as SVG" });
     assert.equal(await buttons.count(), asked.length);
@@ -89,6 +90,25 @@ test("what cannot be computed is answered beside its field", () =>
       else assert.match((await errors(room))[0] ?? "", said);
       assert.equal((await room.getByLabel(label, { exact: true }).getAttribute("aria-invalid")) === "true", said !== undefined, entry);
     }
+  }));
+
+test("the periodic orbit and the answers over a parameter are the command's", () =>
+  visit("chaos?set=A%3D0.15,c%3D0.1&initial=theta%3D0&over=&value=&points=20&intervals=10&until=5&response=omega%3D0.75:0.9", async (room) => {
+    const part = (title) => room.locator("section", { has: room.getByRole("heading", { name: title }) });
+    await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") === "false");
+    const system = ["driven_pendulum", "--set", "A=0.15,c=0.1", "--initial", "theta=0"];
+    const orbit = answer("orbit", ...system);
+    assert.match(await part("Periodic orbit").innerText(), new RegExp(`period is ${orbit.period_s.toPrecision(9)} s. It is stable`));
+    const { jumps } = answer("response", ...system, "--over", "omega=0.75:0.9");
+    assert.equal(jumps.length, 2);
+    const said = await part("Periodic answers over a parameter").innerText();
+    for (const { parameter, sweep } of jumps) assert.ok(said.includes(`Swept ${sweep}, the amplitude jumps at omega = ${parameter.toPrecision(6)}`), said);
+    for (const [title, words] of [["Periodic orbit", ["orbit", ...system, "--figure", "-"]], ["Periodic answers over a parameter", ["response", ...system, "--over", "omega=0.75:0.9", "--figure", "-"]]]) {
+      const { bytes } = await saved(part(title), "Save the picture as SVG");
+      assert.equal(bytes.toString(), command(...words).output, title);
+    }
+    await enter(room, "Range of a parameter for the response", "omega=1:2:0.1");
+    assert.match((await errors(room)).join(" "), /FROM:TO/);
   }));
 
 test("the numbers of the section are saved", () =>

@@ -86,9 +86,9 @@ export async function errors(room) {
   return room.locator(".error:visible").allTextContents();
 }
 
-/** A file that the reader saves by this button. */
+/** A file that the reader saves by this button of a room or of a part of it. */
 export async function saved(room, button) {
-  const [download] = await Promise.all([room.waitForEvent("download"), room.getByRole("button", { name: button }).first().click()]);
+  const [download] = await Promise.all([(room.page?.() ?? room).waitForEvent("download"), room.getByRole("button", { name: button }).first().click()]);
   const parts = [];
   for await (const part of await download.createReadStream()) parts.push(part);
   return { name: download.suggestedFilename(), bytes: Buffer.concat(parts) };

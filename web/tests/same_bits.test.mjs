@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import vm from "node:vm";
-import { close, command, EXAMPLES, visit } from "./harness.mjs";
+import { answer, close, command, EXAMPLES, visit } from "./harness.mjs";
 
 after(close);
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -131,6 +131,25 @@ test("the same in chromium, with both modules of the page", () =>
       const answers = await Promise.all(questions.map((words) => engine.ask({ words, files })));
       return answers.map(({ status, error, output }) => ({ status, error, output: new TextDecoder().decode(output) }));
     }, { questions: QUESTIONS, given: FILES }));
+  }, { bypassCSP: true }));
+
+test("a question that is stopped is answered as the interrupted command does it, and its worker goes on", () =>
+  visit("about", async (room) => {
+    await room.addScriptTag({ content: await bundled(`import { WorkerEngine } from "./engine/worker_engine.ts"; Object.assign(globalThis, { WorkerEngine });`, { WORKER_SOURCE: JSON.stringify(WORKER) }) });
+    const words = ["section", "driven_pendulum", "--set", "A=1.5,c=1/2", "--initial", "theta=0.2", "--points", "10000000", "--json"];
+    const found = await room.evaluate(async (words) => {
+      const engine = new WorkerEngine();
+      await engine.ask({ words: ["period", "60deg"] });
+      const told = [];
+      const { status, error, output } = await engine.ask({ words, signal: AbortSignal.timeout(2500), onProgress: (howFar) => told.push(howFar) });
+      return { status, error, told, output: new TextDecoder().decode(output) };
+    }, words);
+    assert.deepEqual([found.status, found.error], [130, "interrupted: the points up to then are written"]);
+    const points = JSON.parse(found.output).points;
+    assert.ok(points.length > 10, `${points.length} points`);
+    const whole = answer(...words.slice(0, -2), String(points.length));
+    assert.deepEqual(points, whole.points);
+    assert.match(found.told[0], /^\d+ of 10000000 points$/);
   }, { bypassCSP: true }));
 
 test("hostile questions end in a sentence, and what comes after is answered", () =>

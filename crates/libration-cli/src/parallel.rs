@@ -3,7 +3,9 @@
 use crate::output::progress::ProgressLine;
 use crate::{call, interrupt};
 use libration::watch::Watch;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -14,7 +16,7 @@ use std::time::Duration;
 /// Between two looks at work that goes on.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Without threads the thread that asks does everything itself, and shows no progress.
+/// Without threads the thread that asks does everything itself, and shows progress where the work asks whether it may go on.
 const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing.
@@ -93,22 +95,24 @@ pub(crate) fn map_until_asked<T: Sync, R: Send>(
     work: impl Fn(&T, &Watch<'_>) -> R + Sync,
 ) -> Vec<R> {
     let (all, done) = (items.len(), AtomicUsize::new(0));
+    let how_far = || format!("{} of {all} {what}", done.load(Ordering::Relaxed));
     let counted = |item: &T| {
-        let result = unless_asked(|watch| work(item, watch));
+        let result = unless_asked(&how_far, |watch| work(item, watch));
         done.fetch_add(usize::from(result.is_some()), Ordering::Relaxed);
         result
     };
-    let how_far = || format!("{} of {all} {what}", done.load(Ordering::Relaxed));
     with_progress(how_far, || map(items, counted)).into_iter().flatten().collect()
 }
 
 /// The result of some work; `None` when somebody asks for an early end before.
 pub(crate) fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Send) -> Option<R> {
-    with_progress(|| what.to_owned(), || unless_asked(work))
+    let how_far = || what.to_owned();
+    with_progress(how_far, || unless_asked(&how_far, work))
 }
 
-fn unless_asked<R>(work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
-    let watch = Watch::new(&|_| interrupt::go_on());
+fn unless_asked<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
+    let ask = |_| go_on(how_far);
+    let watch = Watch::new(&ask);
     watch.go_on().ok()?;
     let result = work(&watch);
     (!watch.is_stopped()).then_some(result)
@@ -138,10 +142,26 @@ fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {
     items.get(place).map(|item| (place, item))
 }
 
+thread_local! {
+    /// The line of the work that the only thread does.
+    static ALONE: RefCell<Option<ProgressLine>> = const { RefCell::new(None) };
+}
+
+/// Whether work may go on that is so far. Where no other thread shows a line of progress, it is shown here.
+pub(crate) fn go_on(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
+    if !HAS_THREADS {
+        ALONE.with_borrow_mut(|line| line.iter_mut().for_each(|line| line.show(how_far)));
+    }
+    interrupt::go_on()
+}
+
 /// Does some work on a thread of its own while a line of progress is shown.
 pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl FnOnce() -> R + Send) -> R {
     if !HAS_THREADS {
-        return work();
+        let outer = ALONE.replace(Some(ProgressLine::new()));
+        let result = work();
+        ALONE.set(outer);
+        return result;
     }
     let mut progress = ProgressLine::new();
     let call = call::current();

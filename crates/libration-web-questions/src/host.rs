@@ -5,17 +5,23 @@ use libration_cli::{Host, InputFile};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// With the files of one question; that which is called `-` is the standard input.
 #[derive(Debug)]
 pub(crate) struct PageHost {
     files: BTreeMap<PathBuf, Vec<u8>>,
+    /// When the page is asked again whether the question may go on.
+    due: Mutex<Duration>,
 }
+
+/// Between two times that it is asked.
+const PAUSE: Duration = Duration::from_millis(50);
 
 impl PageHost {
     pub(crate) fn new(files: BTreeMap<PathBuf, Vec<u8>>) -> Self {
-        Self { files }
+        Self { files, due: Mutex::new(Duration::ZERO) }
     }
 }
 
@@ -43,6 +49,16 @@ impl Host for PageHost {
     fn keep(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         page::written(&path.to_string_lossy(), bytes);
         Ok(())
+    }
+
+    fn goes_on(&self) -> bool {
+        let (mut due, now) = (self.due.lock().unwrap_or_else(PoisonError::into_inner), self.now());
+        if now < *due {
+            return true;
+        }
+        *due = now + PAUSE;
+        drop(due);
+        page::goes_on()
     }
 
     fn now(&self) -> Duration {

@@ -1,5 +1,6 @@
 //! All questions of the command, for a page: words and files in, parts of the answer and written files out.
 
+pub mod ensemble;
 mod host;
 mod page;
 
@@ -41,9 +42,8 @@ pub extern "C" fn file(name_length: usize) {
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> u8 {
-    static TELL_OF_PANICS: Once = Once::new();
-    TELL_OF_PANICS.call_once(|| std::panic::set_hook(Box::new(|panic| page::fault(&panic.to_string()))));
-    let Given { words, files } = std::mem::take(&mut *GIVEN.lock().unwrap_or_else(PoisonError::into_inner));
+    tell_of_panics();
+    let Given { words, files } = take_given();
     match libration_cli::ask(words, Arc::new(PageHost::new(files))) {
         Ok(()) => 0,
         Err(failure) => {
@@ -51,4 +51,13 @@ pub extern "C" fn ask() -> u8 {
             failure.status()
         }
     }
+}
+
+fn take_given() -> Given {
+    std::mem::take(&mut *GIVEN.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+fn tell_of_panics() {
+    static TELL_OF_PANICS: Once = Once::new();
+    TELL_OF_PANICS.call_once(|| std::panic::set_hook(Box::new(|panic| page::fault(&panic.to_string()))));
 }

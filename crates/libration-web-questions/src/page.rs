@@ -15,6 +15,8 @@ unsafe extern "C" {
     fn page_fault(at: *const u8, length: usize);
     #[link_name = "written"]
     fn page_written(name: *const u8, name_length: usize, at: *const u8, length: usize);
+    #[link_name = "goes_on"]
+    safe fn page_goes_on() -> i32;
     #[link_name = "milliseconds"]
     safe fn page_milliseconds() -> f64;
 }
@@ -53,6 +55,11 @@ pub(crate) fn fault(reason: &str) {
 pub(crate) fn written(name: &str, bytes: &[u8]) {
     // SAFETY: as above.
     unsafe { page_written(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
+}
+
+/// Whether the question may go on: the page looks at what it was told meanwhile, which takes a moment.
+pub(crate) fn goes_on() -> bool {
+    page_goes_on() != 0
 }
 
 /// Since 1970.

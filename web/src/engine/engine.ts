@@ -24,13 +24,16 @@ export interface Question {
   readonly onNote?: (line: string) => void;
   /** Takes how far long work is, and `undefined` when that work has ended. */
   readonly onProgress?: (howFar: string | undefined) => void;
-  /** Ends the question early: the answer has status 130, and what `onOutput` has brought until then as its output. */
+  /** Ends the question early: the answer has status 130, and what is done as its output, as the command writes it when it is interrupted; where the
+      browser's worker hears nothing while it computes, or long after, what `onOutput` has brought until then. */
   readonly signal?: AbortSignal;
 }
 
 /** Whoever answers. Questions wait for each other. */
 export interface Engine {
   ask(question: Question): Promise<Answer>;
+  /** A worker with the module, for long work beside the questions; whoever has asked for it ends it. */
+  worker(): Promise<Worker>;
 }
 
 const decoder = new TextDecoder();

@@ -1,12 +1,16 @@
-// What the page and its worker say to each other.
+// What the page and its workers say to each other.
 
-/** To the worker: first the module, as text or as a worker before has compiled it, then questions. */
+/** To a worker: first the module, as text or as a worker before has compiled it, then questions, which may be stopped, or motions and how far
+    they are wanted. */
 export type ToWorker =
   | { readonly kind: "text"; readonly text: string }
   | { readonly kind: "module"; readonly module: WebAssembly.Module }
-  | { readonly kind: "question"; readonly words: readonly string[]; readonly files: ReadonlyMap<string, Uint8Array> };
+  | { readonly kind: "question"; readonly words: readonly string[]; readonly files: ReadonlyMap<string, Uint8Array> }
+  | { readonly kind: "stop" }
+  | { readonly kind: "ensemble"; readonly words: readonly string[]; readonly files: ReadonlyMap<string, Uint8Array> }
+  | { readonly kind: "advance"; readonly time: number };
 
-/** From the worker: the module for those after it; parts of an answer, then its end. */
+/** From a worker: the module for those after it; parts of an answer, then its end; motions that have begun, and their states. */
 export type FromWorker =
   | { readonly kind: "module"; readonly module: WebAssembly.Module }
   | { readonly kind: "output"; readonly chunk: Uint8Array }
@@ -18,4 +22,6 @@ export type FromWorker =
       readonly error: string;
       readonly files: ReadonlyMap<string, Uint8Array>;
     }
+  | { readonly kind: "begun"; readonly status: number; readonly error: string; readonly numbers: Float64Array; readonly text: string }
+  | { readonly kind: "states"; readonly states: Float64Array; readonly bodies: Float64Array; readonly ended: number; readonly cause: string }
   | { readonly kind: "fault"; readonly reason: string };

@@ -1,8 +1,9 @@
-// The worker: holds the whole module and answers one question after the other.
+// The worker: holds the whole module, and answers one question after the other or follows motions from one time to the next.
 
 import { instantiated } from "./fused.ts";
 import { compiled } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
+import { pause, waitedFor, waiting } from "./suspension.ts";
 
 /** What the module offers: places for what is asked, and the question itself. */
 interface Exports {
@@ -14,32 +15,78 @@ interface Exports {
   /** The bytes in the room are the name of a file, and what stands behind it is what the file holds. */
   file(nameLength: number): void;
   /** Answers the words so far; the exit status. */
-  ask(): number;
+  ask(): Promise<number> | number;
+  /** Begins the motions that the words so far ask for; the exit status. */
+  ensemble(): Promise<number> | number;
+  /** Leaves their states at a time as numbers, then where their bodies are. */
+  advance(time: number): void;
+  bodies(): void;
+  /** How many motions have ended, with the first cause as text. */
+  ended(): number;
+  numbers(): number;
+  numbers_count(): number;
+  text(): number;
+  text_length(): number;
 }
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
-const say = (message: FromWorker) => postMessage(message);
+const say = (message: FromWorker, transferred: ArrayBuffer[] = []) => postMessage(message, { transfer: transferred });
 
 let exports: Promise<Exports>;
 let error = "";
 let panic = "";
+/** Whether the question was told to stop. */
+let isStopped = false;
 let files = new Map<string, Uint8Array>();
 
 onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   try {
     if (data.kind === "text") exports = shared(data.text);
     else if (data.kind === "module") exports = begun(data.module);
-    else answer(await exports, data.words, data.files);
+    else if (data.kind === "stop") isStopped = true;
+    else if (data.kind === "question") await answer(await exports, data.words, data.files);
+    else if (data.kind === "ensemble") await begin(await exports, data.words, data.files);
+    else advance(await exports, data.time);
   } catch (fault) {
     // What the module has said last is better than that it is unreachable.
     say({ kind: "fault", reason: panic || (fault instanceof Error ? fault.message : String(fault)) });
   }
 };
 
-function answer(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): void {
-  error = "";
+async function answer(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): Promise<void> {
   files = new Map();
+  give(module, words, given);
+  const status = await module.ask();
+  say({ kind: "end", status, error, files });
+}
+
+async function begin(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): Promise<void> {
+  give(module, words, given);
+  const status = await module.ensemble();
+  say({ kind: "begun", status, error, numbers: numbers(module), text: left(module) });
+}
+
+function advance(module: Exports, time: number): void {
+  module.advance(time);
+  const states = numbers(module);
+  module.bodies();
+  const bodies = numbers(module);
+  const ended = module.ended();
+  say({ kind: "states", states, bodies, ended, cause: ended > 0 ? left(module) : "" }, [states.buffer, bodies.buffer]);
+}
+
+function numbers(module: Exports): Float64Array<ArrayBuffer> {
+  return new Float64Array(module.memory.buffer, module.numbers(), module.numbers_count()).slice();
+}
+
+function left(module: Exports): string {
+  return decoder.decode(new Uint8Array(module.memory.buffer, module.text(), module.text_length()));
+}
+
+function give(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): void {
+  error = "";
+  isStopped = false;
   for (const word of words) {
     put(module, encoder.encode(word));
     module.argument();
@@ -49,8 +96,6 @@ function answer(module: Exports, words: readonly string[], given: ReadonlyMap<st
     put(module, encoded, bytes);
     module.file(encoded.length);
   }
-  const status = module.ask();
-  say({ kind: "end", status, error, files });
 }
 
 function put(module: Exports, ...parts: Uint8Array[]): void {
@@ -88,9 +133,13 @@ async function begun(module: WebAssembly.Module): Promise<Exports> {
     written: (name: number, nameLength: number, at: number, length: number) => {
       files.set(read(name, nameLength), taken(at, length));
     },
+    goes_on: waitedFor(async () => {
+      await pause();
+      return isStopped ? 0 : 1;
+    }, 1),
     milliseconds: () => Date.now(),
   };
   const exports = (await instantiated(module, { page })) as unknown as Exports;
   memory = exports.memory;
-  return exports;
+  return { ...exports, ask: waiting(exports.ask as () => number), ensemble: waiting(exports.ensemble as () => number) };
 }

@@ -4,11 +4,14 @@ import { text as texts } from "../texts/en.ts";
 import type { Answer, Engine, Question } from "./engine.ts";
 import { text as moduleText } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
+import { canWait } from "./suspension.ts";
 
 /** The source of the worker, as `web/build` has bundled it. */
 declare const WORKER_SOURCE: string;
 
 const INTERRUPTED = 130;
+/** So long a question that was told to stop may put together what is done, in milliseconds. */
+const PATIENCE = 1500;
 
 export class WorkerEngine implements Engine {
   #module: WebAssembly.Module | undefined;
@@ -27,21 +30,25 @@ export class WorkerEngine implements Engine {
     const worker = await this.#ready();
     return new Promise((resolve) => {
       const chunks: Uint8Array[] = [];
+      let ending: ReturnType<typeof setTimeout> | undefined;
       const close = (answer: Answer, restart: boolean) => {
+        clearTimeout(ending);
         signal?.removeEventListener("abort", abort);
         worker.onmessage = worker.onerror = null;
         if (restart) this.#end();
         resolve(answer);
       };
-      const abort = () => close(ended(INTERRUPTED, chunks, texts.engine.endedEarly), true);
+      // Where the browser lets the worker hear of it, the answer is what the command writes when it is interrupted.
+      const abort = () => {
+        if (!canWait) return close(ended(INTERRUPTED, chunks, texts.engine.endedEarly), true);
+        worker.postMessage({ kind: "stop" } satisfies ToWorker);
+        ending = setTimeout(() => close(ended(INTERRUPTED, chunks, texts.engine.endedEarly), true), PATIENCE);
+      };
       const fault = (reason: string) => close(ended(1, chunks, texts.engine.fault(reason)), true);
       signal?.addEventListener("abort", abort);
       worker.onerror = (event) => fault(event.message);
       worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
         switch (data.kind) {
-          case "module":
-            this.#module = data.module;
-            return;
           case "output":
             chunks.push(data.chunk);
             return question.onOutput?.(data.chunk);
@@ -60,9 +67,16 @@ export class WorkerEngine implements Engine {
     });
   }
 
+  async worker(): Promise<Worker> {
+    const worker = begun(this.#module === undefined ? { kind: "text", text: await moduleText("whole") } : { kind: "module", module: this.#module });
+    worker.addEventListener("message", ({ data }: MessageEvent<FromWorker>) => {
+      if (data.kind === "module") this.#module = data.module;
+    });
+    return worker;
+  }
+
   async #ready(): Promise<Worker> {
-    this.#worker ??= begun(this.#module === undefined ? { kind: "text", text: await moduleText("whole") } : { kind: "module", module: this.#module });
-    return this.#worker;
+    return (this.#worker ??= await this.worker());
   }
 
   #end(): void {

@@ -3,6 +3,14 @@
 /** How long an older question may go on before it is ended for a newer one, in milliseconds. */
 const PATIENCE = 400;
 
+/** Why work ends early: the reader wants what is done, or something else. */
+const [STOPPED, REPLACED] = ["stopped", "replaced"];
+
+/** Whether what was done until then is wanted. */
+export function isWanted(signal: AbortSignal): boolean {
+  return !signal.aborted || signal.reason === STOPPED;
+}
+
 /** Work of which only the newest is wanted. */
 export class Latest {
   #running: AbortController | undefined;
@@ -13,13 +21,13 @@ export class Latest {
     this.#waiting = work;
     const running = this.#running;
     if (running === undefined) void this.#next();
-    else setTimeout(() => running.abort(), PATIENCE);
+    else setTimeout(() => running.abort(REPLACED), PATIENCE);
   }
 
   /** Ends what runs, and forgets what waits. */
   stop(): void {
     this.#waiting = undefined;
-    this.#running?.abort();
+    this.#running?.abort(STOPPED);
   }
 
   async #next(): Promise<void> {

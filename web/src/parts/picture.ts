@@ -4,6 +4,7 @@ import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
 import { ask, type Command, extended } from "./command.ts";
 import { button, element } from "./element.ts";
+import { isWanted } from "./latest.ts";
 import { fromSvg } from "./markup.ts";
 import { png } from "./png.ts";
 import { save } from "./save.ts";
@@ -52,7 +53,7 @@ export class Picture {
   async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
     const asked = this.command(command);
     const answer = await ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
-    if (answer.output.length > 0 && !signal.aborted) this.#show(answer.output);
+    if (answer.output.length > 0 && isWanted(signal)) this.#show(answer.output);
     return answer;
   }
 

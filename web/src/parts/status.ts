@@ -12,8 +12,13 @@ export class Status {
   readonly #words = element("span", { role: "status" });
   readonly #stop: HTMLButtonElement;
 
+  #isStopped = false;
+
   constructor(stopped: () => void) {
-    this.#stop = button(text.parts.stop, stopped);
+    this.#stop = button(text.parts.stop, () => {
+      this.#isStopped = true;
+      stopped();
+    });
     this.#stop.hidden = true;
     this.element = element("p", { class: "status screen-only" }, this.#words, " ", this.#stop);
   }
@@ -25,14 +30,20 @@ export class Status {
       this.#stop.hidden = false;
     }, DELAY);
     this.#busy(true);
+    this.#isStopped = false;
     try {
       return await work;
     } finally {
       clearTimeout(shown);
       this.#busy(false);
       this.#stop.hidden = true;
-      this.say("");
+      this.say(this.#isStopped ? text.parts.stopped : "");
     }
+  }
+
+  /** How far the question is that runs, where it says so. */
+  progress(howFar: string | undefined): void {
+    if (howFar !== undefined) this.say(`${text.parts.computing} ${howFar}`);
   }
 
   // Results that are still changing are read aloud when they are there.

@@ -214,7 +214,7 @@ fn watched(
     parallel::with_progress(how_far, || {
         let ask = |progress: Progress| {
             done.store(progress.done, Ordering::Relaxed);
-            interrupt::go_on()
+            parallel::go_on(&how_far)
         };
         let watch = Watch::new(&ask);
         let known = derive(&watch);

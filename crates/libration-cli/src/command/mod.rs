@@ -38,6 +38,8 @@ pub(crate) use sweep::{
 use crate::arguments::{protect_negative_values, sweep_options_first};
 use crate::failure::Failure;
 use clap::{CommandFactory, FromArgMatches};
+use libration::systems::Model;
+use libration::taylor::Ensemble;
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
@@ -152,6 +154,14 @@ enum Fit {
 }
 
 impl Libration {
+    /// What `simulate --each` asks for, to be followed further and further.
+    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), Failure> {
+        match &self.question {
+            Question::Simulate(question) => question.ensemble(),
+            _ => Err(Failure::Usage("only `simulate --each` has motions that go on together".to_owned())),
+        }
+    }
+
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         match &self.question {
             Question::Period(question) => question.answer(out),

@@ -148,4 +148,4 @@ fn many(
 
 /// How many motions go side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take
 /// 173 µs each with 8, 138 µs with 16 and 168 µs with 24.
-const LANES: usize = 16;
+pub(super) const LANES: usize = 16;

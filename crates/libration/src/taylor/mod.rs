@@ -74,6 +74,8 @@ mod dense_solution;
 mod ending;
 mod integrate;
 
+mod ensemble;
+
 #[cfg(test)]
 mod tests;
 
@@ -82,6 +84,7 @@ pub use both_ways::integrate_both_ways;
 pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 pub use dense_solution::{DenseSolution, integrate_dense};
 pub use ending::ending_error;
+pub use ensemble::Ensemble;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
 pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
@@ -96,6 +99,8 @@ pub use system::System;
 pub use tangent::{with_sensitivities, with_tangents};
 pub use tolerances::ToleranceError;
 pub use trajectory::Trajectory;
+
+use integrate::LANES;
 
 pub(crate) use larger::larger_or_nan;
 pub(crate) use state_names::named_state;

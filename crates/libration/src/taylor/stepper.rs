@@ -101,20 +101,25 @@ impl<'a, const N: usize> Stepper<'a, N> {
     /// Where the step leads, to be gone on from; `None` if on the way to another goal a step would have ended elsewhere, and by the
     /// equations of a rest.
     pub(super) fn checkpoint(&self, lane: usize) -> Option<Checkpoint> {
+        let is_resumable = !self.goal_bound[lane] && !self.expander.system.rests();
+        is_resumable.then(|| self.checkpoint_to_this_goal(lane))
+    }
+
+    /// Where the step leads, to be gone on from to the same goal.
+    pub(super) fn checkpoint_to_this_goal(&self, lane: usize) -> Checkpoint {
         let moduli = (0..self.surroundings.signs.len()).map(|modulus| ModulusCheckpoint {
             sign: self.surroundings.signs[modulus][lane],
             sticks: self.surroundings.sticks[modulus][lane],
             zeros: self.branches.zeros(modulus, lane),
         });
-        let is_resumable = !self.goal_bound[lane] && !self.expander.system.rests();
-        is_resumable.then(|| Checkpoint {
+        Checkpoint {
             time: self.block.end[lane],
             state: self.next.iter().map(|ends| [ends.high[lane], ends.low[lane]]).collect(),
             unit: self.unit[lane],
             moduli: moduli.collect(),
             events: vec![],
             steps: 0,
-        })
+        }
     }
 
     /// Lets a lane stay where it is.

@@ -23,6 +23,7 @@ mod conservative;
 mod decay;
 mod elliptic;
 mod elliptic_batches;
+mod ensemble;
 mod equation;
 mod events;
 mod exact;

@@ -8,16 +8,19 @@ import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
 import { ladder } from "../../parts/ladder.ts";
-import { Latest } from "../../parts/latest.ts";
+import { isWanted, Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { digits } from "../../parts/numbers.ts";
 import { Picture } from "../../parts/picture.ts";
 import { PictureSlider } from "../../parts/picture_slider.ts";
 import { save } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
+import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { fields, PARTS, preset } from "./fields.ts";
+import { FleetPanel } from "./fleet/panel.ts";
+import { Orbits } from "./orbits.ts";
 import { range, stages, written } from "./range.ts";
 
 const words = text.chaos;
@@ -56,9 +59,12 @@ class ChaosRoom {
   readonly #slider: PictureSlider;
   readonly #equivalents = new Equivalents();
   readonly #preset = element("select", { id: "chaos-preset" });
+  readonly #fleet: FleetPanel;
+  readonly #orbits: Orbits;
   #drawn = "";
 
-  constructor(address: Address, engine: Engine) {
+  constructor(address: Address, given: Engine) {
+    const engine = telling(given, this.#status);
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.update());
     const picture = (name: string, option: "figure" | "output" = "figure") => new Picture(engine, name, option);
@@ -72,9 +78,11 @@ class ChaosRoom {
       verdict: new Finding(words.verdict, verdict.element, csv("lyapunov", () => this.#lyapunov())),
     };
     this.#slider = this.#slides(diagram);
-    const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen)];
-    const found = Object.values(this.#findings).map((finding) => finding.element);
-    this.elements = layout(words.title, words.lead, controls, [this.#status.element, element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
+    this.#orbits = new Orbits(engine, this.#form);
+    this.#fleet = new FleetPanel(address, engine, () => this.#equal());
+    const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen)];
+    const found = [...Object.values(this.#findings).map((finding) => finding.element), ...this.#orbits.elements];
+    this.elements = layout(words.title, words.lead, controls, [this.#status.element, this.#fleet.element, element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
   }
 
   update(): void {
@@ -83,6 +91,7 @@ class ChaosRoom {
 
   leave(): void {
     this.#latest.stop();
+    this.#fleet.close();
   }
 
   #presets(): HTMLElement {
@@ -128,15 +137,22 @@ class ChaosRoom {
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
     this.#preset.value = this.#presetNow();
-    const commands = [this.#section(), this.#neighbours(), this.#lyapunov()];
-    this.#equivalents.show(this.#form.value("over") === "" ? commands : [this.#diagram(), ...commands]);
+    this.#equal();
     const isSystem = await this.#grow(signal);
     if (signal.aborted) return;
     // What is no system is said once.
     if (!isSystem) return this.#nothing();
+    this.#fleet.show(this.#chosen("simulate", []), this.#starts());
     await this.#judge(signal);
     if (!signal.aborted) await this.#compare(signal);
     if (!signal.aborted) await this.#draw(signal);
+    if (!signal.aborted) await this.#orbits.find(this.#orbit(), signal);
+    if (!signal.aborted) await this.#orbits.follow(this.#response(), signal);
+  }
+
+  #equal(): void {
+    const commands = [this.#fleet.command(), this.#form.value("over") === "" ? undefined : this.#diagram(), this.#section(), this.#neighbours(), this.#lyapunov(), this.#orbit(), this.#response()];
+    this.#equivalents.show(commands.filter((command) => command !== undefined));
   }
 
   #starts(): string[] {
@@ -167,6 +183,15 @@ class ChaosRoom {
     return extended(this.#chosen("figure trajectories", this.#starts()), { until: this.#form.value("until") });
   }
 
+  #orbit(): Command {
+    return this.#chosen("orbit", this.#starts().slice(0, 1));
+  }
+
+  #response(): Command | undefined {
+    const over = this.#form.value("response");
+    return over === "" ? undefined : extended(this.#system("response", this.#starts().slice(0, 1), [this.#form.value("set")]), { over });
+  }
+
   #lyapunov(): Command {
     return extended(this.#chosen("lyapunov", this.#starts().slice(0, 1)), { intervals: this.#form.value("intervals") });
   }
@@ -189,14 +214,14 @@ class ChaosRoom {
 
   async #judge(signal: AbortSignal): Promise<void> {
     const { answer, value } = await read<Exponent>(this.#engine, this.#lyapunov(), signal);
-    if (signal.aborted) return;
+    if (!isWanted(signal) || (signal.aborted && value === undefined)) return;
     if (value === undefined) return this.#fail("verdict", answer, ["intervals"]);
     const { verdict } = value;
     this.#findings.verdict.show(
       element("p", { class: "verdict" }, words.because(words[verdict], value.reason)),
       element("p", {}, words.exponent(digits(value.exponent, 4), digits(value.uncertainty, 2))),
     );
-    await this.#pictures.verdict.draw(this.#lyapunov(), signal);
+    if (!signal.aborted) await this.#pictures.verdict.draw(this.#lyapunov(), signal);
   }
 
   async #compare(signal: AbortSignal): Promise<void> {
@@ -231,6 +256,8 @@ class ChaosRoom {
   }
 
   #nothing(): void {
+    this.#fleet.clear();
+    this.#orbits.clear();
     for (const part of ["verdict", "neighbours", "diagram"] as const) {
       this.#findings[part].show();
       this.#forget(part);

@@ -13,12 +13,13 @@ const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
   chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.5", points: "10000" },
   upright: { system: "vertically_driven_pendulum", set: "omega=20,c=1/10", initial: "theta=170deg; theta=171deg", over: "a=0.02:0.12:0.002", value: "0.1", points: "500" },
   stars: { system: "henon_heiles", initial: "y=0.1,x'=0.4; y=-0.2,x'=0.4; y=0.3,x'=0.3; x'=0.48", at: "x", points: "600" },
-  double: { system: "double_pendulum", initial: "theta1=120deg,theta2=120deg; theta1=120deg,theta2=120.1deg", at: "sin(theta1)", points: "500", until: "20", intervals: "100" },
+  double: { system: "double_pendulum", initial: "theta1=120deg,theta2=120deg; theta1=120deg,theta2=121deg", at: "sin(theta1)", points: "500", until: "20", intervals: "100" },
+  jumps: { system: "driven_pendulum", set: "A=0.15,c=0.1", initial: "theta=0; theta=2", value: "0.8", over: "omega=0.6:1.2:0.01", sweep: "both", response: "omega=0.3:1.4" },
   lorenz: { system: "lorenz", initial: "x=1,y=1,z=1; x=1.001,y=1,z=1", over: "rho=20:30:0.25", value: "28", at: "z - 27", points: "1000", until: "30", intervals: "1000" },
 };
 
 /** What the fields hold where a preset says nothing. */
-const PLAIN = { set: "", at: "", over: "", value: "", sweep: "", each: "30", points: "2000", until: "100", intervals: "300" };
+const PLAIN = { set: "", at: "", over: "", value: "", sweep: "", response: "", each: "30", points: "2000", until: "100", intervals: "300" };
 
 /** All values of a preset. */
 export function preset(key: string): Readonly<Record<string, string>> | undefined {
@@ -28,7 +29,7 @@ export function preset(key: string): Readonly<Record<string, string>> | undefine
 
 export const PARTS = {
   system: ["system", "set", "initial", "at"],
-  diagram: ["over", "each", "sweep"],
+  diagram: ["over", "each", "sweep", "response"],
   chosen: ["value", "points", "until", "intervals"],
 } as const;
 
@@ -42,6 +43,7 @@ export function fields(): Field[] {
     textField({ key: "over", option: "--over", words: words.over, initial: "A=1:1.5:0.005" }),
     textField({ key: "each", option: "--points", words: words.each, initial: "30" }),
     choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label } }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
+    textField({ key: "response", option: "--over", words: words.response }),
     textField({ key: "value", words: words.value, initial: "1.2" }),
     textField({ key: "points", option: "--points", words: words.points, initial: "2000" }),
     textField({ key: "until", option: "--until", words: words.until, initial: "100" }),

@@ -11,6 +11,7 @@ import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { save } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
+import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { fields, OWN_KEYS, PAPER_KEYS, SERIES_KEYS, taken } from "./fields.ts";
@@ -44,7 +45,8 @@ class DerivationsRoom {
   readonly #equivalents = new Equivalents();
   readonly #parts: readonly (readonly [HTMLElement, readonly string[]])[];
 
-  constructor(address: Address, engine: Engine) {
+  constructor(address: Address, given: Engine) {
+    const engine = telling(given, this.#status);
     this.#engine = engine;
     const all = fields();
     this.#form = new Form(address, all, () => this.#update());

@@ -12,6 +12,7 @@ import { Latest } from "../../parts/latest.ts";
 import { angle, angleEntry, digits } from "../../parts/numbers.ts";
 import { save } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
+import { telling } from "../../parts/telling.ts";
 import { unitSwitch } from "../../parts/unit_switch.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
@@ -54,7 +55,8 @@ class FormulasRoom {
   #drawn = "";
   #crossed = "";
 
-  constructor(address: Address, engine: Engine) {
+  constructor(address: Address, given: Engine) {
+    const engine = telling(given, this.#status);
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.#update());
     this.#selection = new Selection(address, () => this.#update());

@@ -13,6 +13,7 @@ import { Finding, layout } from "../../parts/layout.ts";
 import { Picture } from "../../parts/picture.ts";
 import { save } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
+import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { example } from "./example.ts";
@@ -53,7 +54,8 @@ class LaboratoryRoom {
   #kind: Kind | undefined;
   #report: Uint8Array | undefined;
 
-  constructor(address: Address, engine: Engine) {
+  constructor(address: Address, given: Engine) {
+    const engine = telling(given, this.#status);
     [this.#address, this.#engine] = [address, engine];
     this.#form = new Form(address, this.#fields, () => this.#update());
     this.#picture = new Picture(engine, "fit");

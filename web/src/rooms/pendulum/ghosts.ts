@@ -1,7 +1,7 @@
 // Pendulums by formulas, beside the exact one.
 
 import type { Mathematics, Motion } from "../../engine/mathematics.ts";
-import type { Colour } from "./colours.ts";
+import type { Colour } from "../../parts/colours.ts";
 
 export interface Ghost {
   readonly key: string;

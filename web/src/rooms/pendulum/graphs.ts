@@ -5,7 +5,7 @@ import { angle as angleInWords, digits } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Course, Place, Samples } from "./course.ts";
 import type { Ghost } from "./ghosts.ts";
-import { type Axes, type Pen, Plot, type Range } from "./plot.ts";
+import { type Axes, type Pen, Plot, type Range } from "../../parts/plot.ts";
 
 const words = text.pendulum.graphs;
 const POINTS = 1200;

@@ -1,7 +1,7 @@
 // The pendulum itself: drawn, dragged, thrown, and turned by keys.
 
 import { element } from "../../parts/element.ts";
-import { type Colour, type Colours, colours } from "./colours.ts";
+import { type Colour, type Colours, colours } from "../../parts/colours.ts";
 
 export interface Shown {
   readonly angle: number;

@@ -3,7 +3,7 @@
 import { button, element } from "../../parts/element.ts";
 import { choiceField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
-import type { Clock } from "./clock.ts";
+import type { Clock } from "../../parts/clock.ts";
 
 const words = text.pendulum.transport;
 

@@ -9,12 +9,13 @@ import { copyButton, Equivalents } from "../../parts/equivalents.ts";
 import { choiceField } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
 import { ladder } from "../../parts/ladder.ts";
-import { Latest } from "../../parts/latest.ts";
+import { isWanted, Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { fromHtml } from "../../parts/markup.ts";
 import { Picture } from "../../parts/picture.ts";
 import { save } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
+import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
@@ -51,7 +52,8 @@ class PerturbationRoom {
   readonly #equivalents = new Equivalents();
   #latex = "";
 
-  constructor(address: Address, engine: Engine) {
+  constructor(address: Address, given: Engine) {
+    const engine = telling(given, this.#status);
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.#update());
     this.#seriesPicture = new Picture(engine, "series", "output");
@@ -161,8 +163,9 @@ class PerturbationRoom {
       let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
       const isPlain = answer.status !== 0 && answer.error.includes("--format:");
       if (isPlain && !signal.aborted) answer = await ask(this.#engine, asked, { signal });
-      if (signal.aborted) return false;
-      if (answer.status !== 0) {
+      // What is stopped is as good as it is long.
+      if (signal.aborted && (!isWanted(signal) || answer.output.length === 0)) return false;
+      if (answer.status !== 0 && !signal.aborted) {
         this.#series.fail(this.#form.blame(answer));
         return false;
       }
@@ -170,6 +173,7 @@ class PerturbationRoom {
       const written = decoded(answer);
       const shown = isPlain ? [element("pre", { tabindex: "0" }, written)] : grouped(fromHtml(written));
       this.#series.show(...notes.map((note) => element("p", { class: "quiet" }, note)), element("div", { class: "series scroll", tabindex: "0", role: "region", "aria-label": words.series }, ...shown));
+      if (signal.aborted) return false;
     }
     return true;
   }

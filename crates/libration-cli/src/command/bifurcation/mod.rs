@@ -139,18 +139,18 @@ impl Bifurcation {
         };
         let pieces = self.pieces();
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));
+        let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
+        let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
         let work = |piece: &Piece| {
             let before = Cell::new(0);
             let ask = |now: Progress| {
                 done.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
-                interrupt::go_on()
+                parallel::go_on(&how_far)
             };
             let (values, continuation) = (&piece.values, piece.continuation);
             bifurcation_diagram_watched(&family, values, start, continuation, &effort, &Watch::new(&ask))
         };
         interrupt::listen()?;
-        let all: usize = pieces.iter().map(|piece| piece.values.len()).sum();
-        let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
         let columns = parallel::with_progress(how_far, || parallel::map(&pieces, work));
         let columns = columns.into_iter().collect::<Result<Vec<_>, _>>().map_err(failure)?;
         Ok(joined(&pieces, columns))

@@ -363,14 +363,14 @@ fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expa
 /// What a computation gives, with a line of progress while it takes long, until Ctrl-C is pressed.
 fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&Watch<'_>) -> T + Send) -> T {
     let latest = Mutex::new(None);
+    let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
+    let how_far = || format!("order {order}: {}", how_far());
     let ask = |progress| {
         if let Ok(mut latest) = latest.lock() {
             *latest = Some(progress);
         }
-        interrupt::go_on()
+        parallel::go_on(&how_far)
     };
-    let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
-    let how_far = || format!("order {order}: {}", how_far());
     parallel::with_progress(how_far, || compute(&Watch::new(&ask)))
 }
 

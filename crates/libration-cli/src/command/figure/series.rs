@@ -180,7 +180,7 @@ impl Subject {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
         let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
         let watch = || {
-            let ask = |_| interrupt::go_on();
+            let ask = |_| parallel::go_on(&how_far);
             let watch = Watch::new(&ask);
             let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
             let counted = amplitudes.inspect(|_| {

@@ -125,17 +125,17 @@ fn measured(
     effort: &Effort,
 ) -> Result<LyapunovExponent, LyapunovError> {
     let latest = Mutex::new(None);
-    let ask = |progress| {
-        if let Ok(mut latest) = latest.lock() {
-            *latest = Some(progress);
-        }
-        interrupt::go_on()
-    };
     let how_far = || {
         let latest: Option<Progress> = latest.lock().ok().and_then(|latest| *latest);
         let beside = latest.is_some_and(|it| it.stage != Stage::Motion { number: 0 });
         let which = if beside { " of a motion beside it" } else { "" };
         format!("{} of {} intervals{which}", latest.map_or(0, |it| it.done), schedule.intervals)
+    };
+    let ask = |progress| {
+        if let Ok(mut latest) = latest.lock() {
+            *latest = Some(progress);
+        }
+        parallel::go_on(&how_far)
     };
     parallel::with_progress(how_far, || {
         lyapunov_exponent_watched(model.equation(), start, schedule, effort, &Watch::new(&ask))

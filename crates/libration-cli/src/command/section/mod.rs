@@ -116,18 +116,18 @@ impl PoincareQuestion {
     fn sections(&self, model: &Model, starts: &[Vec<f64>]) -> Result<Vec<PoincareSection>, Failure> {
         let (place, points) = (self.section.section(model), self.section.points(POINTS));
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
+        let all = points.recorded * starts.len();
+        let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
         let of_start = |state: &Vec<f64>| {
             let start = Moment { time: 0.0, state: state.clone() };
             let before = Cell::new(0);
             let ask = |now: Progress| {
                 taken.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
-                interrupt::go_on()
+                parallel::go_on(&how_far)
             };
             section_watched(model.equation(), &start, &place, points, &effort, &Watch::new(&ask))
         };
         interrupt::listen()?;
-        let all = points.recorded * starts.len();
-        let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
         sections.into_iter().collect::<Result<_, _>>().map_err(section_failure)
     }

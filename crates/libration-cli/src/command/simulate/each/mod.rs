@@ -1,5 +1,6 @@
 //! Many motions of a system in one run, from a table of starts and parameters.
 
+mod ensemble;
 mod fields;
 mod follow;
 mod list;

@@ -1,6 +1,6 @@
 // A plot on canvas: axes and curves stay, what moves is drawn over them for each picture.
 
-import { element } from "../../parts/element.ts";
+import { element } from "./element.ts";
 import { type Colour, type Colours, colours } from "./colours.ts";
 
 export type Range = readonly [number, number];

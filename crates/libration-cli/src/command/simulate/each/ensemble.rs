@@ -1,0 +1,37 @@
+//! The motions of a table, to be followed further and further.
+
+use super::super::Simulate;
+use super::{list, open_model, setting};
+use crate::arguments::MotionTable;
+use crate::failure::Failure;
+use libration::systems::Model;
+use libration::taylor::{Ensemble, Moment};
+
+impl Simulate {
+    /// The system with its values and the motions of the table, none of which has begun.
+    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), Failure> {
+        let usage = |option, reason: &str| Failure::usage(option, reason);
+        let path = self.each.as_deref().ok_or_else(|| usage("--each", "give a file with the starts"))?;
+        self.refuse_for_each()?;
+        let system = self.system.given()?;
+        let table = MotionTable::read(path, &system)?;
+        open_model(&system, &table)?;
+        let mut settings = vec![];
+        let places = setting::places(self, path, &system, &table, &mut settings)?;
+        if settings.len() > 1 {
+            return Err(usage(
+                "--each",
+                "motions that go on together have the same parameters: give one value for each",
+            ));
+        }
+        if !settings[0].watched.is_empty() {
+            return Err(usage("--events", "no events are looked for in motions that go on together"));
+        }
+        let listed = list::listed(self, path, &table, &places, &settings)?;
+        let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();
+        let (effort, setting) = (self.tolerance.effort(), &settings[0]);
+        let ensemble = Ensemble::new(setting.system.clone(), &starts, &effort);
+        let ensemble = ensemble.map_err(|error| Failure::NoAnswer(error.to_string()))?;
+        Ok((setting.model.clone(), ensemble))
+    }
+}
