@@ -91,6 +91,19 @@ def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
+    phase = 2 * np.pi * np.linspace(0, 1, 361)
+    ax = _plot.axes(ax, ("phase of the drive at the bottom / °", "M / (rad²/s²)"))
+    for separatrix in answer.separatrices:
+        values = np.full_like(phase, separatrix["mean"])
+        for term in separatrix["harmonics"]:
+            values += term["cosine"] * np.cos(term["n"] * phase) + term["sine"] * np.sin(term["n"] * phase)
+        ax.plot(np.degrees(phase), values, label="upper separatrix" if separatrix["direction"] > 0 else "lower separatrix")
+    ax.axhline(0, color="grey", linewidth=0.8, linestyle="--")
+    _plot.legend(ax)
+    return ax
+
+
 def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, (answer["parameter"], f"largest |{answer['coordinate']}|"))
     for place, branch in enumerate(answer.branches):
@@ -175,6 +188,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "simulate": _simulate,
     "modes": _modes,
     "orbit": _orbit,
+    "melnikov": _melnikov,
     "response": _response,
     "section": _section,
     "bifurcation": _bifurcation,

@@ -71,6 +71,7 @@ DRAWN = {
     "simulate": lambda: questions.simulate("double_pendulum", initial={"theta1": 1}, times="0:2:0.1"),
     "modes": lambda: lb.modes("double_pendulum"),
     "orbit": lambda: lb.orbit("double_pendulum", initial={"theta1": 0.1, "theta2": 0.141}, period=8),
+    "melnikov": lambda: lb.melnikov("driven_pendulum", set={"A": 0.3, "c": 0.1, "omega": 1}),
     "response": lambda: lb.response("driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95"),
     "section": lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0),
     "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),

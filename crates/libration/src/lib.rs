@@ -113,6 +113,7 @@ pub mod orbit;
 pub mod spectrum;
 
 pub mod decay;
+pub mod melnikov;
 pub mod normal_modes;
 
 // What all of them stand on.

@@ -20,6 +20,7 @@ from ._formulas import formulas
 from ._fourier import fourier
 from ._inspect import inspect
 from ._lyapunov import lyapunov
+from ._melnikov import melnikov
 from ._modes import modes
 from ._motion import motion
 from ._orbit import orbit
@@ -56,6 +57,7 @@ __all__ = [
     "fourier",
     "inspect",
     "lyapunov",
+    "melnikov",
     "modes",
     "motion",
     "orbit",

@@ -16,6 +16,7 @@ mod formulas;
 mod fourier;
 mod inspect;
 mod lyapunov;
+mod melnikov;
 mod modes;
 mod motion;
 mod orbit;
@@ -117,6 +118,7 @@ enum Question {
     Modes(modes::Modes),
     Orbit(orbit::OrbitQuestion),
     Response(Box<response::ResponseQuestion>),
+    Melnikov(Box<melnikov::MelnikovQuestion>),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
@@ -177,6 +179,7 @@ impl Libration {
             Question::Modes(question) => question.answer(out),
             Question::Orbit(question) => question.answer(out),
             Question::Response(question) => question.answer(out),
+            Question::Melnikov(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),

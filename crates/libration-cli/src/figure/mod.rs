@@ -7,6 +7,7 @@ pub(crate) mod errors;
 pub(crate) mod gates;
 pub(crate) mod lengths;
 pub(crate) mod lyapunov;
+pub(crate) mod melnikov;
 pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod motions;

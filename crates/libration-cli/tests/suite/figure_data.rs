@@ -465,6 +465,22 @@ fn an_orbit_in_time_and_in_its_plane() {
 }
 
 #[test]
+fn a_melnikov_function_and_resonances() {
+    // M(φ) = −8c + 2πA sech(πΩ/2)·cos φ, and ω0/2√e·π/K is half the frequency of the drive.
+    let drawing = drawn("melnikov|x'' + 0.01 x' + sin(x) = 0.1 cos(t)", "--figure");
+    for (phase, value) in drawing.curves(0, FIRST).concat() {
+        close(value, -0.08 + TAU * 0.1 / FRAC_PI_2.cosh() * phase.to_radians().cos(), 0.005);
+    }
+    let marked = drawing.markers(1, SECOND);
+    assert!(marked.iter().any(|(_, frequency)| (frequency - 1.0).abs() < 0.01), "{marked:?}");
+    for (speed, frequency) in drawing.curves(1, FIRST).concat() {
+        if speed.abs() < 1.9 {
+            close(frequency, period_ratio(2.0 * (0.5 * speed).asin()).recip(), 0.01);
+        }
+    }
+}
+
+#[test]
 fn a_response_of_a_linear_oscillator() {
     // x″ + x′/2 + x = cos ωt answers with 1/√((1 − ω²)² + ω²/4).
     let drawing = drawn("response|x'' = -x - x'/2 + cos(w*t)|--over|w=0.5:2", "--figure");

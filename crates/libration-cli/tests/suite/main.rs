@@ -27,6 +27,7 @@ mod inspect;
 mod interrupts;
 mod letters;
 mod library;
+mod melnikov;
 mod modes;
 mod motion;
 mod paper;

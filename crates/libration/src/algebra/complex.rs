@@ -31,6 +31,12 @@ impl Complex {
         libm::hypot(self.re, self.im)
     }
 
+    /// The angle φ of |z|·e^{iφ}, within −π … π.
+    #[must_use]
+    pub fn argument(self) -> f64 {
+        libm::atan2(self.im, self.re)
+    }
+
     /// z times a real number.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {

@@ -22,6 +22,7 @@ mod amplitude;
 mod initial;
 mod inverse;
 
+mod action_angle;
 mod motion;
 mod start;
 mod state;

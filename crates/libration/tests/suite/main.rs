@@ -33,6 +33,7 @@ mod first_order;
 mod fourier;
 mod leading_cycles;
 mod ledger;
+mod melnikov;
 mod mirrored;
 mod motion;
 mod normal_modes;

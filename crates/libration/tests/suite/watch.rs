@@ -10,6 +10,7 @@ use libration::comparison::{
 };
 use libration::continuation::{NoBranch, Response, ResponseOptions};
 use libration::expression::Equation;
+use libration::melnikov::{DriveResonance, PerturbedPendulum};
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration::oscillator::{Oscillator, SymbolicOscillator};
@@ -87,6 +88,18 @@ fn searches_of_orbits_stop_at_any_question() {
     let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
     let period = std::f64::consts::TAU;
     stops(|watch| in_numbers(Orbit::driven_watched(&driven, period, &[1.0, 0.2], watch)), no_orbit);
+}
+
+#[test]
+fn resonances_stop_before_the_next() {
+    let driven = PerturbedPendulum::new(&equation("x'' = -0.1*x' - sin(x) + 0.3*cos(t)")).unwrap();
+    let places = |found: Vec<DriveResonance>| -> Vec<(u32, f64)> {
+        found.iter().map(|it| (it.drive_periods, it.half_width)).collect()
+    };
+    stops(
+        |watch| driven.resonances_watched(4, watch).map(places),
+        |found, whole| *found == Err(Interrupted) && whole.is_ok(),
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, SystemOptions, constant, count, place_in_state, plain_name};
+use crate::arguments::{InitialOptions, ParameterSpan, SystemOptions, count, parameter_span, place_in_state};
 use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
@@ -44,8 +44,8 @@ pub(crate) struct ResponseQuestion {
     #[command(flatten)]
     system: SystemOptions,
     /// The parameter and its range, such as omega=0.3:1.4
-    #[arg(long, value_name = "NAME=FROM:TO", value_parser = span)]
-    over: Span,
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = parameter_span)]
+    over: ParameterSpan,
     #[command(flatten)]
     initial: InitialOptions,
     /// How many periods of the drive an answer takes, for subharmonic answers
@@ -64,13 +64,6 @@ pub(crate) struct ResponseQuestion {
     sizes: figure::Sizes,
     #[command(flatten)]
     form: FormOptions,
-}
-
-/// A parameter with its range.
-#[derive(Clone, Debug)]
-struct Span {
-    name: String,
-    range: [f64; 2],
 }
 
 /// What is written.
@@ -105,7 +98,7 @@ impl ResponseQuestion {
     }
 
     fn computed(&self) -> Result<Answer, Failure> {
-        let Span { name, range } = &self.over;
+        let ParameterSpan { name, range } = &self.over;
         let model = self.system.model_with_open(&[name])?;
         let coordinate = match &self.coordinate {
             Some(name) => place_in_state(&model, "--coordinate", name)
@@ -135,7 +128,7 @@ impl ResponseQuestion {
             interrupt::go_on()
         };
         let how_far = || format!("{} points of the branches", points.load(Ordering::Relaxed));
-        let Span { name, range } = &self.over;
+        let ParameterSpan { name, range } = &self.over;
         let response = parallel::with_progress(how_far, || {
             Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
         });
@@ -208,18 +201,6 @@ fn failure(error: NoBranch) -> Failure {
         NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
         _ => Failure::no_answer("response", error),
     }
-}
-
-/// Reads `NAME=FROM:TO`, whose numbers may be formulas of numbers.
-fn span(text: &str) -> Result<Span, String> {
-    let refusal = || "give NAME=FROM:TO, as omega=0.3:1.4".to_owned();
-    let (name, range) = text.split_once('=').ok_or_else(refusal)?;
-    let [from, to] = range.split(':').collect::<Vec<_>>()[..] else { return Err(refusal()) };
-    let end = |text: &str| {
-        let value = constant(text)?.to_f64().filter(|value| value.is_finite());
-        value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
-    };
-    Ok(Span { name: plain_name(name), range: [end(from)?, end(to)?] })
 }
 
 fn whole(text: &str) -> Result<usize, String> {

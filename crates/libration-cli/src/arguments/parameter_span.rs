@@ -1,0 +1,23 @@
+//! A parameter and the range it is followed over: `omega=0.3:1.4`.
+
+use super::parameter_range::constant;
+use super::values::plain_name;
+
+/// A parameter with the values at both ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ParameterSpan {
+    pub(crate) name: String,
+    pub(crate) range: [f64; 2],
+}
+
+/// Reads `NAME=FROM:TO`, whose numbers may be formulas of numbers.
+pub(crate) fn parameter_span(text: &str) -> Result<ParameterSpan, String> {
+    let refusal = || "give NAME=FROM:TO, as omega=0.3:1.4".to_owned();
+    let (name, range) = text.split_once('=').ok_or_else(refusal)?;
+    let [from, to] = range.split(':').collect::<Vec<_>>()[..] else { return Err(refusal()) };
+    let end = |text: &str| {
+        let value = constant(text)?.to_f64().filter(|value| value.is_finite());
+        value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
+    };
+    Ok(ParameterSpan { name: plain_name(name), range: [end(from)?, end(to)?] })
+}

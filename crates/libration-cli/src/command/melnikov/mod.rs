@@ -1,0 +1,129 @@
+//! `libration melnikov`: when a perturbed pendulum has chaotic motions, and its resonances.
+
+mod fields;
+mod write;
+
+use crate::arguments::{ParameterSpan, SystemOptions, count, parameter_span};
+use crate::failure::Failure;
+use crate::figure::melnikov::Perturbed;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt, parallel};
+use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, Threshold, thresholds};
+use libration::systems::Model;
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) use fields::answers;
+
+/// Largest q of a resonance p:q.
+const MOST_PERIODS: usize = 1000;
+
+/// When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap
+///
+/// Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first order. Where the Melnikov function has
+/// simple zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration melnikov driven_pendulum --set c=0.1,omega=1 --over A=0:1
+  libration melnikov driven_pendulum --set A=0.3,c=0.1,omega=1 --json
+  libration melnikov \"x'' + 0.1 x' + sin(x) = A cos(t) + A/3 cos(3t)\" \\
+    --over A=0:1 --figure melnikov.svg
+  libration melnikov \"x'' + sin(x) = 0.05 cos(2t)\" --orders 10
+
+With --over the function and the resonances are those of the first threshold in
+the range, or of its end where there is none. M counts energy per m*l^2, in
+rad^2/s^2, actions are per m*l^2, in rad^2/s.")]
+pub(crate) struct MelnikovQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// A parameter and the range in which to look for thresholds, such as A=0:1
+    #[arg(long, value_name = "NAME=FROM:TO", value_parser = parameter_span)]
+    over: Option<ParameterSpan>,
+    /// The largest number of periods of the drive, q, of a resonance p:q
+    #[arg(long, value_name = "Q", default_value = "5", value_parser = count::<MOST_PERIODS>)]
+    orders: usize,
+    /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png instead of listing them
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What is written.
+struct Answer {
+    model: Model,
+    /// The parameter with the value at which the function is given.
+    at: Option<(String, f64)>,
+    pendulum: PerturbedPendulum,
+    separatrices: [Melnikov; 2],
+    thresholds: Option<Vec<Threshold>>,
+    resonances: Vec<DriveResonance>,
+}
+
+impl MelnikovQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        interrupt::listen()?;
+        let answer = self.found()?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(path, &figure::melnikov::melnikov(&answer.shown()), &self.sizes)?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+
+    fn found(&self) -> Result<Answer, Failure> {
+        let open = self.over.as_ref().map(|over| over.name.as_str());
+        let model = self.system.model_with_open(open.as_slice())?;
+        let thresholds = match &self.over {
+            Some(over) => Some(thresholds(model.equation(), &over.name, over.range).map_err(failure)?),
+            None => None,
+        };
+        let first = thresholds.iter().flatten().map(|it| it.value).reduce(f64::min);
+        let at = self.over.as_ref().map(|over| (over.name.clone(), first.unwrap_or(over.range[1])));
+        let equation = match &at {
+            Some((name, value)) => {
+                let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
+                let equation = model.equation().with(&[(name, value)]);
+                equation.map_err(|error| Failure::usage("--over", error))?
+            }
+            None => model.equation().clone(),
+        };
+        let pendulum = PerturbedPendulum::new(&equation).map_err(failure)?;
+        let largest = u32::try_from(self.orders).unwrap_or(u32::MAX);
+        let resonances =
+            parallel::until_asked("the resonances", |watch| pendulum.resonances_watched(largest, watch));
+        let early = || {
+            Failure::Interrupted(
+                "interrupted before the resonances were known: nothing is written".to_owned(),
+            )
+        };
+        let resonances = resonances.and_then(Result::ok).ok_or_else(early)?;
+        let separatrices = Melnikov::both(&pendulum);
+        Ok(Answer { model, at, pendulum, separatrices, thresholds, resonances })
+    }
+}
+
+impl Answer {
+    /// What the picture shows.
+    fn shown(&self) -> Perturbed<'_> {
+        Perturbed {
+            model: &self.model,
+            at: self.at.as_ref().map(|(name, value)| (name.as_str(), *value)),
+            omega0: self.pendulum.omega0(),
+            separatrices: &self.separatrices,
+            resonances: &self.resonances,
+        }
+    }
+}
+
+fn failure(error: NoMelnikov) -> Failure {
+    match error {
+        NoMelnikov::Range { .. } | NoMelnikov::At { .. } => Failure::usage("--over", error),
+        _ => Failure::no_answer("SYSTEM|EQUATION", error),
+    }
+}

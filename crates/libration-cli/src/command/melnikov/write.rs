@@ -1,0 +1,113 @@
+//! A Melnikov function as a sheet with words, JSON and CSV.
+
+use super::Answer;
+use super::fields::{of_answer, of_resonance, of_threshold, separatrix};
+use crate::output::number::{at_most, rounded, short};
+use crate::output::table::{Table, paragraph, write_text};
+use crate::output::{Form, csv, json};
+use libration::melnikov::Melnikov;
+use std::io::{self, Write};
+
+/// Where lines are broken.
+const COLUMNS: usize = 100;
+/// Overlap from which on motions between resonances are seen to be chaotic, by experience: the criterion itself has 1.
+const OVERLAP: f64 = 2.0 / 3.0;
+
+impl Answer {
+    /// In the form asked for; the table lists the resonances only if that is wanted.
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
+        match form {
+            Form::Json => {
+                let fields = of_resonance();
+                let resonances = self.neighbours().map(|it| fields.record(&it));
+                json::document_with_list(out, of_answer().record(self), "resonances", resonances)
+            }
+            Form::Csv => {
+                let fields = of_resonance();
+                csv::line(out, &fields.csv_names())?;
+                self.neighbours().try_for_each(|it| csv::line(out, &fields.csv_cells(&it)))
+            }
+            Form::Table => self.write_sheet(out, listed),
+        }
+    }
+
+    fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
+        let lines = of_answer().lines(self);
+        for (name, text) in lines.into_iter().filter(|(_, text)| !text.is_empty()) {
+            writeln!(out, "{}", paragraph(&format!("{name:<13}"), &text, COLUMNS))?;
+        }
+        writeln!(out)?;
+        for melnikov in &self.separatrices {
+            write_text(out, "", &told(melnikov, self.at.is_some()))?;
+        }
+        if let (true, Some(thresholds)) = (listed, &self.thresholds) {
+            writeln!(out)?;
+            if thresholds.is_empty() {
+                write_text(out, "", "No threshold in the range.")?;
+            } else {
+                of_threshold().write_table(out, thresholds)?;
+            }
+        }
+        if listed && !self.resonances.is_empty() {
+            writeln!(out)?;
+            let fields = of_resonance();
+            let mut table = Table::new(fields.columns());
+            self.neighbours().try_for_each(|it| table.row(out, fields.cells(&it)))?;
+            table.finish(out)?;
+            writeln!(out)?;
+            write_text(out, "", &self.overlaps())?;
+        }
+        Ok(())
+    }
+
+    fn overlaps(&self) -> String {
+        let known = || self.neighbours().filter_map(|it| it.overlap());
+        let most = known().fold(0.0, f64::max);
+        match known().count() {
+            0 => "No two resonances of a kind are beside each other.".to_owned(),
+            _ if most < OVERLAP => format!(
+                "Neighbouring resonances do not overlap: the sum of half-widths is {} of their distance at most.",
+                short(most, 3)
+            ),
+            _ => format!(
+                "Neighbouring resonances overlap, the sum of half-widths is up to {} of their distance: from about 2/3 on most undamped motions between them are chaotic.",
+                short(most, 3)
+            ),
+        }
+    }
+}
+
+fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
+    let name = separatrix(melnikov.direction);
+    let mut sum = short(melnikov.mean, 12);
+    for (k, value) in (1..).zip(&melnikov.harmonics) {
+        let phase = value.argument().to_degrees();
+        let turned = if phase == 0.0 {
+            String::new()
+        } else {
+            format!(" {} {}°", if phase < 0.0 { "-" } else { "+" }, short(phase.abs(), 8))
+        };
+        let multiple = if k == 1 { String::new() } else { k.to_string() };
+        sum = format!("{sum} + {} cos({multiple}φ{turned})", short(value.abs(), 12));
+    }
+    let error = at_most(melnikov.error());
+    let factor = melnikov.threshold_factor();
+    let consequence = match melnikov.has_simple_zeros() {
+        _ if melnikov.harmonics.is_empty() => {
+            "nothing depends on the phase, and the manifolds do not cross".to_owned()
+        }
+        None if at_threshold => "it touches zero".to_owned(),
+        None => "whether it has zeros is beyond its error".to_owned(),
+        Some(true) => format!(
+            "it has simple zeros, so that the manifolds of the upright position cross; they would from {} of this drive on",
+            rounded(factor, 6)
+        ),
+        Some(false) => format!(
+            "it has no zeros, and the manifolds do not cross; they would from {} times this drive on",
+            rounded(factor, 6)
+        ),
+    };
+    format!(
+        "Upon the {name} separatrix M(φ) = {sum}, to {error}, with φ the phase of the drive at the bottom: {consequence}."
+    )
+}

@@ -1,0 +1,58 @@
+//! `libration melnikov`.
+
+use crate::command::{json, message, run, text};
+use serde_json::Value;
+
+fn words(question: &str) -> String {
+    text(question).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn thresholds_are_found_over_a_parameter() {
+    let answer = json("melnikov driven_pendulum --set c=0.1,omega=2/3 --over A=0:1");
+    let thresholds = answer["thresholds"].as_array().unwrap();
+    assert_eq!(thresholds.len(), 2);
+    // (4c/π)·cosh(πΩ/2) by mpmath.
+    let value = |it: &Value| it["value"].as_f64().unwrap();
+    assert!(thresholds.iter().all(|it| (value(it) - 0.203_754_851_014_665_07).abs() < 1e-15));
+    assert_eq!((&answer["parameter"], value(&answer)), (&"A".into(), value(&thresholds[0])));
+    let separatrix = &answer["separatrices"][0];
+    assert!((separatrix["mean"].as_f64().unwrap() + 0.8).abs() < 1e-15);
+    assert_eq!((&separatrix["simple_zeros"], &answer["closed_form"]), (&Value::Null, &true.into()));
+    assert!(
+        words("melnikov driven_pendulum --set c=0.1,omega=2/3 --over A=0:0.1")
+            .contains("No threshold in the range")
+    );
+}
+
+#[test]
+fn zeros_and_resonances_are_told_in_words() {
+    let strong = words("melnikov driven_pendulum --set c=0.1,omega=1,A=0.5");
+    assert!(
+        strong.contains("it has simple zeros") && strong.contains("from 0.638957 of this drive on"),
+        "{strong}"
+    );
+    let weak = words("melnikov driven_pendulum --set c=0.1,omega=1,A=0.1");
+    assert!(weak.contains("the manifolds do not cross; they would from 3.19479 times"), "{weak}");
+    assert!(words("melnikov damped_pendulum --set c=0.1").contains("nothing depends on the phase"));
+    assert!(words("melnikov x''+sin(x)=0.001*cos(4*t) --orders 6").contains("do not overlap"));
+    assert!(weak.contains("1:3 libration 0.33333333 175.8765"), "{weak}");
+}
+
+#[test]
+fn what_is_no_perturbed_pendulum_is_refused() {
+    let cases: [(&[&str], i32, &[&str]); 5] = [
+        (&["melnikov", "duffing"], 1, &["-omega0^2*sin"]),
+        (&["melnikov", "double_pendulum"], 1, &["2 coordinates"]),
+        (&["melnikov", "x'' + sin(x) = t"], 1, &["not periodic"]),
+        (&["melnikov", "driven_pendulum", "--over", "A=1"], 2, &["--over", "NAME=FROM:TO"]),
+        (&["melnikov", "driven_pendulum", "--over", "A=1:1"], 2, &["--over", "empty"]),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        for part in parts {
+            assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+        }
+    }
+}

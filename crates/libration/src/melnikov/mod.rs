@@ -1,0 +1,26 @@
+//! A pendulum under a weak periodic perturbation: Melnikov's function of the separatrix, resonances of the swings and rotations, their overlap.
+//!
+//! ```
+//! use libration::melnikov::{Melnikov, PerturbedPendulum};
+//! let shaken = PerturbedPendulum::new(&"x'' + 0.1 x' + (1 - 0.2 cos(2t)) sin(x) = 0".parse()?)?;
+//! let [upper, lower] = Melnikov::both(&shaken);
+//! assert_eq!(upper.has_simple_zeros(), Some(false));
+//! assert_eq!(upper.mean, lower.mean);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+
+mod trigonometric;
+
+mod perturbation;
+
+mod separatrix;
+
+mod function;
+mod resonance;
+
+pub use error::NoMelnikov;
+pub use function::{Melnikov, Threshold, thresholds};
+pub use perturbation::PerturbedPendulum;
+pub use resonance::DriveResonance;

@@ -1,0 +1,224 @@
+//! The Melnikov function, resonances and their widths against closed forms, other quadratures and published thresholds.
+
+use libm::{acosh, atan, cos, cosh, sin, sinh, tanh};
+use libration::expression::Equation;
+use libration::melnikov::{Melnikov, NoMelnikov, PerturbedPendulum, thresholds};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn perturbed(text: &str) -> PerturbedPendulum {
+    PerturbedPendulum::new(&text.parse().unwrap()).unwrap()
+}
+
+/// Source: mpmath, (4c/π) cosh(πΩ/2) to 25 digits.
+const THRESHOLDS: [(&str, &str, f64); 3] = [
+    ("0.1", "1", 0.319_478_526_382_585_23),
+    ("0.1", "(2/3)", 0.203_754_851_014_665_03),
+    ("0.05", "1", 0.159_739_263_191_292_62),
+];
+
+#[test]
+fn the_threshold_of_a_damped_driven_pendulum_is_that_of_the_closed_form() {
+    for (c, omega, expected) in THRESHOLDS {
+        let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
+        let found = thresholds(&equation, "A", [0.0, 1.0]).unwrap();
+        assert_eq!(found.len(), 2, "one on either separatrix: {found:?}");
+        for threshold in found {
+            assert!((threshold.value - expected).abs() <= threshold.error.min(2e-15), "{threshold:?}");
+            assert!(threshold.above);
+        }
+    }
+}
+
+/// ∫ θ′·g dt over the separatrix by trapezoids over formulas of its own.
+fn by_trapezoids(omega0: f64, direction: f64, phase: f64, g: impl Fn(f64, f64, f64) -> f64) -> f64 {
+    let step = 1.0 / 64.0;
+    let at = |j: i32| {
+        let t = step * f64::from(j);
+        let (angle, velocity) = (direction * 2.0 * atan(sinh(t)), 2.0 * omega0 * direction / cosh(t));
+        velocity * g(angle, velocity, t / omega0 + phase) * step / omega0
+    };
+    (-2600..=2600).map(at).sum()
+}
+
+#[test]
+fn residues_agree_with_quadrature_for_any_trigonometric_polynomial() {
+    let text = "x'' = -2.25 sin(x) - 0.1 x'^3 + 0.2 cos(x)^2 cos(2t) x' + 0.3 sin(2x - t + 0.4) + 0.05 x' sin(x) cos(x)^3 + 0.01";
+    let pendulum = perturbed(text);
+    assert!(pendulum.is_closed() && pendulum.omega0() == 1.5);
+    let g = |x: f64, v: f64, t: f64| {
+        -0.1 * v * v * v
+            + 0.2 * cos(x) * cos(x) * cos(2.0 * t) * v
+            + 0.3 * sin(2.0 * x - t + 0.4)
+            + 0.05 * v * sin(x) * cos(x) * cos(x) * cos(x)
+            + 0.01
+    };
+    for found in Melnikov::both(&pendulum) {
+        for phase in [0.0, 0.7, 2.0, 4.5] {
+            let expected = by_trapezoids(1.5, found.direction, phase, g);
+            let difference = (found.at_phase(phase) - expected).abs();
+            assert!(difference <= found.error() && found.error() < 1e-13, "{phase}: {difference:e}");
+        }
+    }
+}
+
+#[test]
+fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
+    let text = "x'' + sin(x) = -0.1 x' abs(x') - 0.02 tanh(x') + 0.3 cos(t)/(2 + cos(t))";
+    let pendulum = perturbed(text);
+    assert!(!pendulum.is_closed());
+    let g = |_: f64, v: f64, t: f64| -0.1 * v * v.abs() - 0.02 * tanh(v) + 0.3 * cos(t) / (2.0 + cos(t));
+    for found in Melnikov::both(&pendulum) {
+        for phase in [0.0, 1.0, 3.0] {
+            let expected = by_trapezoids(1.0, found.direction, phase, g);
+            let difference = (found.at_phase(phase) - expected).abs();
+            assert!(
+                difference <= found.error() && found.error() < 1e-9,
+                "{difference:e} {:e}",
+                found.error()
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_exponentially_small_keeps_its_digits() {
+    // 2π sech(πΩ/2), which at Ω = 40 is 13 thousandths of a millionth of a millionth of a millionth of a millionth.
+    let [upper, _] = Melnikov::both(&perturbed("x'' + sin(x) = cos(40 t)"));
+    let expected = TAU / cosh(20.0 * PI);
+    assert!((upper.harmonics[0].abs() / expected - 1.0).abs() < 1e-13);
+    assert!(upper.harmonic_errors[0] < 1e-13 * expected);
+}
+
+#[test]
+fn zeros_are_where_the_function_vanishes() {
+    let [upper, _] = Melnikov::both(&perturbed("x'' + 0.1 x' + sin(x) = 0.5 cos(t) + 0.3 sin(3t)"));
+    assert_eq!(upper.has_simple_zeros(), Some(true));
+    let zeros = upper.zeros();
+    assert!(zeros.len() >= 2 && zeros.len() % 2 == 0, "{zeros:?}");
+    for (phase, slope) in zeros {
+        assert!(upper.at_phase(phase).abs() < 1e-14 && slope != 0.0);
+        let quotient = (upper.at_phase(phase + 1e-6) - upper.at_phase(phase - 1e-6)) / 2e-6;
+        assert!((quotient - slope).abs() < 1e-8);
+    }
+    let [least, most] = upper.extremes();
+    let values = (0..20_000).map(|j| upper.at_phase(TAU * f64::from(j) / 20_000.0) - upper.mean);
+    let seen = values.fold([0.0_f64; 2], |[low, high], value| [low.min(value), high.max(value)]);
+    assert!((least - seen[0]).abs() < 1e-7 && least <= seen[0] && (most - seen[1]).abs() < 1e-7);
+}
+
+/// B. V. Chirikov's resonance of a wave with a free rotation: its separatrix is 2√a from the velocity of the wave.
+#[test]
+fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
+    let driven = perturbed("x'' + 1e-8 sin(x) = -0.04 sin(x - 3t)");
+    let resonances = driven.resonances(1);
+    let [rotation] = &resonances.iter().filter(|it| it.direction != 0.0).collect::<Vec<_>>()[..] else {
+        panic!("{resonances:?}")
+    };
+    assert_eq!((rotation.motion_periods, rotation.drive_periods, rotation.direction), (1, 1, 1.0));
+    assert!((rotation.motion.frequency() - 3.0).abs() < 1e-13);
+    assert!((rotation.half_width - 0.4).abs() < 1e-7);
+}
+
+/// The half-width against the action that a locked motion is seen to reach.
+#[test]
+fn a_resonance_of_librations_is_as_wide_as_motions_show() {
+    use libration::taylor::{Effort, Moment, System, integrate};
+    let strength = 1e-4;
+    let equation: Equation = format!("x'' + sin(x) = {strength} cos(0.9 t)").parse().unwrap();
+    let resonances = PerturbedPendulum::new(&equation).unwrap().resonances(1);
+    let libration = resonances.iter().find(|it| it.direction == 0.0).unwrap();
+    // From the centre of the resonance at the phase of its hyperbolic points a motion reaches the half-width on its way around.
+    let system = System::new(&equation).unwrap();
+    let action = |state: &[f64]| {
+        let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
+        pendulum
+            .launched(libration::quantity::Angle::from_radians(state[0]).unwrap(), state[1])
+            .unwrap()
+            .action()
+    };
+    let period = libration.motion.period();
+    let times: Vec<f64> = (1..1000).map(f64::from).collect();
+    let widest = (0..6)
+        .map(|j| {
+            let state = libration.motion.state_at(period * f64::from(j) / 6.0);
+            let start = Moment { time: 0.0, state: vec![state.angle, state.velocity] };
+            let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12)).unwrap();
+            let reached =
+                solution.samples.iter().map(|it| (action(&it.state) - libration.motion.action()).abs());
+            reached.fold(0.0, f64::max)
+        })
+        .fold(0.0, f64::max);
+    assert!((widest / libration.half_width - 1.0).abs() < 0.05, "{widest} {}", libration.half_width);
+}
+
+#[test]
+fn damping_must_be_made_up_for_within_a_resonance() {
+    let driven = perturbed("x'' + 0.01 x' + sin(x) = 0.1 cos(0.8 t)");
+    let libration = driven.resonances(1).into_iter().find(|it| it.direction == 0.0).unwrap();
+    // The energy taken is c∮θ′dθ = 2πcJ per period.
+    let expected = -0.01 * libration.motion.action() * libration.motion.frequency();
+    assert!((libration.mean_power - expected).abs() < 1e-15);
+    assert!(libration.threshold_factor() > 0.0 && libration.threshold_factor() < 1.0);
+}
+
+#[test]
+fn what_is_no_pendulum_under_a_periodic_drive_is_refused() {
+    let refusal = |text: &str| PerturbedPendulum::new(&text.parse().unwrap()).unwrap_err();
+    assert!(matches!(refusal("x'' = y; y'' = x"), NoMelnikov::Coordinates(2)));
+    assert!(matches!(refusal("x' = -x"), NoMelnikov::NotSecondOrder(_)));
+    assert!(matches!(refusal("x'' + k sin(x) = 0"), NoMelnikov::Open(_)));
+    assert!(matches!(refusal("x'' = x - x^3 + cos(t)"), NoMelnikov::NoPendulum(_)));
+    assert!(matches!(refusal("x'' = sin(x) + cos(t)"), NoMelnikov::NoPendulum(_)));
+    assert!(matches!(refusal("x'' = -sin(x) - x^3"), NoMelnikov::NoAngle(_)));
+    assert!(matches!(refusal("x'' = -sin(x) + t"), NoMelnikov::NotPeriodic));
+    let equation: Equation = "x'' + sin(x) = A cos(t)".parse().unwrap();
+    assert!(matches!(thresholds(&equation, "A", [1.0, 1.0]), Err(NoMelnikov::Range { .. })));
+    assert!(matches!(thresholds(&equation, "B", [0.0, 1.0]), Err(NoMelnikov::At { .. })));
+}
+
+#[test]
+fn a_parameter_may_be_the_frequency_of_the_drive() {
+    let equation: Equation = "x'' + 0.1 x' + sin(x) = 0.4 cos(w t)".parse().unwrap();
+    let found = thresholds(&equation, "w", [0.2, 3.0]).unwrap();
+    let expected = acosh(0.4 * PI / 0.4) / FRAC_PI_2;
+    assert!(!found[0].above && (found[0].value - expected).abs() < 1e-14, "{found:?} {expected}");
+}
+
+/// dω/dJ by differences of 40 digits. Source: mpmath.
+#[test]
+fn the_frequency_changes_with_the_action_as_elliptic_integrals_tell() {
+    let pendulum = libration::pendulum::Pendulum::from_angular_frequency(0.7).unwrap();
+    for (energy, expected) in [
+        (0.25, -0.139_512_894_048_611_5),
+        (0.75, -0.220_415_847_870_794_58),
+        (0.9999, -28.671_874_782_176_026),
+        (1.0001, 114.753_361_372_281_63),
+        (1.5, 1.117_687_137_839_307_1),
+        (10.0, 1.001_041_079_719_956),
+    ] {
+        let found = pendulum.with_energy_ratio(energy).unwrap().frequency_slope();
+        // Near the separatrix the energy ratio's own rounding counts 1e4 times.
+        let tolerance = 4e-16 / (energy - 1.0_f64).abs().min(1.0);
+        assert!((found / expected - 1.0).abs() < tolerance, "{energy}: {found}");
+    }
+    let smallest = pendulum.with_energy_ratio(1e-200).unwrap();
+    assert!((smallest.frequency_slope() + 0.125).abs() < 1e-16);
+    assert_eq!(pendulum.on_separatrix().frequency_slope(), f64::NEG_INFINITY);
+    assert_eq!(pendulum.on_separatrix().frequency(), 0.0);
+    assert!((pendulum.with_energy_ratio(1e9).unwrap().frequency_slope() - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn the_angle_variable_grows_evenly() {
+    let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
+    for energy in [0.3, 0.999, 1.001, 20.0] {
+        let motion = pendulum.with_energy_ratio(energy).unwrap();
+        assert_eq!(motion.angle_variable_at(0.0), 0.0);
+        for share in [0.1, 0.25, 0.6, 0.999] {
+            let found = motion.angle_variable_at((share + 3.0) * motion.period());
+            assert!((found / TAU - share).abs() < 1e-14, "{energy} {share}: {found}");
+        }
+        assert!(motion.angle_variable_at(f64::NAN).is_nan());
+    }
+    assert!(pendulum.on_separatrix().angle_variable_at(1.0).is_nan());
+}

@@ -1,0 +1,71 @@
+"""`libration melnikov`. Written by scripts/questions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def melnikov(
+    system: Given,
+    *,
+    set: Values | Sequence[str] | None = None,
+    over: Values | Sequence[str] | None = None,
+    orders: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap.
+
+    Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first order. Where the Melnikov function has simple
+    zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.
+
+    Parameters
+    ----------
+    system : number or text
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : dict, optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    over : dict, optional
+        A parameter and the range in which to look for thresholds, such as A=0:1.
+    orders : number or text, optional
+        The largest number of periods of the drive, q, of a resonance p:q [default: 5].
+    figure : str or path, optional
+        Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png instead of listing them.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : number or text, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : number or text, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> melnikov = questions.melnikov("driven_pendulum", set={"c": 0.1, "omega": 1}, over="A=0:1")
+    >>> melnikov.thresholds.value.round(12).tolist()
+    [0.319478526383, 0.319478526383]
+    """
+    return answer(Answer, "melnikov", locals())
