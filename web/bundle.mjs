@@ -1,10 +1,11 @@
 // Puts the page together: node bundle.mjs OUTPUT [ID=MODULE.wasm …]. Says how large each part is.
 
 import { build } from "esbuild";
+import { licences } from "./licences.mjs";
 import { mathematicsFont } from "./mathematics_font.mjs";
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { readFileSync, statSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 
 const [output, ...given] = process.argv.slice(2);
@@ -18,10 +19,10 @@ async function bundled(path, define = {}) {
 }
 
 /** As `src/engine/lzma.ts` decompresses it. */
-function lzma(path) {
-  const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0", "--stdout", path], { maxBuffer: 1 << 28 });
+function lzma(bytes) {
+  const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
   // xz, which writes to a pipe, leaves the size open.
-  made.writeBigUInt64LE(BigInt(statSync(path).size), 5);
+  made.writeBigUInt64LE(BigInt(bytes.length), 5);
   return made;
 }
 
@@ -48,16 +49,17 @@ const font = await mathematicsFont();
 const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
 const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
 
-const modules = new Map();
-for (const [id, path] of given.map((pair) => pair.split("="))) {
-  const raw = readFileSync(path);
-  const compressed = lzma(path);
+/** Parts that are compressed, in script elements that nobody runs. */
+const packed = new Map();
+function pack(id, raw) {
+  const compressed = lzma(raw);
   const text = base85(compressed);
-  modules.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
+  packed.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
   sizes.push([id, raw.length, compressed.length, text.length]);
 }
-const first = ["pendulum", "pendulum-fused"].flatMap((id) => modules.get(id) ?? []);
-const whole = ["whole"].flatMap((id) => modules.get(id) ?? []);
+for (const [id, path] of given.map((pair) => pair.split("="))) pack(id, readFileSync(path));
+pack("licences", Buffer.from(licences(["libration-web", "libration-web-questions"])));
+const [first, ...rest] = ["pendulum", "whole", "licences"].flatMap((id) => packed.get(id) ?? []);
 
 const policy = [
   "default-src 'none'",
@@ -69,7 +71,7 @@ const policy = [
   "base-uri 'none'",
   "form-action 'none'",
 ].join("; ");
-const parts = { policy, style, script, first: first.join("\n"), whole: whole.join("\n") };
+const parts = { policy, style, script, first, rest: rest.join("\n") };
 const page = readFileSync(here("src/page.html"), "utf8").replace(/\{\{(\w+)\}\}/g, (_, part) => parts[part]);
 writeFileSync(output, page);
 

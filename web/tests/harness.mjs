@@ -48,7 +48,7 @@ export async function close() {
 
 /** Waits until what was entered is asked for, and answered. */
 export async function settled(room) {
-  await room.waitForTimeout(450);
+  await room.waitForTimeout(380);
   await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 60_000 });
 }
 

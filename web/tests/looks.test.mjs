@@ -8,44 +8,70 @@ import { close, DESK, PHONE, PROJECTOR, visit } from "./harness.mjs";
 
 after(close);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const ROOMS = ["pendulum?angle=150deg&small-angle=yes", "about", "formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", "chaos?over=A%3D1:1.5:0.05&points=300"];
+const SOON = "points=300&intervals=20&until=10";
+const ROOMS = ["pendulum?angle=150deg&small-angle=yes", "about", "formulas", "perturbation", "derivations?steps=all&amplitude=40deg", "derivations?road=paper", "laboratory?example=yes&length=0.56m", `chaos?over=A%3D1:1.5:0.05&each=10&motions=200&${SOON}`];
 
-for (const fragment of ROOMS) {
-  for (const [viewport, colorScheme] of [[PHONE, "light"], [DESK, "dark"], [DESK, "light"], [PROJECTOR, "dark"]]) {
-    test(`${fragment} at ${viewport.width} px, ${colorScheme}`, () =>
-      visit(fragment, async (room) => {
-        assert.equal(await room.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, "the page scrolls sideways");
-        await room.evaluate(axe);
-        const { violations } = await room.evaluate(() => axe.run());
-        // Axe does not read formulas: a heading that is one seems empty to it.
-        const found = violations.flatMap(({ id, nodes }) => nodes.filter(({ html }) => !(id === "empty-table-header" && html.includes("<math"))).map(({ html }) => `${id}: ${html.slice(0, 160)}`));
-        assert.deepEqual(found, []);
-      }, { viewport, colorScheme, bypassCSP: true }));
-  }
-
-  test(`${fragment}: each control is reached by the Tab key, and shows that it is`, () =>
-    visit(fragment, async (room) => {
-      const wanted = await room.evaluate(() => {
-        const all = [...document.querySelectorAll("main :is(input, select, textarea, button, summary, [tabindex='0'])")];
-        const visible = all.filter((it) => it.checkVisibility() && !it.disabled && it.closest("details:not([open])")?.querySelector("summary") !== it.closest("details:not([open])") && (it.localName === "summary" || it.closest("details:not([open])") === null));
-        visible.forEach((it, place) => (it.dataset.place = String(place)));
-        return visible.length;
-      });
-      const reached = new Set();
-      await room.locator("main").evaluate((it) => it.focus());
-      for (let press = 0; press < wanted + 400 && reached.size < wanted; press += 1) {
-        await room.keyboard.press("Tab");
-        const [place, outline] = await room.evaluate(() => [document.activeElement?.dataset.place, getComputedStyle(document.activeElement).outlineStyle]);
-        if (place === undefined) continue;
-        assert.notEqual(outline, "none");
-        reached.add(place);
-      }
-      assert.equal(reached.size, wanted);
-    }));
+/** Nothing sticks out, and axe finds nothing. */
+async function check(room, what) {
+  assert.equal(await room.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0, `${what}: the page scrolls sideways`);
+  const { violations } = await room.evaluate(() => axe.run());
+  // Axe does not read formulas: a heading that is one seems empty to it.
+  const found = violations.flatMap(({ id, nodes }) => nodes.filter(({ html }) => !(id === "empty-table-header" && html.includes("<math"))).map(({ html }) => `${id}: ${html.slice(0, 160)}`));
+  assert.deepEqual(found, [], what);
 }
 
+/** Each control is reached by the Tab key, and shows that it is. */
+async function tab(room) {
+  const wanted = await room.evaluate(() => {
+    const all = [...document.querySelectorAll("main :is(input, select, textarea, button, summary, [tabindex='0'])")];
+    const visible = all.filter((it) => it.checkVisibility() && !it.disabled && it.closest("details:not([open])")?.querySelector("summary") !== it.closest("details:not([open])") && (it.localName === "summary" || it.closest("details:not([open])") === null));
+    visible.forEach((it, place) => (it.dataset.place = String(place)));
+    return visible.length;
+  });
+  const reached = new Set();
+  await room.locator("main").evaluate((it) => it.focus());
+  for (let press = 0; press < wanted + 400 && reached.size < wanted; press += 1) {
+    await room.keyboard.press("Tab");
+    const [place, outline] = await room.evaluate(() => [document.activeElement?.dataset.place, getComputedStyle(document.activeElement).outlineStyle]);
+    if (place === undefined) continue;
+    assert.notEqual(outline, "none");
+    reached.add(place);
+  }
+  assert.equal(reached.size, wanted);
+}
+
+for (const fragment of ROOMS) {
+  test(`${fragment} on a phone`, () =>
+    visit(fragment, async (room) => {
+      await room.evaluate(axe);
+      await check(room, "phone");
+    }, { viewport: PHONE, bypassCSP: true }));
+
+  test(`${fragment} at a desk and on a projector, light and dark, and by the Tab key`, () =>
+    visit(fragment, async (room) => {
+      await room.evaluate(axe);
+      for (const [viewport, colorScheme] of [[DESK, "light"], [DESK, "dark"], [PROJECTOR, "dark"]]) {
+        await room.setViewportSize(viewport);
+        await room.emulateMedia({ colorScheme });
+        await room.waitForTimeout(200);
+        await check(room, `${viewport.width} px, ${colorScheme}`);
+      }
+      await tab(room);
+    }, { viewport: DESK, bypassCSP: true }));
+}
+
+test("the works in the page are named, with the texts of their licences", () =>
+  visit("about", async (room) => {
+    await room.getByText("the texts of their licences").click();
+    const list = room.locator("pre.licences");
+    await list.filter({ hasText: "STIX Two Math (OFL-1.1)" }).waitFor();
+    const all = await list.textContent();
+    for (const name of ["dashu", "clap", "nalgebra", "calamine", "zip"]) assert.match(all, new RegExp(`^${name} \\d+\\.\\S+ \\((MIT|Apache-2.0)`, "m"));
+    for (const text of [/Permission is hereby granted, free of charge/, /TERMS AND CONDITIONS FOR USE, REPRODUCTION, AND DISTRIBUTION/, /SIL OPEN FONT LICENSE/]) assert.match(all, text);
+  }));
+
 test("what moves by itself stands still where the reader wants that", () =>
-  visit("chaos?over=&points=300&set=c%3D1/2,A%3D1.5&value=", async (room) => {
+  visit(`chaos?over=&set=c%3D1/2,A%3D1.5&value=&${SOON}`, async (room) => {
     assert.equal(await room.evaluate(() => document.getAnimations().length), 0);
   }, { reducedMotion: "reduce" }));
 

@@ -1,9 +1,9 @@
-// WebAssembly modules that stand in the page: compressed, as text in a script element that nobody runs.
+// What stands in the page compressed, as text in a script element that nobody runs: WebAssembly modules, and licences.
 
 import { bytes } from "./base85.ts";
 import { decompressed } from "./lzma.ts";
 
-/** The text of the module in the element with this id, which may not have been read yet. */
+/** The text in the element with this id, which may not have been read yet. */
 export async function text(id: string): Promise<string> {
   if (document.readyState === "loading") {
     // One that something stands behind is there as a whole.
@@ -12,8 +12,13 @@ export async function text(id: string): Promise<string> {
     }
   }
   const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page was built without the module ${id}`);
+  if (found === null) throw new Error(`the page was built without its part ${id}`);
   return found.textContent;
+}
+
+/** What was compressed to the text in the element with this id. */
+export async function unpacked(id: string): Promise<string> {
+  return new TextDecoder().decode(decompressed(bytes(await text(id))));
 }
 
 /** The module of such a text. */

@@ -9,6 +9,9 @@ import type { Field } from "./field.ts";
 /** How long the reader may pause between two letters, in milliseconds. */
 const PAUSE = 300;
 
+/** Where fields stand beside the results, as in parts.css. */
+const BESIDE = "(min-width: 60rem)";
+
 /** All fields of a room, in the order in which they are shown. */
 export class Form {
   readonly #fields = new Map<string, Field>();
@@ -45,11 +48,12 @@ export class Form {
     this.#address.put(Object.fromEntries(all.map(({ key, value, initial }) => [key, value === initial ? undefined : value])));
   }
 
-  /** The fields of these keys, one below the other. */
+  /** The fields of these keys, one below the other. They are folded where few need them, and where the page is narrow, so that results are seen
+      without scrolling past all fields. */
   part(title: string, keys: readonly string[], attributes: { open?: boolean; folded?: boolean } = {}): HTMLElement {
     const fields = keys.map((key) => this.#field(key).element);
-    if (attributes.folded !== true) return element("fieldset", {}, element("legend", {}, title), ...fields);
-    const open = attributes.open === true || keys.some((key) => this.#field(key).value !== this.#field(key).initial);
+    const isWanted = attributes.folded === true ? keys.some((key) => this.#field(key).value !== this.#field(key).initial) : matchMedia(BESIDE).matches;
+    const open = attributes.open === true || isWanted;
     return element("details", { class: "fields", open }, element("summary", {}, title), ...fields);
   }
 

@@ -5,7 +5,7 @@ export function digits(value: number | null | undefined, count = 6): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  const written = size < 1e-4 || size >= 1e6 ? value.toExponential(count - 1).replace("e+", "e") : value.toPrecision(count);
+  const written = size < 1e-4 || size >= 1e6 ? value.toExponential(count - 1).replace("e+", "e") : size >= 10 ** count ? value.toFixed(0) : value.toPrecision(count);
   return written.replace("-", "−").replace(/e-/, "e−");
 }
 

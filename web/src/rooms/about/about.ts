@@ -1,5 +1,6 @@
 // What the page is, how good its numbers are, and whom it owes them.
 
+import { unpacked } from "../../engine/module.ts";
 import { copyButton } from "../../parts/equivalents.ts";
 import { element } from "../../parts/element.ts";
 import { table } from "../../parts/table.ts";
@@ -21,7 +22,7 @@ export const about: Room = {
       element("p", { class: "lead" }, words.lead),
       section(accuracy.title, accuracy.intro, table(accuracy.caption, [{ title: quantity }, { title: error }], accuracy.rows), accuracy.ulp, accuracy.others),
       section(sources.title, sources.intro, element("ul", { class: "lead" }, ...sources.entries.map(([name = "", link = ""]) => element("li", {}, `${name}. `, element("a", { href: link, rel: "noreferrer" }, link))))),
-      section(licences.title, licences.own, licences.others),
+      section(licences.title, licences.own, licences.others, texts(licences.list)),
       section(cite.title, cite.intro, element("pre", { tabindex: "0", "aria-label": cite.label }, element("code", {}, bibtex())), copyButton(bibtex, cite.label)),
     );
     return () => {};
@@ -31,6 +32,14 @@ export const about: Room = {
 function section(title: string, ...parts: (string | Node)[]): HTMLElement {
   const paragraphs = parts.map((part) => (typeof part === "string" ? element("p", { class: "lead" }, part) : part));
   return element("section", {}, element("h2", {}, title), ...paragraphs);
+}
+
+/** The works and the texts of their licences, which are long: unpacked when they are wanted. */
+function texts(title: string): HTMLElement {
+  const place = element("pre", { class: "licences", tabindex: "0", "aria-label": title });
+  const made = element("details", {}, element("summary", {}, title), place);
+  made.addEventListener("toggle", () => void unpacked("licences").then((all) => (place.textContent = all)), { once: true });
+  return made;
 }
 
 function bibtex(): string {

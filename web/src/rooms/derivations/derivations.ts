@@ -58,7 +58,7 @@ class DerivationsRoom {
     const kinds = Object.keys(ENDINGS) as (keyof typeof ENDINGS)[];
     this.#saving = element("p", { class: "buttons screen-only" }, `${words.save} `, ...kinds.map((kind) => button(words.kinds[kind], () => void this.#save(kind))));
     this.#savingTable = element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void this.#saveTable()));
-    const road = this.#form.part(words.question, ["road", ...SERIES_KEYS]);
+    const road = this.#form.part(words.question, ["road", ...SERIES_KEYS], { open: true });
     const own = this.#form.part(words.own, OWN_KEYS);
     const paper = this.#form.part(words.statements, PAPER_KEYS);
     this.#parts = [[road, SERIES_KEYS], [own, OWN_KEYS], [paper, PAPER_KEYS]];

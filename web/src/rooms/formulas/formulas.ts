@@ -61,7 +61,7 @@ class FormulasRoom {
     this.#form = new Form(address, fields(), () => this.#update());
     this.#selection = new Selection(address, () => this.#update());
     this.#picture = new ErrorPicture(engine, (amplitude) => this.#move(amplitude), (amplitude) => this.#point(amplitude));
-    const question = this.#form.part(words.question, ["amplitude", "tolerance", "unit"]);
+    const question = this.#form.part(words.question, ["amplitude", "tolerance", "unit"], { open: true });
     const axes = this.#form.part(words.axes, ["from", "to", "lowest"], { folded: true });
     const controls = element("div", { class: "controls" }, question, this.#selection.element, axes);
     const csv = button(text.parts.saveData, () => void this.#saveValues());

@@ -62,11 +62,11 @@ class PerturbationRoom {
     this.#limits = new Finding(words.limits, this.#seriesPicture.element);
     this.#backbone = new Finding(words.backbone, this.#backbonePicture.element, this.#csv("backbone", () => this.#backboneCommand()));
     const chooser = element("div", { class: "field" }, element("label", {}, words.choose.label, this.#builtIn));
-    const question = this.#form.part(words.question, ["oscillator", "set"]);
+    const question = this.#form.part(words.question, ["oscillator", "set"], { open: true });
     question.firstElementChild?.after(chooser);
     const controls = [
       question,
-      this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small"], { folded: true, open: innerWidth >= 960 }),
+      this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small"]),
       this.#form.part(words.trial, ["evaluate", "quantity", "amplitudes", "unit"]),
     ];
     const findings = [this.#series, this.#limits, this.#backbone].map((finding) => finding.element);

@@ -28,7 +28,8 @@ export const about = {
   licences: {
     title: "Licences",
     own: "libration and this page may be used under the MIT licence or the Apache Licence 2.0, as you like.",
-    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, serde, nalgebra, calamine, csv, zip, encoding_rs, tiny-skia and ttf-parser among them (MIT, Apache-2.0, BSD or Zlib), and letters of DejaVu Sans (Bitstream Vera licence) and STIX Two Math (SIL Open Font License). The full list is Cargo.lock in the sources.",
+    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, serde, nalgebra, calamine, csv, zip and encoding_rs among them, and letters of STIX Two Math.",
+    list: "All of them, and the texts of their licences",
   },
   cite: {
     title: "How to cite",

@@ -62,7 +62,7 @@ export class FleetPanel {
     const transport = element("div", { class: "transport", role: "group", "aria-label": words.group }, this.#run, button(words.restart, () => this.#restart()), button(words.step, () => void this.#step()), speed.element);
     const pictures = element("div", { class: "fleet-pictures" }, ...[this.#stage.element, this.#plane.plot.element, this.#stroboscope.plot.element, this.#growth.plot.element]);
     const saves = element("p", { class: "buttons screen-only" }, button(words.savePicture, () => void this.#savePicture()), button(words.saveStates, () => this.#saveStates()), button(words.saveStarts, () => save(FILE, this.#rows, "text/csv")));
-    this.#moving = element("div", { hidden: true }, transport, this.#words, pictures, saves);
+    this.#moving = element("div", { hidden: true }, transport, pictures, this.#words, saves);
     this.element = element("section", { class: "fleet" }, element("h2", {}, words.title), element("p", { class: "lead" }, words.lead), this.#failure, this.#status, this.#moving);
   }
 
