@@ -29,7 +29,7 @@ from .period_formulas import PeriodFormula, PeriodFormulas
 from .picture import Picture
 from .polynomial import Polynomial
 from .published import Paper, paper
-from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, melnikov, modes, orbit, oscillators, response, section, systems
+from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, melnikov, modes, orbit, oscillators, response, section, stability, systems
 from .simulation import Events, Simulation, States, simulate
 from .sweeps import sweep
 
@@ -88,6 +88,7 @@ __all__ = [
     "section",
     "simulate",
     "special",
+    "stability",
     "state",
     "sweep",
     "systems",

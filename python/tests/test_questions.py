@@ -40,6 +40,7 @@ PAIRS = [
     (questions.orbit, ("driven_pendulum",), {"set": {"A": 0.15, "c": 0.1, "omega": 0.82}}, "orbit driven_pendulum --set A=0.15 --set c=0.1 --set omega=0.82"),
     (questions.melnikov, ("driven_pendulum",), {"set": {"c": 0.1, "omega": 1}, "over": "A=0:1", "orders": 3}, "melnikov driven_pendulum --set c=0.1 --set omega=1 --over A=0:1 --orders 3"),
     (questions.response, ("driven_pendulum",), {"set": {"A": 0.15, "c": 0.1}, "over": "omega=0.7:0.95"}, "response driven_pendulum --set A=0.15 --set c=0.1 --over omega=0.7:0.95"),
+    (questions.stability, ("kapitza",), {"set": {"c": 0.1}, "map": "omega=5:6,a=0.1:0.4", "initial": {"theta": "180deg"}, "lines": 0}, "stability kapitza --set c=0.1 --map omega=5:6,a=0.1:0.4 --initial theta=180deg --lines 0"),
     (questions.section, ("driven_pendulum",), {"set": DRIVE, "initial": [{"theta": 0.2}, {"theta": 0.3}], "points": 3, "skip": 0, "fold": True}, "section driven_pendulum --set A=1.5 --set c=1/2 --initial theta=0.2 --initial theta=0.3 --points 3 --skip 0 --fold"),
     (questions.bifurcation, ("driven_pendulum",), {"set": {"c": 0.5}, "over": "A=1:1.2:0.1", "initial": {"theta": 0.2}, "points": 2, "skip": 0, "sweep": "both"}, "bifurcation driven_pendulum --set c=0.5 --over A=1:1.2:0.1 --initial theta=0.2 --points 2 --skip 0 --sweep both"),
     (questions.lyapunov, ("driven_pendulum",), {"set": DRIVE, "initial": {"theta": 0.2}, "intervals": 20, "transient": 1}, "lyapunov driven_pendulum --set A=1.5 --set c=1/2 --initial theta=0.2 --intervals 20 --transient 1"),

@@ -31,6 +31,7 @@ from ._plan import plan
 from ._response import response
 from ._section import section
 from ._simulate import simulate
+from ._stability import stability
 from ._sweep import sweep
 from ._sweep_join import sweep_join
 from ._sweep_status import sweep_status
@@ -68,6 +69,7 @@ __all__ = [
     "response",
     "section",
     "simulate",
+    "stability",
     "sweep",
     "sweep_join",
     "sweep_status",

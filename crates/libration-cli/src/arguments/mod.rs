@@ -51,7 +51,7 @@ pub(crate) use negative::protect_negative_values;
 pub(crate) use one_amplitude::one_amplitude;
 pub(crate) use oscillator::{Asked, Chosen, ChosenWithLetters, OscillatorOptions};
 pub(crate) use parameter_range::{ParameterRange, constant, parameter_range, progression};
-pub(crate) use parameter_span::{ParameterSpan, parameter_span};
+pub(crate) use parameter_span::{ParameterSpan, parameter_span, two_parameter_spans};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_decide};
 pub(crate) use section::{SectionOptions, place_in_state, places_in_state, section_failure};

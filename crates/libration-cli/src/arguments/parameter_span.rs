@@ -21,3 +21,14 @@ pub(crate) fn parameter_span(text: &str) -> Result<ParameterSpan, String> {
     };
     Ok(ParameterSpan { name: plain_name(name), range: [end(from)?, end(to)?] })
 }
+
+/// Reads two of them, `NAME=FROM:TO,NAME=FROM:TO`.
+pub(crate) fn two_parameter_spans(text: &str) -> Result<[ParameterSpan; 2], String> {
+    let refusal = || "give two parameters, as omega=1:3,a=0:0.5".to_owned();
+    let [first, second] = text.split(',').collect::<Vec<_>>()[..] else { return Err(refusal()) };
+    let spans = [parameter_span(first)?, parameter_span(second)?];
+    match spans[0].name == spans[1].name {
+        true => Err(format!("`{}` stands there twice: {}", spans[0].name, refusal())),
+        false => Ok(spans),
+    }
+}

@@ -3,7 +3,7 @@
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
     fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper, period, plan, response,
-    section, simulate, sweep, systems,
+    section, simulate, stability, sweep, systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -53,6 +53,7 @@ fn catalogue() -> Vec<Answers> {
         orbit::answers(),
         response::answers(),
         melnikov::answers(),
+        stability::answers(),
         section::answers(),
         bifurcation::answers(),
         lyapunov::answers(),

@@ -28,6 +28,7 @@ mod plan;
 pub(crate) mod response;
 mod section;
 mod simulate;
+mod stability;
 mod sweep;
 mod systems;
 
@@ -119,6 +120,7 @@ enum Question {
     Orbit(orbit::OrbitQuestion),
     Response(Box<response::ResponseQuestion>),
     Melnikov(Box<melnikov::MelnikovQuestion>),
+    Stability(Box<stability::StabilityQuestion>),
     Section(section::PoincareQuestion),
     Bifurcation(bifurcation::Bifurcation),
     Lyapunov(lyapunov::Lyapunov),
@@ -180,6 +182,7 @@ impl Libration {
             Question::Orbit(question) => question.answer(out),
             Question::Response(question) => question.answer(out),
             Question::Melnikov(question) => question.answer(out),
+            Question::Stability(question) => question.answer(out),
             Question::Section(question) => question.answer(out),
             Question::Bifurcation(question) => question.answer(out),
             Question::Lyapunov(question) => question.answer(out),

@@ -19,6 +19,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
+pub(crate) mod stability;
 pub(crate) mod trace;
 pub(crate) mod trajectories;
 

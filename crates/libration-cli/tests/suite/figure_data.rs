@@ -492,6 +492,17 @@ fn a_response_of_a_linear_oscillator() {
 }
 
 #[test]
+fn edges_of_stability_of_mathieus_equation() {
+    // Without damping the first tongue opens as w = 2(1 ± a), with the amplitude a of the pivot.
+    let drawing = drawn("stability|kapitza|--map|omega=1.9:2.1,a=0:0.04|--lines|0", "--figure");
+    let edges = drawing.curves(0, FIRST).concat();
+    assert!(edges.len() > 10, "{} points", edges.len());
+    for (omega, a) in edges {
+        close((omega / 2.0 - 1.0).abs(), a, 0.004);
+    }
+}
+
+#[test]
 fn points_of_a_bifurcation_diagram() {
     // x″ + x′ + x = A cos t ends in x = A sin t, whose velocity is A whenever the drive begins anew.
     let question =

@@ -135,6 +135,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
         "orbit double_pendulum --initial theta1=0.1,theta2=0.141 --period 8".to_owned(),
         "melnikov driven_pendulum --set A=0.3,c=0.1,omega=1".to_owned(),
         "response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:0.95".to_owned(),
+        "stability kapitza --set c=0.1 --map omega=1.5:2.5,a=0:0.2 --lines 1".to_owned(),
         "section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 20 --skip 1".to_owned(),
         "bifurcation driven_pendulum --set c=1/2 --over A=1:1.2:0.1 --initial theta=0.2 --points 3 --skip 1 --sweep both"
             .to_owned(),

@@ -37,6 +37,7 @@ mod response;
 mod resume;
 mod screen;
 mod simulate;
+mod stability;
 mod sweep;
 mod systems;
 mod typed_equations;

@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 53] = [
+pub(crate) const QUESTIONS: [&str; 54] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -55,6 +55,7 @@ pub(crate) const QUESTIONS: [&str; 53] = [
     "orbit|pendulum|--initial|theta=60deg",
     "melnikov|driven_pendulum|--set|c=0.1,omega=1|--over|A=0:1",
     "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.7:0.95",
+    "stability|kapitza|--set|c=0.1|--map|omega=5:6,a=0.1:0.4|--initial|theta=180deg|--lines|0",
     "section|driven_pendulum|--set|A=1.5,c=1/2|--initial|theta=0.2|--points|3|--skip|1",
     "section|x''=-x-2 x y;y''=-y-x^2+y^2|--at|x|--initial|y=0.1,x'=0.4|--points|3",
     "bifurcation|driven_pendulum|--set|c=1/2|--over|A=1:1.2:0.1|--initial|theta=0.2|--points|2|--skip|2",

@@ -67,7 +67,7 @@ pub(super) struct Limits {
 const STEPS: [f64; 2] = [0.12, 1e-7];
 /// The first.
 const FIRST: f64 = 0.02;
-/// A step that is short enough to tell a fold from a place where branches meet.
+/// A step that is short enough to tell a fold from a place where branches meet, and two folds from none.
 const SHORT: f64 = 0.01;
 /// A step whose guess is farther off than this part of it may have come to another branch.
 const FAR: f64 = 0.2;
@@ -156,7 +156,7 @@ impl<'a> Walk<'a> {
         let units = units(&self.corrector.family.layout, &self.at().point, self.largest, width);
         let next = self.next(&units, *length).filter(|(next, ..)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
-            *length <= SHORT || !stretch.may_meet_other_branch()
+            *length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_hide_folds())
         });
         let Some((next, turn, off)) = next else {
             *length *= 0.5;

@@ -41,6 +41,9 @@ impl Corrector<'_> {
         let (mut first, mut contraction, mut before) = (0.0, 0.0, f64::INFINITY);
         for round in 0..MOST_ROUNDS {
             let image = self.image(&place)?;
+            if round == 0 && is_rounding(&image, &place, units) {
+                return Some(Corrected { place, image, first, contraction });
+            }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
             let right: Vec<f64> =
                 image.defect.iter().zip(units).map(|(d, unit)| -d / unit).chain([-off]).collect();
@@ -79,6 +82,15 @@ impl Corrector<'_> {
         let size = norm(&tangent);
         size.is_finite().then(|| tangent.iter().map(|x| x / size).collect())
     }
+}
+
+/// Whether a motion closes up to the rounding of its state. No correction makes it better, and at a state of rest where other motions branch
+/// off the correction of a rounding error has no bound.
+fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
+    const ROUNDINGS: f64 = 4.0;
+    let largest =
+        |numbers: &[f64]| numbers.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+    largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
 }
 
 /// The derivatives of the defect by state and parameter, in units, above a row.

@@ -130,7 +130,7 @@ impl<'w> Family<'w> {
     }
 
     /// The derivative of a state by the time.
-    fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
+    pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
         let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
         let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;
         let coordinates = 0..self.layout.coordinates();

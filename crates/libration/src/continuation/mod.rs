@@ -40,8 +40,17 @@ mod jumps;
 
 mod response;
 
+mod curve;
+mod edges;
+mod singular;
+
+mod chart;
+
 pub use backbone::free_oscillations;
 pub use branch::{Branch, Ending, Origin};
+pub use chart::{ChartOptions, StabilityChart};
+pub use curve::{CurvePoint, SpecialCurve};
+pub use edges::RestStability;
 pub use error::NoBranch;
 pub use jumps::Jump;
 pub use point::BranchPoint;

@@ -39,7 +39,9 @@ impl Node {
         along: &[f64],
         units: &[f64],
     ) -> Option<Self> {
-        let tangent = corrector.tangent(&corrected.image, &in_units(along, units), units)?;
+        let along = in_units(along, units);
+        // Where branches cross there are several directions.
+        let tangent = corrector.tangent(&corrected.image, &along, units).unwrap_or(along);
         let point = corrector.point(&corrected, &tangent, units)?;
         let tests = Tests::new(&corrected.image, tangent.last().copied()?)?;
         let direction = tangent.iter().zip(units).map(|(t, unit)| t * unit).collect();

@@ -1,7 +1,8 @@
 //! A periodic motion at one value of the parameter.
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
-use super::family::TOLERANCES;
+use super::family::{Family, TOLERANCES};
+use super::space::Space;
 use crate::algebra::{Complex, Doubles};
 use crate::linear::{eigenvalues, solve};
 use crate::roots::{Tolerance, bisect};
@@ -39,35 +40,76 @@ impl BranchPoint {
         let centre = if is_angle { TAU * libm::rint(0.5 * (low + high) / TAU) } else { 0.0 };
         (high - centre).abs().max((low - centre).abs())
     }
+
+    /// Whether the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
+    pub(super) fn is_torus(&self) -> bool {
+        let own = &self.multipliers;
+        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| [own[i], own[j]]));
+        let off = |[a, b]: &[Complex; 2]| (*a * *b - Complex::from(1.0)).abs();
+        let nearest = pairs.min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.is_some_and(|[a, _]| a.im.abs() > 0.0)
+    }
 }
 
 impl Corrector<'_> {
     /// What there is to say about a motion; `None` where it cannot be followed.
     pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
         let (&parameter, state) = corrected.place.split_last()?;
-        let duration = self.family.duration(self.space, &[parameter])?;
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
+        let duration = self.family.duration(self.space, &[parameter])?;
         let (steps, end) = self.family.motion(state, &[parameter], duration, other).ok()?;
         let sign = self.space.sign();
         let defect: Vec<f64> = end.iter().zip(state).map(|(end, start)| sign * end - start).collect();
-        let multipliers = multipliers(&corrected.image.map, self.space.mirrored)?;
-        let largest = multipliers.first().map_or(0.0, |it| it.abs());
+        let point = self.family.described(self.space, state, &[parameter], &corrected.image.map, &steps)?;
+        // Where branches cross the state is not determined.
+        let error = error(corrected, &defect, tangent, units).unwrap_or(f64::INFINITY);
+        Some(BranchPoint { error, ..point })
+    }
+}
+
+impl Family<'_> {
+    /// A motion at some parameters, of which the first is named in it, with an error that is known.
+    pub(super) fn point(
+        &self,
+        space: Space,
+        state: &[f64],
+        parameters: &[f64],
+        map: &[Vec<f64>],
+        error: f64,
+    ) -> Option<BranchPoint> {
+        let duration = self.duration(space, parameters)?;
+        let (steps, _) = self.motion(state, parameters, duration, TOLERANCES[1]).ok()?;
+        Some(BranchPoint { error, ..self.described(space, state, parameters, map, &steps)? })
+    }
+
+    fn described(
+        &self,
+        space: Space,
+        state: &[f64],
+        parameters: &[f64],
+        map: &[Vec<f64>],
+        steps: &[OwnedStep],
+    ) -> Option<BranchPoint> {
+        let duration = self.duration(space, parameters)?;
+        let own = eigenvalues(map)?;
+        // Of a mirrored motion the whole period is twice the time of its map.
+        let multipliers: Vec<Complex> =
+            if space.mirrored { own.into_iter().map(|it| it * it).collect() } else { own };
         Some(BranchPoint {
-            parameter,
+            parameter: *parameters.first()?,
             state: state.to_vec(),
-            period: if self.space.mirrored { 2.0 * duration } else { duration },
-            ranges: ranges(&self.family.layout, &steps, self.space.mirrored),
-            stable: largest <= 1.0 + ON_THE_CIRCLE,
+            period: if space.mirrored { 2.0 * duration } else { duration },
+            ranges: ranges(&self.layout, steps, space.mirrored),
+            stable: is_stable(&multipliers),
             multipliers,
-            error: error(corrected, &defect, tangent, units)?,
+            error: 0.0,
         })
     }
 }
 
-/// Of a mirrored motion the whole period is twice the time of its map.
-fn multipliers(map: &[Vec<f64>], mirrored: bool) -> Option<Vec<Complex>> {
-    let own = eigenvalues(map)?;
-    Some(if mirrored { own.into_iter().map(|it| it * it).collect() } else { own })
+/// Whether none is outside of the unit circle.
+pub(super) fn is_stable(multipliers: &[Complex]) -> bool {
+    multipliers.iter().all(|it| it.abs() <= 1.0 + ON_THE_CIRCLE)
 }
 
 /// How far both defects lead across the branch, and what the rounding of the state does.

@@ -5,7 +5,6 @@ use super::family::TOLERANCES;
 use super::node::{Node, Tests, between, difference, in_units};
 use super::point::BranchPoint;
 use super::space::Space;
-use crate::linear::eigenvalues;
 use crate::roots::{Tolerance, zero_between};
 
 /// What happens at a singular point.
@@ -55,7 +54,7 @@ pub struct SpecialPoint {
 
 /// What changes its sign at a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Test {
+pub(super) enum Test {
     Fold,
     Branching,
     Flip,
@@ -63,7 +62,7 @@ enum Test {
 }
 
 impl Test {
-    fn of(self, tests: &Tests) -> f64 {
+    pub(super) fn of(self, tests: &Tests) -> f64 {
         match self {
             Self::Fold => tests.fold,
             Self::Branching => tests.branching,
@@ -73,7 +72,7 @@ impl Test {
     }
 
     /// How far from zero its values must be to have a sign: of conservative systems products of multipliers are one throughout, to rounding.
-    fn sure(self) -> f64 {
+    pub(super) fn sure(self) -> f64 {
         match self {
             Self::Fold => 0.0,
             Self::Branching | Self::Flip => 1e-12,
@@ -108,6 +107,19 @@ impl Stretch<'_> {
         turns
             && (!space.within(family.symmetry).is_empty()
                 || (space.mirrored && self.size(self.ends[1].place()) < 1.0))
+    }
+
+    /// Whether the parameter seems to turn back and forth again on the way, as the directions at both ends tell: two folds near a cusp.
+    pub(super) fn may_hide_folds(&self) -> bool {
+        const NEARLY: f64 = 0.3;
+        let [a, b] = self.ends;
+        let distance = norm(&difference(b.place(), a.place(), self.units));
+        let slopes = [a, b].map(|node| distance * node.tests.fold);
+        let width = self.units.last().copied().unwrap_or(1.0);
+        let way = (b.point.parameter - a.point.parameter) / width;
+        let middle = 1.5 * way - 0.25 * (slopes[0] + slopes[1]);
+        let same_way = (slopes[0] > 0.0) == (slopes[1] > 0.0);
+        same_way && middle * slopes[0].signum() < NEARLY * slopes[0].abs().min(slopes[1].abs())
     }
 
     /// The size of a state in units.
@@ -169,7 +181,7 @@ impl Stretch<'_> {
         let parameter = node.point.parameter;
         let error = 4.0 * (parameter - again.point.parameter).abs() + 4.0 * f64::EPSILON * parameter.abs();
         let special =
-            SpecialPoint { kind: self.kind(test, &node)?, point: node.point.clone(), error, before: 0 };
+            SpecialPoint { kind: self.kind(test, &node), point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))
     }
 
@@ -177,12 +189,15 @@ impl Stretch<'_> {
     fn zero(&self, corrector: &Corrector<'_>, test: Test, [from, to]: [f64; 2]) -> Option<f64> {
         /// The next roundings of the test make no better place.
         const WIDTH: f64 = 1e-13;
-        let value = |s: f64| self.tests_at(corrector, s).map_or(f64::NAN, |tests| test.of(&tests));
+        let value = |s: f64| self.tests_at(corrector, test, s).map_or(f64::NAN, |tests| test.of(&tests));
         zero_between([(from, value(from)), (to, value(to))], Tolerance::absolute(WIDTH), value)
     }
 
-    fn tests_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Tests> {
+    fn tests_at(&self, corrector: &Corrector<'_>, test: Test, s: f64) -> Option<Tests> {
         let (corrected, secant) = self.corrected_at(corrector, s)?;
+        if test != Test::Fold {
+            return Tests::new(&corrected.image, 0.0);
+        }
         let along = in_units(&self.ends[0].direction, self.units);
         let tangent = corrector.tangent(&corrected.image, &secant, self.units);
         let tangent = tangent.or_else(|| corrector.tangent(&corrected.image, &along, self.units))?;
@@ -203,25 +218,14 @@ impl Stretch<'_> {
         Some((corrector.corrected(&guess, &secant, self.units)?, secant))
     }
 
-    fn kind(&self, test: Test, node: &Node) -> Option<SpecialKind> {
-        Some(match test {
+    fn kind(&self, test: Test, node: &Node) -> SpecialKind {
+        match test {
             Test::Fold => SpecialKind::Fold,
             Test::Branching => SpecialKind::BranchPoint,
             Test::Flip if self.corrector.space.mirrored => SpecialKind::SymmetryBreaking,
             Test::Flip => SpecialKind::PeriodDoubling,
-            Test::Torus => torus_or_saddle(node)?,
-        })
+            Test::Torus if node.point.is_torus() => SpecialKind::NeimarkSacker,
+            Test::Torus => SpecialKind::NeutralSaddle,
+        }
     }
-}
-
-/// Two multipliers whose product is one: complex ones of size one, or a real one and its inverse.
-fn torus_or_saddle(node: &Node) -> Option<SpecialKind> {
-    let own = eigenvalues(&node.corrected.image.map)?;
-    let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-    let off = |(i, j): &(usize, usize)| {
-        let product = own[*i] * own[*j];
-        libm::hypot(product.re - 1.0, product.im)
-    };
-    let (i, _) = pairs.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-    Some(if own[i].im.abs() > 0.0 { SpecialKind::NeimarkSacker } else { SpecialKind::NeutralSaddle })
 }

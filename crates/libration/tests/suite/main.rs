@@ -51,6 +51,7 @@ mod series;
 mod series_evaluation;
 mod slow_decay;
 mod slow_flow;
+mod stability_charts;
 mod symbolic_expansions;
 mod systems;
 mod taylor;

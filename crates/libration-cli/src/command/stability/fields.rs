@@ -1,0 +1,202 @@
+//! What is said of a chart, its curves and their points.
+
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::short;
+use libration::algebra::Complex;
+use libration::continuation::{CurvePoint, Ending, SpecialCurve, SpecialKind};
+use serde_json::Value;
+
+/// A curve of an answer, with its number from 1.
+pub(super) struct Numbered<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) number: usize,
+    pub(super) curve: &'a SpecialCurve,
+}
+
+/// A point of a curve, or a cusp.
+pub(super) struct Place<'a> {
+    of: &'a Numbered<'a>,
+    point: &'a CurvePoint,
+    is_cusp: bool,
+}
+
+impl Answer {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+        let numbered = (1..).zip(&self.chart.curves);
+        numbered.map(move |(number, curve)| Numbered { answer: self, number, curve })
+    }
+
+    /// Values of both parameters as a sentence has them.
+    pub(super) fn values_text(&self, point: &CurvePoint) -> String {
+        let [first, second] = &self.parameters;
+        format!("{first} = {}, {second} = {}", short(point.point.parameter, 6), short(point.second, 6))
+    }
+}
+
+impl<'a> Numbered<'a> {
+    pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
+        self.curve.points.iter().map(move |point| Place { of: self, point, is_cusp: false })
+    }
+
+    pub(super) fn cusps(&'a self) -> impl Iterator<Item = Place<'a>> {
+        self.curve.cusps.iter().map(move |point| Place { of: self, point, is_cusp: true })
+    }
+
+    /// The first point and the last, and the cusps between them.
+    pub(super) fn ends_and_cusps(&'a self) -> impl Iterator<Item = Place<'a>> {
+        let end = |point: &'a CurvePoint| Place { of: self, point, is_cusp: false };
+        let last = self.curve.points.last().filter(|_| self.curve.points.len() > 1);
+        self.curve.points.first().into_iter().map(end).chain(self.cusps()).chain(last.into_iter().map(end))
+    }
+}
+
+impl Place<'_> {
+    fn amplitude(&self) -> f64 {
+        let is_angle = self.of.answer.model.coordinates().first().is_some_and(|it| it.is_angle());
+        self.point.point.amplitude(0, is_angle)
+    }
+
+    fn values(&self) -> [f64; 2] {
+        [self.point.point.parameter, self.point.second]
+    }
+}
+
+pub(super) fn of_answer() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equation", "", "equations of motion as they were understood", |it| {
+            it.model.equation().to_string().into()
+        })
+        .line_of("equation", |it| it.model.equation().to_string()),
+        Of::value("parameters[]", "", "names of the two parameters", |it| json::list(it.parameters.clone())),
+        Of::value("ranges[][]", "", "both ends of their ranges", |it| {
+            json::list(it.ranges.iter().map(|range| json::numbers(range)))
+        })
+        .line_of("map", |it| {
+            let part = |(name, [from, to]): (&String, &[f64; 2])| {
+                format!("{name} from {} to {}", short(*from, 10), short(*to, 10))
+            };
+            it.parameters.iter().zip(&it.ranges).map(part).collect::<Vec<_>>().join(", ")
+        }),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::value(
+            "rest_stable[][]",
+            "",
+            "whether rest is stable: a row for each value of the second parameter, a column for each of the first; null where this is not known, no rows where the start is no rest",
+            |it| {
+                let rows = it.chart.rest.iter().flat_map(|rest| &rest.stable);
+                json::list(rows.map(|row| json::list(row.iter().copied())))
+            },
+        ),
+        Of::value("grid[][]", "", "the values of both parameters that these are for", |it| {
+            let values = it.chart.rest.iter().flat_map(|rest| &rest.values);
+            json::list(values.map(|values| json::numbers(values)))
+        }),
+        Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.chart.interrupted.into()),
+    ])
+}
+
+pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value(
+            "kind",
+            "",
+            "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other answers leave rest",
+            |it| kind(it.curve.kind).into(),
+        ),
+        Of::value("at_rest", "", "whether it is an edge of a state of rest", |it| it.curve.at_rest.into()),
+        Of::value("closed", "", "whether it comes back to its beginning", |it| {
+            (it.curve.endings[1] == Ending::Closed).into()
+        }),
+        Of::value("drive_periods", "1", "periods of the drive in one of the answer", |it| {
+            it.curve.space.drive_periods().into()
+        }),
+        Of::nested("points[].", &of_place(), |it| {
+            json::records(it.points().map(|place| of_place().record(&place)))
+        }),
+        Of::nested("cusps[].", &of_place(), |it| {
+            json::records(it.cusps().map(|place| of_place().record(&place)))
+        }),
+    ])
+}
+
+fn of_place<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::value("parameters[]", "", "values of both parameters", |it| json::numbers(&it.values())),
+        Of::number("error", "", "bound on the error of the values across the curve", |it| {
+            it.point.point.error
+        }),
+        Of::number(
+            "amplitude_max",
+            "",
+            "largest displacement of the first coordinate, of angles from the nearest bottom, in rad",
+            Place::amplitude,
+        ),
+        Of::number("period_s", "s", "period of the answer", |it| it.point.point.period),
+        Of::value(
+            "multipliers[][]",
+            "1",
+            "Floquet multipliers of the whole period, real and imaginary part",
+            |it| json::list(it.point.point.multipliers.iter().map(pair)),
+        ),
+        Of::value("start[]", "", "state at the phase zero of the drive", |it| {
+            json::numbers(&it.point.point.state)
+        }),
+    ])
+}
+
+/// A line of CSV, or of the table.
+pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::value("curve", "1", "number of the curve, from 1", |it| it.of.number.into())
+            .numeral("curve", |it| it.of.number.to_string()),
+        Of::value("kind", "", "kind of singular point, or cusp", |it| it.kind().into())
+            .words("kind", |it| it.kind().replace('_', " ")),
+        Of::value("at_rest", "", "whether it is an edge of a state of rest", |it| it.of.curve.at_rest.into()),
+        Of::number("first", "", "value of the first parameter", |it| it.point.point.parameter)
+            .rounded("first", 14),
+        Of::number("second", "", "value of the second parameter", |it| it.point.second).rounded("second", 14),
+        Of::number("error", "", "bound on the error of the values across the curve", |it| {
+            it.point.point.error
+        })
+        .numeral("to", |it| crate::output::number::at_most(it.point.point.error)),
+        Of::number("amplitude_max", "", "largest displacement of the first coordinate", Place::amplitude)
+            .rounded("amplitude", 8),
+    ])
+}
+
+impl Place<'_> {
+    fn kind(&self) -> &'static str {
+        if self.is_cusp { "cusp" } else { kind(self.of.curve.kind) }
+    }
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [of_answer().described(""), of_curve().described("curves[].")].concat();
+    vec![Answers { command: "stability", option: "", json, csv: of_row().described_in_csv() }]
+}
+
+fn kind(kind: SpecialKind) -> &'static str {
+    match kind {
+        SpecialKind::Fold => "fold",
+        SpecialKind::SymmetryBreaking => "symmetry_breaking",
+        SpecialKind::PeriodDoubling => "period_doubling",
+        SpecialKind::NeimarkSacker => "neimark_sacker",
+        SpecialKind::NeutralSaddle => "neutral_saddle",
+        SpecialKind::BranchPoint => "branch_point",
+    }
+}
+
+fn pair(number: &Complex) -> Value {
+    json::numbers(&[number.re, number.im])
+}

@@ -1,0 +1,141 @@
+//! `libration stability`: edges of stability and curves of singular points over two parameters.
+
+mod fields;
+mod write;
+
+use crate::arguments::{InitialOptions, ParameterSpan, SystemOptions, count, two_parameter_spans};
+use crate::failure::Failure;
+use crate::figure::stability::Chart;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt, parallel};
+use libration::continuation::{ChartOptions, NoBranch, StabilityChart};
+use libration::systems::Model;
+use libration::watch::{Progress, Watch};
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+pub(crate) use fields::answers;
+
+/// Most periods of the drive in one of an answer.
+const MOST_PERIODS: usize = 100;
+/// Most lines across each parameter.
+const MOST_LINES: usize = 100;
+/// Most times that branches leave branches.
+const MOST_GENERATIONS: usize = 6;
+
+/// Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings and period doublings, cusps
+///
+/// A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges where a Floquet multiplier leaves the unit
+/// circle. Driven motions are followed on some lines of the map, and their singular points from there in both parameters.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration stability vertically_driven_pendulum --set c=0.1 \\
+    --map omega=1.5:2.5,a=0:0.2
+  libration stability kapitza --set c=0.1 --map omega=5:20,a=0.01:0.6 \\
+    --initial theta=180deg --figure upright.svg
+  libration stability driven_pendulum --set c=0.1 --map omega=0.7:1,A=0.05:0.4
+
+Where a curve leaves the map its last point is on the edge, so that a map whose
+range begins at a value tells what happens there to all digits.
+Ctrl-C stops early and keeps what is done.")]
+pub(crate) struct StabilityQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    /// Two parameters and their ranges, such as omega=1:3,a=0:0.5
+    #[arg(long, value_name = "NAME=FROM:TO,NAME=FROM:TO", value_parser = two_parameter_spans)]
+    map: [ParameterSpan; 2],
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// How many periods of the drive an answer takes
+    #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
+    drive_periods: usize,
+    /// How many times answers may lose their symmetry or double their period
+    #[arg(long, value_name = "N", default_value = "1", value_parser = at_most::<MOST_GENERATIONS>)]
+    generations: usize,
+    /// On so many lines each way driven motions are followed; 0 for rest alone
+    #[arg(long, value_name = "N", default_value = "3", value_parser = at_most::<MOST_LINES>)]
+    lines: usize,
+    /// Draw the map to FILE.svg or FILE.png instead of listing the curves
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What is written.
+pub(crate) struct Answer {
+    model: Model,
+    parameters: [String; 2],
+    ranges: [[f64; 2]; 2],
+    chart: StabilityChart,
+}
+
+impl StabilityQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let answer = self.computed()?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::stability::stability(&answer.map());
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        announce(out, self.form.form(), &drawn)?;
+        out.flush()?;
+        match answer.chart.interrupted {
+            true => Err(Failure::Interrupted("interrupted: the curves up to then are written".to_owned())),
+            false => Ok(()),
+        }
+    }
+
+    fn computed(&self) -> Result<Answer, Failure> {
+        let [first, second] = &self.map;
+        let model = self.system.model_with_open(&[&first.name, &second.name])?;
+        let start = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
+        let whole = |number: usize| u32::try_from(number).unwrap_or(1);
+        let options = ChartOptions {
+            start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
+            drive_periods: whole(self.drive_periods),
+            generations: self.generations,
+            lines: whole(self.lines),
+            ..ChartOptions::default()
+        };
+        interrupt::listen()?;
+        let points = AtomicUsize::new(0);
+        let ask = |now: Progress| {
+            points.store(now.done, Ordering::Relaxed);
+            interrupt::go_on()
+        };
+        let how_far = || format!("{} points of the curve", points.load(Ordering::Relaxed));
+        let (names, ranges) = ([&first.name[..], &second.name], [first.range, second.range]);
+        let chart = parallel::with_progress(how_far, || {
+            StabilityChart::over_watched(model.equation(), names, ranges, &options, &Watch::new(&ask))
+        });
+        let parameters = names.map(str::to_owned);
+        Ok(Answer { chart: chart.map_err(failure)?, model, parameters, ranges })
+    }
+}
+
+impl Answer {
+    /// What the picture shows.
+    fn map(&self) -> Chart<'_> {
+        Chart { model: &self.model, parameters: &self.parameters, ranges: self.ranges, chart: &self.chart }
+    }
+}
+
+fn failure(error: NoBranch) -> Failure {
+    match error {
+        NoBranch::Range { .. } => Failure::usage("--map", error),
+        NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
+        _ => Failure::no_answer("stability", error),
+    }
+}
+
+fn at_most<const MOST: usize>(text: &str) -> Result<usize, String> {
+    let number = text.trim().parse().ok().filter(|number| *number <= MOST);
+    number.ok_or_else(|| format!("give a whole number from 0 to {MOST}"))
+}

@@ -1,0 +1,127 @@
+//! A chart as a sheet with its curves and words, JSON and CSV.
+
+use super::Answer;
+use super::fields::{Numbered, of_answer, of_curve, of_row};
+use crate::output::number::short;
+use crate::output::table::{Table, paragraph, write_text};
+use crate::output::{Form, csv, json};
+use libration::continuation::{Ending, SpecialKind};
+use std::io::{self, Write};
+
+/// Where lines are broken.
+const COLUMNS: usize = 100;
+
+impl Answer {
+    /// In the form asked for; the table lists the ends of the curves only if that is wanted.
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
+        match form {
+            Form::Json => {
+                let fields = of_curve();
+                let curves = self.numbered().map(|curve| fields.record(&curve));
+                json::document_with_list(out, of_answer().record(self), "curves", curves)
+            }
+            Form::Csv => self.write_csv(out),
+            Form::Table => self.write_sheet(out, listed),
+        }
+    }
+
+    fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        csv::line(out, &of_row().csv_names())?;
+        for curve in self.numbered() {
+            let fields = of_row();
+            for place in curve.points().chain(curve.cusps()) {
+                csv::line(out, &fields.csv_cells(&place))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
+        for (name, text) in of_answer().lines(self) {
+            writeln!(out, "{}", paragraph(&format!("{name:<10}"), &text, COLUMNS))?;
+        }
+        for curve in self.numbered() {
+            let name = format!("curve {:<4}", curve.number);
+            writeln!(out, "{}", paragraph(&name, &summary(&curve), COLUMNS))?;
+        }
+        if listed && !self.chart.curves.is_empty() {
+            writeln!(out)?;
+            let mut table = Table::new(of_row().columns());
+            for curve in self.numbered() {
+                let fields = of_row();
+                for place in curve.ends_and_cusps() {
+                    table.row(out, fields.cells(&place))?;
+                }
+            }
+            table.finish(out)?;
+        }
+        writeln!(out)?;
+        for end in 0..2 {
+            if let Some(told) = self.told_at(end) {
+                write_text(out, "", &told)?;
+            }
+        }
+        if self.chart.curves.is_empty() {
+            write_text(out, "", "No edge of stability and no singular point is found on this map.")?;
+        }
+        Ok(())
+    }
+
+    /// Where rest is stable at an end of the first parameter.
+    fn told_at(&self, end: usize) -> Option<String> {
+        let ranges = self.chart.rest_is_stable_at(end)?;
+        let [first, second] = &self.parameters;
+        let [low, high] = [0, 1].map(|it| self.ranges[0][it]);
+        let value = if end == 0 { low.min(high) } else { low.max(high) };
+        let range =
+            |[from, to]: &[f64; 2]| format!("for {second} from {} to {}", short(*from, 6), short(*to, 6));
+        let where_to = match &ranges[..] {
+            [] => "nowhere on this map".to_owned(),
+            some => some.iter().map(range).collect::<Vec<_>>().join(" and "),
+        };
+        Some(format!("At {first} = {} rest is stable {where_to}.", short(value, 6)))
+    }
+}
+
+/// What a curve is of, and from where it leads to where.
+fn summary(curve: &Numbered<'_>) -> String {
+    let (answer, points) = (curve.answer, &curve.curve.points);
+    let [before, behind] = curve.curve.endings;
+    let kind = match (curve.curve.kind, curve.curve.at_rest) {
+        (SpecialKind::BranchPoint, true) => {
+            "edge at rest: other answers of the same period leave it".to_owned()
+        }
+        (SpecialKind::PeriodDoubling, true) => "edge at rest: swings of twice the period leave it".to_owned(),
+        (kind, true) => format!("edge at rest: {kind}"),
+        (kind, false) => format!("{kind} of driven motions"),
+    };
+    let place = |point: Option<&_>| point.map_or_else(String::new, |it| answer.values_text(it));
+    let ends = match behind {
+        Ending::Closed => "closed".to_owned(),
+        _ => format!(
+            "from {}{} to {}{}",
+            place(points.first()),
+            said(before),
+            place(points.last()),
+            said(behind)
+        ),
+    };
+    let cusps: Vec<String> = curve.curve.cusps.iter().map(|it| answer.values_text(it)).collect();
+    let through = match cusps.len() {
+        0 => String::new(),
+        1 => format!("; through a cusp at {}", cusps[0]),
+        _ => format!("; through cusps at {}", cusps.join(" and at ")),
+    };
+    format!("{kind}, {} points, {ends}{through}", points.len())
+}
+
+/// Why a curve ends, where this is not the edge of the map.
+fn said(ending: Ending) -> &'static str {
+    match ending {
+        Ending::RangeEnd | Ending::Closed => "",
+        Ending::BranchPoint => " (it ends in another curve)",
+        Ending::SlowDrive | Ending::Lost => " (it cannot be followed farther)",
+        Ending::PointLimit => " (the largest number of points)",
+        Ending::Interrupted => " (interrupted)",
+    }
+}

@@ -1,0 +1,66 @@
+//! Stability over two parameters: where rest is stable as dots, its edges, curves of singular points and their cusps.
+
+use super::chart::{Axis, Look, Mark, Panel, Picture, Series};
+use super::names::{name, symbol};
+use super::parameters::of_model;
+use super::style;
+use libration::continuation::{CurvePoint, SpecialCurve, SpecialKind, StabilityChart};
+use libration::systems::Model;
+
+/// What the picture is of.
+pub(crate) struct Chart<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) parameters: &'a [String; 2],
+    pub(crate) ranges: [[f64; 2]; 2],
+    pub(crate) chart: &'a StabilityChart,
+}
+
+/// The kinds of curves, at rest and of driven motions, with their names.
+const KINDS: [(SpecialKind, bool, &str); 7] = [
+    (SpecialKind::BranchPoint, true, "edge: same period"),
+    (SpecialKind::PeriodDoubling, true, "edge: twice the period"),
+    (SpecialKind::NeimarkSacker, true, "edge: second frequency"),
+    (SpecialKind::Fold, false, "folds"),
+    (SpecialKind::SymmetryBreaking, false, "symmetry breaking"),
+    (SpecialKind::PeriodDoubling, false, "period doubling"),
+    (SpecialKind::NeimarkSacker, false, "Neimark–Sacker"),
+];
+
+pub(crate) fn stability(map: &Chart<'_>) -> Picture {
+    let place = |it: &CurvePoint| (it.point.parameter, it.second);
+    let mut series: Vec<Series> = stable_dots(map).into_iter().collect();
+    let is_of = |curve: &SpecialCurve, (kind, at_rest, _): &(SpecialKind, bool, &str)| {
+        curve.kind == *kind && curve.at_rest == *at_rest
+    };
+    let present = KINDS.iter().filter(|kind| map.chart.curves.iter().any(|curve| is_of(curve, kind)));
+    for (number, kind) in present.enumerate() {
+        let label = kind.2;
+        for (count, curve) in map.chart.curves.iter().filter(|curve| is_of(curve, kind)).enumerate() {
+            let label = if count == 0 { label } else { "" };
+            series.push(Series::line(label, style::curve(number), curve.points.iter().map(place)));
+        }
+    }
+    let cusps: Vec<(f64, f64)> = map.chart.curves.iter().flat_map(|curve| &curve.cusps).map(place).collect();
+    if !cusps.is_empty() {
+        series.push(Series::line("cusp", style::markers(KINDS.len() + 1), cusps));
+    }
+    let axis = |number: usize| {
+        let [from, to] = map.ranges[number];
+        Axis::linear(&symbol(&map.parameters[number]), from.min(to), from.max(to))
+    };
+    let title = format!("Stability: {}", name(map.model));
+    let panel = Panel { x: axis(0), y: axis(1), series, share: 1.0 };
+    Picture::new(&title, vec![panel]).with_parameters(of_model(map.model))
+}
+
+/// Dots where rest is stable.
+fn stable_dots(map: &Chart<'_>) -> Option<Series> {
+    let rest = map.chart.rest.as_ref()?;
+    let rows = rest.values[1].iter().zip(&rest.stable);
+    let dots = rows.flat_map(|(second, row)| {
+        let stable = rest.values[0].iter().zip(row).filter(|(_, stable)| **stable == Some(true));
+        stable.map(|(first, _)| (*first, *second))
+    });
+    let look = Look { opacity: 0.6, mark: Mark::Markers(0), width: 1.2, ..style::band() };
+    Some(Series::line("rest is stable", look, dots.collect::<Vec<_>>()))
+}

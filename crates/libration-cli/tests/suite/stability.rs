@@ -1,0 +1,63 @@
+//! `libration stability`.
+
+use crate::command::{json, message, run, text};
+use serde_json::Value;
+
+const UPRIGHT: &str =
+    "stability kapitza --set c=0.1 --map omega=5:10,a=0.1:0.4 --initial theta=180deg --lines 0";
+
+#[test]
+fn a_chart_has_its_curves_with_both_parameters() {
+    let answer = json(UPRIGHT);
+    assert_eq!(answer["parameters"], serde_json::json!(["omega", "a"]));
+    let curves = answer["curves"].as_array().unwrap();
+    assert_eq!(curves.len(), 1);
+    assert_eq!((&curves[0]["kind"], &curves[0]["at_rest"]), (&"branch_point".into(), &true.into()));
+    let points = curves[0]["points"].as_array().unwrap();
+    // By Hill's matrix in floats of 130 bits.
+    for (omega, edge) in [(5.0, 0.2877861746702333933585712), (10.0, 0.142045148229182661499441)] {
+        let at = |it: &&Value| it["parameters"][0] == omega;
+        let found = points.iter().find(at).unwrap_or_else(|| panic!("nothing at {omega}"));
+        let off = found["parameters"][1].as_f64().unwrap() - edge;
+        assert!(off.abs() < 1e-13 && found["error"].as_f64().unwrap() < 1e-12, "{found}");
+    }
+    let [rows, columns] =
+        [&answer["rest_stable"], &answer["rest_stable"][0]].map(|it| it.as_array().unwrap().len());
+    let [first, second] = [0, 1].map(|it| answer["grid"][it].as_array().unwrap().len());
+    assert_eq!((rows, columns), (second, first));
+}
+
+#[test]
+fn a_chart_is_told_in_words() {
+    let told = text(UPRIGHT).split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "edge at rest: other answers of the same period leave it",
+        "At omega = 5 rest is stable for a from 0.287786 to 0.4.",
+        "At omega = 10 rest is stable for a from 0.142045 to 0.4.",
+    ] {
+        assert!(told.contains(part), "{part} in {told}");
+    }
+    let cusp = text("stability driven_pendulum --set c=0.1 --map omega=0.85:1,A=0.05:0.2 --lines 1");
+    let told = cusp.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("through a cusp at omega = 0.91477, A = 0.101459"), "{told}");
+    let csv = text("stability driven_pendulum --set c=0.1 --map omega=0.85:1,A=0.05:0.2 --lines 1 --csv");
+    assert!(csv.lines().any(|line| line.starts_with("1,cusp,false,0.9147700617")), "{csv}");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_what_would_do() {
+    let cases: [(&[&str], i32, &[&str]); 5] = [
+        (&["stability", "pendulum", "--map", "omega0=1:2,omega0=1:2"], 2, &["--map", "twice"]),
+        (&["stability", "kapitza", "--map", "omega=1:2"], 2, &["--map", "two parameters"]),
+        (&["stability", "kapitza", "--map", "omega=1:1,a=0:1"], 2, &["--map", "no width"]),
+        (&["stability", "kapitza", "--map", "omega=1:2,a=0:1", "--lines", "-1"], 2, &["--lines"]),
+        (&["stability", "x''=-k*x-m*x'", "--map", "k=1:2,m=0:1"], 1, &["no drive"]),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        for part in parts {
+            assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The equations of singular points over two parameters.
+
+use super::family::{Family, Image};
+use super::node::Tests;
+use super::space::Space;
+use super::special::Test;
+
+/// Motions of a space, over two parameters, at which a test vanishes: one equation fewer than there are unknowns.
+#[derive(Clone, Debug)]
+pub(super) struct Singular<'a> {
+    pub(super) family: &'a Family<'a>,
+    pub(super) space: Space,
+    pub(super) test: Test,
+    /// The state that is the motion at all parameters; without it the state belongs to the unknowns, before the parameters.
+    pub(super) rest: Option<&'a [f64]>,
+}
+
+impl Singular<'_> {
+    /// The state and the parameters of a place.
+    pub(super) fn parts<'p>(&'p self, place: &'p [f64]) -> (&'p [f64], &'p [f64]) {
+        match self.rest {
+            Some(state) => (state, place),
+            None => place.split_at(place.len().saturating_sub(2)),
+        }
+    }
+
+    pub(super) fn image(&self, place: &[f64], tolerance: f64) -> Option<Image> {
+        let (state, parameters) = self.parts(place);
+        self.family.image(self.space, state, parameters, tolerance)
+    }
+
+    /// What the equations miss, in units of the state, and the test.
+    pub(super) fn values(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<f64>> {
+        let image = self.image(place, tolerance)?;
+        let test = self.test.of(&Tests::new(&image, 0.0)?);
+        if self.rest.is_some() {
+            return Some(vec![test]);
+        }
+        Some(image.defect.iter().zip(units).map(|(d, unit)| d / unit).chain([test]).collect())
+    }
+
+    /// How the values change with the unknowns, in units: by differences on both sides, to some ten digits.
+    pub(super) fn slopes(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<Vec<f64>>> {
+        /// The third power of it and the rounding over it are alike.
+        const ASIDE: f64 = 1e-5;
+        let column = |j: usize| {
+            let beside = |sign: f64| {
+                let mut there = place.to_vec();
+                there[j] += sign * ASIDE * units[j];
+                self.values(&there, units, tolerance)
+            };
+            let (after, before) = (beside(1.0)?, beside(-1.0)?);
+            Some(after.iter().zip(before).map(|(a, b)| (a - b) / (2.0 * ASIDE)).collect::<Vec<_>>())
+        };
+        let columns: Vec<Vec<f64>> = (0..place.len()).map(column).collect::<Option<_>>()?;
+        Some((0..place.len() - 1).map(|i| columns.iter().map(|column| column[i]).collect()).collect())
+    }
+}

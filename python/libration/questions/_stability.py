@@ -1,0 +1,80 @@
+"""`libration stability`. Written by scripts/questions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def stability(
+    system: Given,
+    *,
+    map: Values | Sequence[str],
+    set: Values | Sequence[str] | None = None,
+    initial: Values | None = None,
+    drive_periods: Given | None = None,
+    generations: Given | None = None,
+    lines: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings and period doublings, cusps.
+
+    A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges where a Floquet multiplier leaves the unit circle.
+    Driven motions are followed on some lines of the map, and their singular points from there in both parameters.
+
+    Parameters
+    ----------
+    system : number or text
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    map : dict
+        Two parameters and their ranges, such as omega=1:3,a=0:0.5.
+    set : dict, optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    initial : dict, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    drive_periods : number or text, optional
+        How many periods of the drive an answer takes [default: 1].
+    generations : number or text, optional
+        How many times answers may lose their symmetry or double their period [default: 1].
+    lines : number or text, optional
+        On so many lines each way driven motions are followed; 0 for rest alone [default: 3].
+    figure : str or path, optional
+        Draw the map to FILE.svg or FILE.png instead of listing the curves.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : number or text, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : number or text, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> edges = questions.stability("vertically_driven_pendulum", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0)
+    >>> edges.curves.kind.tolist(), round(edges.curves[0].points.parameters[0].max(), 12)
+    (['branch_point'], 0.287786174670)
+    """
+    return answer(Answer, "stability", locals())
