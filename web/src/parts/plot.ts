@@ -81,7 +81,7 @@ function letterUnit(): number {
 }
 
 function margins(unit: number): Margin {
-  return { left: 52 * unit, right: 18 * unit, top: 8 * unit, bottom: 36 * unit };
+  return { left: 60 * unit, right: 18 * unit, top: 8 * unit, bottom: 36 * unit };
 }
 
 export class Plot {

@@ -1,6 +1,8 @@
 //! Questions that another program asks in its own process.
 
 use crate::command::{message, run};
+use libration::systems::Model;
+use libration::taylor::Ensemble;
 use libration_cli::{AxisValues, Failure, Host, SweepPlan, ask};
 use serde_json::Value;
 use std::ffi::OsString;
@@ -253,4 +255,48 @@ fn a_host_may_ask_while_it_is_told_how_an_argument_was_read() {
     ask(["motion", "5", "--times", "0,1", "--json"].map(OsString::from), host.clone()).unwrap();
     assert!(host.0.notes.lock().unwrap()[0].contains("libration 0."));
     assert_eq!(*host.0.answer.lock().unwrap(), run(&["motion", "5", "--times", "0,1", "--json"]).stdout);
+}
+
+fn ensemble(arguments: &[&str], starts: &'static [u8]) -> Result<(Model, Ensemble), Failure> {
+    let host = Memory { input: starts, ..Memory::default() };
+    libration_cli::ensemble(arguments.iter().map(OsString::from), Arc::new(host))
+}
+
+#[test]
+fn motions_that_go_on_together_are_those_of_the_program() {
+    let starts = b"theta1,theta2\n120deg,120deg\n120deg,121deg\n2,-1\n";
+    let words = ["simulate", "double_pendulum", "--each", "-", "--times", "1.5,9", "--tolerance", "1e-8"];
+    let (model, mut followed) = ensemble(&words, starts).unwrap();
+    assert_eq!((model.key(), followed.len()), (Some("double_pendulum"), 3));
+    let (host, answered) =
+        asked(&[&words[..], &["--json"]].concat(), Memory { input: starts, ..Memory::default() });
+    answered.unwrap();
+    let answer: Value = serde_json::from_slice(&host.answer.lock().unwrap()).unwrap();
+    let numbers = |motion: &Value| -> Vec<f64> {
+        motion["samples"][0]["state"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect()
+    };
+    let expected: Vec<f64> = answer["motions"].as_array().unwrap().iter().flat_map(numbers).collect();
+    assert_eq!(followed.states_at(1.5), expected);
+}
+
+#[test]
+fn what_cannot_go_on_together_is_refused() {
+    let of = |more: &[&str], starts| {
+        let words = [&["simulate", "driven_pendulum", "--times", "0,1"], more].concat();
+        ensemble(&words, starts).map(|_| ()).unwrap_err().to_string()
+    };
+    let each = ["--each", "-"];
+    assert_eq!(of(&[], b""), "--each: give a file with the starts");
+    assert_eq!(
+        of(&each, b"theta,c\n1,0.1\n1,0.2\n"),
+        "--each: motions that go on together have the same parameters: give one value for each"
+    );
+    assert_eq!(
+        of(&["--each", "-", "--events", "turning"], b"theta\n1\n"),
+        "--events: no events are looked for in motions that go on together"
+    );
+    assert!(of(&each, b"phi\n1\n").contains("phi"));
+    assert!(of(&["--each", "-", "--tolerance", "0"], b"theta\n1\n").contains("1e-18"));
+    let other = ensemble(&["period", "60deg"], b"").map(|_| ()).unwrap_err();
+    assert_eq!(other.to_string(), "only `simulate --each` has motions that go on together");
 }
