@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { answer, close, command, enter, errors, saved, settled, visit } from "./harness.mjs";
+import { answer, close, command, enter, errors, PHONE, saved, settled, visit } from "./harness.mjs";
 
 after(close);
 const SYSTEM = ["driven_pendulum", "--initial", "theta=0.2"];
@@ -110,6 +110,13 @@ test("the periodic orbit and the answers over a parameter are the command's", ()
     await enter(room, "Range of a parameter for the response", "omega=1:2:0.1");
     assert.match((await errors(room)).join(" "), /FROM:TO/);
   }));
+
+test("a picture that needs more room than a phone has is drawn smaller", () =>
+  visit(`${SMALL}&value=1.407&motions=20`, async (room) => {
+    assert.notEqual(command("section", SYSTEM[0], "--set", "c=1/2,A=1.407", "--initial", "theta=0.2", "--initial", "theta=0.2001", "--points", "300", "--size", "column", "--figure", "-").status, 0);
+    assert.deepEqual(await errors(room), []);
+    assert.ok(await room.locator("p.verdict").isVisible());
+  }, { viewport: PHONE }));
 
 test("the numbers of the section are saved", () =>
   visit(SMALL, async (room) => {

@@ -51,8 +51,11 @@ export class Picture {
 
   /** Asks for the picture and shows it; what was shown stays where there is none. */
   async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
-    const asked = this.command(command);
-    const answer = await ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
+    const of = (asked: Command) => ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
+    let answer = await of(this.command(command));
+    // The column is too narrow for what is in some pictures.
+    const least = /--width: [^]*give at least (\d+mm)/.exec(answer.error)?.[1];
+    if (least !== undefined && !signal.aborted) answer = await of(extended(command, { width: least, [this.#option]: `${this.#name}.svg` }));
     if (answer.output.length > 0 && isWanted(signal)) this.#show(answer.output);
     return answer;
   }

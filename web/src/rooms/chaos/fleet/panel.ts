@@ -153,7 +153,7 @@ export class FleetPanel {
     const [frame, fleet, player] = [this.#frame, this.#fleet, this.#player];
     if (frame === undefined || fleet === undefined || player === undefined) return;
     this.#read = performance.now();
-    const pace = player.isRunning ? player.pace() : undefined;
+    const pace = player.isPlaying ? player.pace() : undefined;
     if (pace !== undefined) this.#pace = words.pace(pace.pictures, digits(pace.pace, 2));
     const now = words.now(fleet.facts.count, digits(frame.time, 4));
     const checked = Math.min(CHECKED, fleet.facts.count);
@@ -163,7 +163,7 @@ export class FleetPanel {
       words.trusted(this.#form.value("tolerance"), checked, CLOSE, digits(frame.error, 2)),
       this.#trustEnds === undefined ? words.trustLasts : words.trustEnds(digits(this.#trustEnds, 3)),
       ...(frame.ended > 0 ? [words.ended(frame.ended, frame.cause)] : []),
-      ...(player.isRunning ? [this.#pace] : []),
+      ...(player.isPlaying ? [this.#pace] : []),
     ];
     this.#words.textContent = sentences.join(" ");
     for (const [picture, what] of [[this.#stage, words.bodies], [this.#plane, words.plane], [this.#stroboscope, words.stroboscope], [this.#growth, words.growth]] as const) {
@@ -176,6 +176,7 @@ export class FleetPanel {
     if (player === undefined) return;
     if (player.isRunning) void this.#stopped(player.pause());
     else {
+      this.#pace = "";
       player.run();
       this.#address.put({ time: undefined });
     }

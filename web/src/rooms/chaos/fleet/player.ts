@@ -21,6 +21,7 @@ export class Player {
   /** The last time that was asked for. */
   #asked = 0;
   #running = false;
+  #playing = false;
   #leaving = false;
   #busy: Promise<void> = Promise.resolve();
   #measured: { at: number; time: number; pictures: number } = { at: 0, time: 0, pictures: 0 };
@@ -38,20 +39,25 @@ export class Player {
     return this.#running;
   }
 
+  /** Whether it goes with the clock, and not to a time that was asked for. */
+  get isPlaying(): boolean {
+    return this.#playing;
+  }
+
   get time(): number {
     return this.#time;
   }
 
   run(): void {
     if (this.#running) return;
-    this.#running = true;
+    this.#running = this.#playing = true;
     this.#measured = { at: performance.now(), time: this.#time, pictures: 0 };
     this.#then(() => this.#play());
   }
 
   /** Resolves when the last picture is shown. */
   pause(): Promise<void> {
-    this.#running = false;
+    this.#running = this.#playing = false;
     return this.#busy;
   }
 
@@ -90,7 +96,7 @@ export class Player {
   #then(work: () => Promise<void>): Promise<void> {
     const done = this.#busy.then(() => (this.#leaving ? undefined : work()));
     this.#busy = done.catch((error: unknown) => {
-      this.#running = false;
+      this.#running = this.#playing = false;
       this.#failed(error instanceof Error ? error.message : String(error));
     });
     return this.#busy;
