@@ -179,6 +179,16 @@ pub(super) fn second(modulus: &Modulus, phi: f64) -> f64 {
     dispatch(One(PhantomData::<Second>, &modulus.nearer, modulus.integrals.second, phi))
 }
 
+/// Whether an integral to this angle needs none over a quarter turn.
+pub(super) fn is_in_first_quarter(phi: f64) -> bool {
+    phi.abs() <= std::f64::consts::FRAC_PI_2 && !is_extreme(phi)
+}
+
+/// An integral to an angle [in the first quarter](is_in_first_quarter), for which nothing else of the modulus is prepared.
+pub(super) fn in_first_quarter<F: OfAngle>(nearer: &Nearer, phi: f64) -> f64 {
+    dispatch(One(PhantomData::<F>, nearer, DoubleDouble::ZERO, phi))
+}
+
 /// An integral at one angle, given its value over a quarter turn.
 struct One<'a, F>(PhantomData<F>, &'a Nearer, DoubleDouble, f64);
 

@@ -3,7 +3,10 @@
 use super::Modulus;
 use super::carlson::{Closeness, Duplication};
 use super::complete_stages::OfModulusWords;
-use super::incomplete::{First, OfAngle, Reduced, Second, duplication, is_extreme, of_extreme, whole};
+use super::incomplete::{
+    First, OfAngle, Reduced, Second, duplication, in_first_quarter, is_extreme, is_in_first_quarter,
+    of_extreme, whole,
+};
 use super::moduli::{FEW, LengthMismatch, Moduli};
 use super::modulus_stages::ModulusStages;
 use crate::dispatch::{Kernel, dispatch_slices};
@@ -70,7 +73,12 @@ fn each<F: OfAngle + OfModulusWords>(
     LengthMismatch::check(angles, moduli.values())?;
     LengthMismatch::check(angles, results)?;
     if angles.len() <= FEW {
-        moduli.one_by_one([results], |i, modulus| [one(modulus, angles[i])]);
+        for (i, result) in results.iter_mut().enumerate() {
+            *result = match moduli.inside(i).filter(|_| is_in_first_quarter(angles[i])) {
+                Some(nearer) => in_first_quarter::<F>(&nearer, angles[i]),
+                None => moduli.modulus(i).map_or(f64::NAN, |modulus| one(&modulus, angles[i])),
+            };
+        }
         return Ok(());
     }
     dispatch_slices(Each { angles, moduli, results, function: PhantomData::<F> });

@@ -52,7 +52,13 @@ impl<'a> Moduli<'a> {
         }
     }
 
-    fn modulus(&self, i: usize) -> Option<Modulus> {
+    /// The nearer side of this element where it is a modulus.
+    pub(super) fn inside(&self, i: usize) -> Option<Nearer> {
+        let value = self.values()[i];
+        (0.0..=1.0).contains(&value).then(|| self.nearer(value))
+    }
+
+    pub(super) fn modulus(&self, i: usize) -> Option<Modulus> {
         let value = self.values()[i];
         let modulus = match self {
             Self::Parameters(_) => Modulus::from_parameter(value),

@@ -184,12 +184,15 @@ fn batches_of_incomplete_integrals_equal_the_scalar_functions_bit_for_bit() {
         (incomplete_seconds, Modulus::incomplete_second),
     ];
     for (batch, function) in functions {
-        for (moduli, scalar) in kinds(&values) {
+        for (kind, (moduli, scalar)) in kinds(&values).into_iter().enumerate() {
             let mut found = vec![0.0; values.len()];
             batch(&angles, moduli, &mut found).unwrap();
             for ((value, angle), found) in values.iter().zip(&angles).zip(found) {
                 let expected = scalar(*value).map_or(f64::NAN, |modulus| function(&modulus, *angle));
                 assert!(same(found, expected), "{value:?} {angle:?}: {found:?} {expected:?}");
+                let mut alone = [7.0];
+                batch(&[*angle], kinds(&[*value])[kind].0, &mut alone).unwrap();
+                assert!(same(alone[0], expected), "{value:?} {angle:?} alone: {alone:?} {expected:?}");
             }
         }
     }
