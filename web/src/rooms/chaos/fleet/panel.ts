@@ -46,7 +46,7 @@ export class FleetPanel {
   #fleet: Fleet | undefined;
   #frame: Frame | undefined;
   #first = 0;
-  /** When the error has come near the distance between neighbours. */
+  /** When the error has come near the spread of the fleet. */
   #trustEnds: number | undefined;
   #read = 0;
   #pace = "";
