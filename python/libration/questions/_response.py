@@ -16,8 +16,10 @@ def response(
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     drive_periods: Given | None = None,
+    at: Given | None = None,
     generations: Given | None = None,
     coordinate: Given | None = None,
+    digits: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
@@ -42,10 +44,14 @@ def response(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
         How many periods of the drive an answer takes, for subharmonic answers [default: 1].
+    at : number or text, optional
+        The value at which answers are looked for, for curves that close within the range [default: the ends of the range].
     generations : number or text, optional
         How many times one after the other answers may lose their symmetry or double their period and be followed [default: 2].
     coordinate : number or text, optional
         The coordinate whose amplitude is meant [default: the first].
+    digits : number or text, optional
+        Compute the parameter at special points to so many digits, up to 100.
     figure : str or path, optional
         Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional

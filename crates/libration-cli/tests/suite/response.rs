@@ -67,6 +67,33 @@ fn a_response_is_told_in_words() {
 }
 
 #[test]
+fn special_points_have_the_digits_that_are_asked_for() {
+    let question =
+        "response driven_pendulum --set A=0.15,c=0.1 --over omega=0.86:0.88 --generations 0 --digits 25";
+    // By Fourier collocation and by shooting in 130-bit floats.
+    let fold = "0.8721575691379171688795389";
+    let answer = json(question);
+    let special = &answer["branches"][0]["special"][0];
+    assert_eq!(special["parameter_digits"], fold);
+    assert!(number(special, "parameter_digits_error") < 1e-25, "{special}");
+    let told = text(question);
+    assert!(told.contains(&format!("fold on branch 1: omega = {fold} to ")), "{told}");
+}
+
+#[test]
+fn a_curve_that_closes_is_found_from_a_value_within_the_range() {
+    let duffing = "x'' = -0.15*x' - x - x^3 + 5*cos(w*t)";
+    let start = ["--drive-periods", "3", "--initial", "x=1.4,x'=1.5", "--generations", "0", "--json"];
+    let ask = |at: &str| run(&[&["response", duffing, "--over", "w=2.5:6", "--at", at], &start[..]].concat());
+    let output = ask("4.5");
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(answer["branches"][0]["closed"], true, "{}", message(&output));
+    let outside = ask("7");
+    assert_eq!(outside.status.code(), Some(2));
+    assert!(message(&outside).contains("--at") && message(&outside).contains("outside of the range"));
+}
+
+#[test]
 fn a_response_to_the_frequency_zero_and_over_the_top_is_named() {
     let slow = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0:1 --generations 0");
     assert!(

@@ -1,7 +1,7 @@
 //! The period of the drive as a function of the parameters.
 
 use super::error::NoBranch;
-use crate::algebra::Doubles;
+use crate::algebra::{BigFloat, Doubles, Floats, Ring};
 use crate::chaos::drive_frequency;
 use crate::expression::{Equation, Expression, Jet, Symbol, Tape};
 use std::f64::consts::TAU;
@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 pub(super) struct DriveLaw {
     /// ω, then its derivative by each parameter.
     frequency: Tape,
-    times: f64,
+    times: i32,
 }
 
 impl DriveLaw {
@@ -21,15 +21,24 @@ impl DriveLaw {
         let slopes: Vec<Expression> =
             symbols.iter().map(|it| frequency.derivative(it).simplified()).collect();
         let formulas: Vec<&Expression> = std::iter::once(&frequency).chain(&slopes).collect();
-        Ok(Self { frequency: Tape::new(&formulas, &symbols)?, times: f64::from(times) })
+        Ok(Self { frequency: Tape::new(&formulas, &symbols)?, times })
     }
 
     /// The period and its derivatives; `None` where there is none.
     pub(super) fn period(&self, parameters: &[f64]) -> Option<(f64, Vec<f64>)> {
         let jet = Jet::new(&Doubles, &self.frequency, parameters).ok()?;
         let frequency = jet.result(0)[0];
-        let period = self.times * TAU / frequency.abs();
+        let period = f64::from(self.times) * TAU / frequency.abs();
         let slope = |number: usize| -period * jet.result(number)[0] / frequency;
         (period > 0.0 && period.is_finite()).then(|| (period, (1..=parameters.len()).map(slope).collect()))
+    }
+
+    /// The period over one parameter in many bits.
+    pub(super) fn precise_period(&self, ring: Floats, parameter: &BigFloat) -> Option<BigFloat> {
+        let jet = Jet::new(&ring, &self.frequency, std::slice::from_ref(parameter)).ok()?;
+        let frequency = jet.result(0)[0].clone();
+        let turn = ring.times_integer(&BigFloat::pi(ring.precision), 2 * i64::from(self.times));
+        let period = ring.divide(&turn, &frequency)?;
+        Some(if period < ring.zero() { ring.negate(&period) } else { period })
     }
 }

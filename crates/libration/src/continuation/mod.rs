@@ -46,6 +46,10 @@ mod singular;
 
 mod chart;
 
+mod precise_flow;
+
+mod precise;
+
 pub use backbone::free_oscillations;
 pub use branch::{Branch, Ending, Origin};
 pub use chart::{ChartOptions, StabilityChart};
@@ -54,6 +58,7 @@ pub use edges::RestStability;
 pub use error::NoBranch;
 pub use jumps::Jump;
 pub use point::BranchPoint;
+pub use precise::PreciseSpecial;
 pub use response::{Response, ResponseOptions};
 pub use space::Space;
 pub use special::{SpecialKind, SpecialPoint};

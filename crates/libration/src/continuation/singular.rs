@@ -1,11 +1,11 @@
-//! The equations of singular points over two parameters.
+//! The equations of singular points.
 
 use super::family::{Family, Image};
 use super::node::Tests;
 use super::space::Space;
 use super::special::Test;
 
-/// Motions of a space, over two parameters, at which a test vanishes: one equation fewer than there are unknowns.
+/// Motions of a space at which a test vanishes: as many equations as unknowns over one parameter, one fewer over two.
 #[derive(Clone, Debug)]
 pub(super) struct Singular<'a> {
     pub(super) family: &'a Family<'a>,
@@ -20,7 +20,7 @@ impl Singular<'_> {
     pub(super) fn parts<'p>(&'p self, place: &'p [f64]) -> (&'p [f64], &'p [f64]) {
         match self.rest {
             Some(state) => (state, place),
-            None => place.split_at(place.len().saturating_sub(2)),
+            None => place.split_at(self.family.layout.numbers().min(place.len())),
         }
     }
 
@@ -53,6 +53,6 @@ impl Singular<'_> {
             Some(after.iter().zip(before).map(|(a, b)| (a - b) / (2.0 * ASIDE)).collect::<Vec<_>>())
         };
         let columns: Vec<Vec<f64>> = (0..place.len()).map(column).collect::<Option<_>>()?;
-        Some((0..place.len() - 1).map(|i| columns.iter().map(|column| column[i]).collect()).collect())
+        Some((0..columns.first()?.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect())
     }
 }

@@ -7,6 +7,7 @@ mod continuation;
 mod golden;
 mod hidden_forces;
 mod period_majorants;
+mod precise_special_points;
 mod promises;
 mod random;
 mod remainders;

@@ -1,6 +1,6 @@
 //! What is said of a response, its branches, their points and special points.
 
-use super::Answer;
+use super::{Answer, Decimal};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -27,6 +27,8 @@ pub(super) struct Place<'a> {
     pub(super) of: &'a Numbered<'a>,
     pub(super) point: &'a BranchPoint,
     pub(super) special: Option<&'a SpecialPoint>,
+    /// The parameter there, where more digits were asked for.
+    pub(super) precise: Option<&'a Decimal>,
 }
 
 impl Answer {
@@ -60,12 +62,18 @@ impl Answer {
 
 impl<'a> Numbered<'a> {
     pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
-        self.branch.points.iter().map(move |point| Place { of: self, point, special: None })
+        self.branch.points.iter().map(move |point| Place { of: self, point, special: None, precise: None })
     }
 
     pub(super) fn special(&'a self) -> impl Iterator<Item = Place<'a>> {
-        let special = self.branch.special.iter();
-        special.map(move |special| Place { of: self, point: &special.point, special: Some(special) })
+        let precise = self.answer.precise.get(self.number - 1);
+        let special = self.branch.special.iter().enumerate();
+        special.map(move |(place, special)| Place {
+            of: self,
+            point: &special.point,
+            special: Some(special),
+            precise: precise.and_then(|all| all.get(place)?.as_ref()),
+        })
     }
 
     /// Points and special points in their order.
@@ -85,6 +93,19 @@ impl Jumping<'_> {
 }
 
 impl Place<'_> {
+    /// The parameter to the digits that were asked for.
+    pub(super) fn digits_text(&self) -> Option<String> {
+        let (precise, special) = (self.precise?, self.special?);
+        let name = &self.of.answer.parameter;
+        Some(format!(
+            "{} on branch {}: {name} = {} to {}",
+            special.kind,
+            self.of.number,
+            precise.text,
+            at_most(precise.error)
+        ))
+    }
+
     fn amplitude(&self) -> f64 {
         self.of.answer.amplitude(self.point)
     }
@@ -222,6 +243,15 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
             it.special.map_or(f64::NAN, |it| it.error)
         })
         .numeral("to", |it| at_most(it.special.map_or(f64::NAN, |it| it.error))),
+        Of::value(
+            "parameter_digits",
+            "",
+            "the value to the digits that --digits asks for, as text; null where none are asked for or known",
+            |it| it.precise.map(|it| it.text.clone()).into(),
+        ),
+        Of::value("parameter_digits_error", "", "bound on the error of this text", |it| {
+            it.precise.map_or(Value::Null, |it| json::number(it.error))
+        }),
         Of::number("amplitude_max", "", "largest displacement there", Place::amplitude)
             .rounded("amplitude", 8),
         Of::number("period_s", "s", "period of the answer there", |it| it.point.period),

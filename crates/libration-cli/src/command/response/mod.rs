@@ -3,12 +3,16 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, ParameterSpan, SystemOptions, count, parameter_span, place_in_state};
+use crate::arguments::{
+    InitialOptions, ParameterSpan, SystemOptions, constant, count, parameter_span, place_in_state,
+};
 use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::continuation::{Branch, NoBranch, Response, ResponseOptions, free_oscillations};
+use libration::continuation::{
+    Branch, NoBranch, PreciseSpecial, Response, ResponseOptions, Space, SpecialPoint, free_oscillations,
+};
 use libration::systems::Model;
 use libration::watch::{Progress, Watch};
 use std::f64::consts::PI;
@@ -20,6 +24,8 @@ pub(crate) use fields::answers;
 
 /// Most periods of the drive in one of an answer.
 const MOST_PERIODS: usize = 100;
+/// Most digits of a special point: each digit is a part of the order of a series.
+const MOST_DIGITS: usize = 100;
 /// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
 const MOST_GENERATIONS: usize = 6;
 
@@ -51,12 +57,18 @@ pub(crate) struct ResponseQuestion {
     /// How many periods of the drive an answer takes, for subharmonic answers
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
+    /// The value at which answers are looked for, for curves that close within the range [default: the ends of the range]
+    #[arg(long, value_name = "VALUE", value_parser = value)]
+    at: Option<f64>,
     /// How many times one after the other answers may lose their symmetry or double their period and be followed
     #[arg(long, value_name = "N", default_value = "2", value_parser = whole)]
     generations: usize,
     /// The coordinate whose amplitude is meant [default: the first]
     #[arg(long, value_name = "NAME")]
     coordinate: Option<String>,
+    /// Compute the parameter at special points to so many digits, up to 100
+    #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
+    digits: Option<usize>,
     /// Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -64,6 +76,12 @@ pub(crate) struct ResponseQuestion {
     sizes: figure::Sizes,
     #[command(flatten)]
     form: FormOptions,
+}
+
+/// A value as text, with a bound on its error.
+pub(crate) struct Decimal {
+    text: String,
+    error: f64,
 }
 
 /// What is written.
@@ -74,6 +92,8 @@ pub(crate) struct Answer {
     /// The coordinate whose amplitude is meant.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
+    /// For each branch, for each of its special points, where they were asked for and are known.
+    precise: Vec<Vec<Option<Decimal>>>,
     /// How many periods of the drive an answer takes.
     drive_periods: usize,
 }
@@ -108,10 +128,12 @@ impl ResponseQuestion {
             None => 0,
         };
         interrupt::listen()?;
-        let response = self.response(&model)?;
+        let mut response = self.response(&model)?;
+        let precise = self.digits.map_or(Ok(vec![]), |digits| self.precise(&model, &response, digits))?;
+        response.interrupted |= interrupt::go_on().is_break();
         let parameter = name.clone();
         let drive_periods = self.drive_periods;
-        Ok(Answer { model, parameter, range: *range, coordinate, response, drive_periods })
+        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, drive_periods })
     }
 
     fn response(&self, model: &Model) -> Result<Response, Failure> {
@@ -120,6 +142,7 @@ impl ResponseQuestion {
             start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
             drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),
             generations: self.generations,
+            at: self.at,
             ..ResponseOptions::default()
         };
         let points = AtomicUsize::new(0);
@@ -133,6 +156,34 @@ impl ResponseQuestion {
             Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
         });
         response.map_err(failure)
+    }
+}
+
+impl ResponseQuestion {
+    /// The special points to so many digits.
+    fn precise(
+        &self,
+        model: &Model,
+        response: &Response,
+        digits: usize,
+    ) -> Result<Vec<Vec<Option<Decimal>>>, Failure> {
+        let wanted = u32::try_from(digits).unwrap_or(u32::MAX);
+        let of_point = |space: Space, special: &SpecialPoint| {
+            let ask = |_: Progress| interrupt::go_on();
+            let (name, watch) = (&self.over.name, Watch::new(&ask));
+            let precise = special.to_digits_watched(model.equation(), name, space, wanted, &watch);
+            let decimal = |it: PreciseSpecial| Decimal {
+                text: it.parameter.to_rational().to_decimal(digits),
+                error: it.error,
+            };
+            Ok(precise.map_err(failure)?.map(decimal))
+        };
+        let of_branch =
+            |branch: &Branch| branch.special.iter().map(|it| of_point(branch.space, it)).collect();
+        parallel::with_progress(
+            || format!("special points to {digits} digits"),
+            || response.branches.iter().map(of_branch).collect(),
+        )
     }
 }
 
@@ -198,9 +249,15 @@ fn failure(error: NoBranch) -> Failure {
             "interrupted before the first answer was known: nothing is written".to_owned(),
         ),
         NoBranch::Range { .. } => Failure::usage("--over", error),
+        NoBranch::Outside { .. } => Failure::usage("--at", error),
         NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
         _ => Failure::no_answer("response", error),
     }
+}
+
+fn value(text: &str) -> Result<f64, String> {
+    let value = constant(text)?.to_f64().filter(|value| value.is_finite());
+    value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
 }
 
 fn whole(text: &str) -> Result<usize, String> {

@@ -58,6 +58,14 @@ impl Answer {
             }
             table.finish(out)?;
         }
+        if !self.precise.is_empty() {
+            writeln!(out)?;
+        }
+        for branch in self.numbered() {
+            for text in branch.special().filter_map(|place| place.digits_text()) {
+                write_text(out, "", &text)?;
+            }
+        }
         if !self.response.jumps.is_empty() {
             writeln!(out)?;
         }
