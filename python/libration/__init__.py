@@ -29,7 +29,7 @@ from .period_formulas import PeriodFormula, PeriodFormulas
 from .picture import Picture
 from .polynomial import Polynomial
 from .published import Paper, paper
-from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, melnikov, modes, orbit, oscillators, response, section, stability, systems
+from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, melnikov, modes, orbit, oscillators, resonance, response, section, stability, systems
 from .simulation import Events, Simulation, States, simulate
 from .sweeps import sweep
 
@@ -84,6 +84,7 @@ __all__ = [
     "period_ratio",
     "period_ratio_near_top",
     "questions",
+    "resonance",
     "response",
     "section",
     "simulate",

@@ -91,6 +91,18 @@ def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _resonance(answer: "Answer", ax: "Axes | None") -> "Axes":
+    if "exchange" not in answer:
+        raise TypeError("there is a picture of an exchange of energy only: give initial")
+    ends = np.asarray(answer["exchange"]["amplitudes"])
+    ax = _plot.axes(ax, ("mode", "amplitude on the way"))
+    places = np.arange(1, len(ends) + 1)
+    ax.vlines(places, ends[:, 0], ends[:, 1])
+    ax.plot(places, ends, linestyle="", marker="_")
+    ax.set_xticks(places)
+    return ax
+
+
 def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
     phase = 2 * np.pi * np.linspace(0, 1, 361)
     ax = _plot.axes(ax, ("phase of the drive at the bottom / °", "M / (rad²/s²)"))
@@ -188,6 +200,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "simulate": _simulate,
     "modes": _modes,
     "orbit": _orbit,
+    "resonance": _resonance,
     "melnikov": _melnikov,
     "response": _response,
     "section": _section,

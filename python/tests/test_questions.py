@@ -38,6 +38,7 @@ PAIRS = [
     (questions.systems, (), {}, "systems"),
     (questions.modes, ("double_pendulum",), {"set": {"m2": 2}}, "modes double_pendulum --set m2=2"),
     (questions.orbit, ("driven_pendulum",), {"set": {"A": 0.15, "c": 0.1, "omega": 0.82}}, "orbit driven_pendulum --set A=0.15 --set c=0.1 --set omega=0.82"),
+    (questions.resonance, ("double_pendulum",), {"order": 3, "detuning": 0.05}, "resonance double_pendulum --order 3 --detuning 0.05"),
     (questions.melnikov, ("driven_pendulum",), {"set": {"c": 0.1, "omega": 1}, "over": "A=0:1", "orders": 3}, "melnikov driven_pendulum --set c=0.1 --set omega=1 --over A=0:1 --orders 3"),
     (questions.response, ("driven_pendulum",), {"set": {"A": 0.15, "c": 0.1}, "over": "omega=0.7:0.95"}, "response driven_pendulum --set A=0.15 --set c=0.1 --over omega=0.7:0.95"),
     (questions.stability, ("kapitza",), {"set": {"c": 0.1}, "map": "omega=5:6,a=0.1:0.4", "initial": {"theta": "180deg"}, "lines": 0}, "stability kapitza --set c=0.1 --map omega=5:6,a=0.1:0.4 --initial theta=180deg --lines 0"),

@@ -28,6 +28,7 @@ from ._oscillators import oscillators
 from ._paper import paper
 from ._period import period
 from ._plan import plan
+from ._resonance import resonance
 from ._response import response
 from ._section import section
 from ._simulate import simulate
@@ -66,6 +67,7 @@ __all__ = [
     "paper",
     "period",
     "plan",
+    "resonance",
     "response",
     "section",
     "simulate",

@@ -2,8 +2,8 @@
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
-    fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper, period, plan, response,
-    section, simulate, stability, sweep, systems,
+    fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper, period, plan, resonance,
+    response, section, simulate, stability, sweep, systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -52,6 +52,7 @@ fn catalogue() -> Vec<Answers> {
         modes::answers(),
         orbit::answers(),
         response::answers(),
+        resonance::answers(),
         melnikov::answers(),
         stability::answers(),
         section::answers(),

@@ -25,6 +25,7 @@ mod page;
 mod paper;
 mod period;
 mod plan;
+mod resonance;
 pub(crate) mod response;
 mod section;
 mod simulate;
@@ -119,6 +120,7 @@ enum Question {
     Modes(modes::Modes),
     Orbit(orbit::OrbitQuestion),
     Response(Box<response::ResponseQuestion>),
+    Resonance(Box<resonance::ResonanceQuestion>),
     Melnikov(Box<melnikov::MelnikovQuestion>),
     Stability(Box<stability::StabilityQuestion>),
     Section(section::PoincareQuestion),
@@ -181,6 +183,7 @@ impl Libration {
             Question::Modes(question) => question.answer(out),
             Question::Orbit(question) => question.answer(out),
             Question::Response(question) => question.answer(out),
+            Question::Resonance(question) => question.answer(out),
             Question::Melnikov(question) => question.answer(out),
             Question::Stability(question) => question.answer(out),
             Question::Section(question) => question.answer(out),

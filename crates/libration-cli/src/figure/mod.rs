@@ -14,6 +14,7 @@ pub(crate) mod motions;
 pub(crate) mod orbit;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod resonance;
 pub(crate) mod response;
 pub(crate) mod section;
 pub(crate) mod series;

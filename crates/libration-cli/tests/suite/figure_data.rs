@@ -465,6 +465,19 @@ fn an_orbit_in_time_and_in_its_plane() {
 }
 
 #[test]
+fn amplitudes_of_modes_in_time() {
+    // x″ + x = −xy, y″ + 4y = −x²/2: to the second order |a|² + 4|b|² is conserved.
+    let drawing = drawn("resonance|x''=-x-x*y;y''=-4*y-x^2/2|--order|2|--initial|x=0.05,y=0.01", "--figure");
+    let (slow, fast) = (drawing.curves(0, FIRST).concat(), drawing.curves(0, SECOND).concat());
+    for ((_, a), (_, b)) in slow.iter().zip(&fast) {
+        close(a * a + 4.0 * b * b, 0.05 * 0.05 + 4.0 * 0.01 * 0.01, 0.0001);
+    }
+    for (time, a) in drawing.markers(0, FIRST) {
+        close(a, drawing.value_at(0, FIRST, time), 0.002);
+    }
+}
+
+#[test]
 fn a_melnikov_function_and_resonances() {
     // M(φ) = −8c + 2πA sech(πΩ/2)·cos φ, and ω0/2√e·π/K is half the frequency of the drive.
     let drawing = drawn("melnikov|x'' + 0.01 x' + sin(x) = 0.1 cos(t)", "--figure");

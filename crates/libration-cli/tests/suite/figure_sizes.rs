@@ -133,6 +133,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
         "simulate pendulum --initial theta=1 --times 0:3:0.1 --columns energy=theta'^2/2-cos(theta),theta''".to_owned(),
         "modes double_pendulum".to_owned(),
         "orbit double_pendulum --initial theta1=0.1,theta2=0.141 --period 8".to_owned(),
+        "resonance x''=-x-x*y;y''=-4*y-x^2/2 --order 2 --initial x=0.1,y=0.02".to_owned(),
         "melnikov driven_pendulum --set A=0.3,c=0.1,omega=1".to_owned(),
         "response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:0.95".to_owned(),
         "stability kapitza --set c=0.1 --map omega=1.5:2.5,a=0:0.2 --lines 1".to_owned(),

@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 54] = [
+pub(crate) const QUESTIONS: [&str; 56] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -53,6 +53,8 @@ pub(crate) const QUESTIONS: [&str; 54] = [
     "modes|x''=y-2*x-x^3;y''=x-2*y",
     "orbit|driven_pendulum|--set|A=0.15,c=0.1,omega=0.82",
     "orbit|pendulum|--initial|theta=60deg",
+    "resonance|x''=-x-x*y;y''=-4*y-x^2/2|--order|2|--initial|x=0.1,y=0.02",
+    "resonance|double_pendulum",
     "melnikov|driven_pendulum|--set|c=0.1,omega=1|--over|A=0:1",
     "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.7:0.95",
     "stability|kapitza|--set|c=0.1|--map|omega=5:6,a=0.1:0.4|--initial|theta=180deg|--lines|0",

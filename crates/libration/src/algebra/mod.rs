@@ -41,6 +41,7 @@ mod ring;
 mod sampled_harmonics;
 mod sampled_values;
 mod surd;
+mod tower;
 pub(crate) mod univariate;
 
 pub use big_float::BigFloat;
@@ -67,3 +68,4 @@ pub(crate) use reconstruction::{Images, Place, Stopped, reconstruct};
 pub use ring::Ring;
 pub(crate) use sampled_harmonics::{SampledHarmonics, Symmetry};
 pub use surd::Surd;
+pub(crate) use tower::Tower;

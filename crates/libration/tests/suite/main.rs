@@ -37,6 +37,7 @@ mod ledger;
 mod melnikov;
 mod mirrored;
 mod motion;
+mod normal_form;
 mod normal_modes;
 mod open_gauge;
 mod orbit;

@@ -11,6 +11,7 @@ use libration::comparison::{
 use libration::continuation::{NoBranch, Response, ResponseOptions};
 use libration::expression::Equation;
 use libration::melnikov::{DriveResonance, PerturbedPendulum};
+use libration::normal_form::{NoNormalForm, NormalForm};
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration::oscillator::{Oscillator, SymbolicOscillator};
@@ -88,6 +89,18 @@ fn searches_of_orbits_stop_at_any_question() {
     let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
     let period = std::f64::consts::TAU;
     stops(|watch| in_numbers(Orbit::driven_watched(&driven, period, &[1.0, 0.2], watch)), no_orbit);
+}
+
+#[test]
+fn normal_forms_stop_before_the_next_order() {
+    let coupled = equation("x'' = -x - x*y; y'' = -4*y - x^2/2");
+    let terms = |form: NormalForm| form.slow_terms;
+    stops(
+        |watch| NormalForm::about_watched(&coupled, &[0.0, 0.0], 4, 0.1, watch).map(terms),
+        |found, whole| {
+            matches!(found, Err(NoNormalForm::Interrupted(_) | NoNormalForm::NoModes(_))) && whole.is_ok()
+        },
+    );
 }
 
 #[test]

@@ -1,0 +1,188 @@
+//! What is said of a normal form, its terms and the exchange of energy.
+
+use super::Answer;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::{at_most, rounded, short};
+use libration::normal_form::{Divisor, Exchange, MeasuredExchange, SlowTerm};
+use libration::normal_modes::Mode;
+
+/// A mode with its number, from 1.
+struct Numbered<'a> {
+    number: usize,
+    mode: &'a Mode,
+}
+
+/// An exchange by the slow flow, and as it is.
+pub(super) type Both = (Exchange, MeasuredExchange);
+
+pub(super) fn of_answer() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+            json::list(it.model.equation().to_string().split("; "))
+        }),
+        Of::value("coordinates[]", "", "names of the coordinates", |it| {
+            json::list(it.form.modes.variables.clone())
+        }),
+        Of::value("equilibrium[]", "", "coordinates of the equilibrium", |it| {
+            json::numbers(&it.form.modes.equilibrium)
+        }),
+        Of::value("order", "1", "greatest degree of the monomials in the amplitudes", |it| {
+            it.form.order.into()
+        })
+        .line_of("order", |it| format!("{} in the amplitudes", it.form.order)),
+        Of::nested("modes[].", &of_mode(), |it| {
+            let modes = (1..).zip(&it.form.modes.modes).map(|(number, mode)| Numbered { number, mode });
+            of_mode().records(&modes.collect::<Vec<_>>())
+        }),
+        Of::nested("small_divisors[].", &of_divisor(), |it| of_divisor().records(&it.form.small_divisors)),
+        Of::value(
+            "slow_flow",
+            "",
+            "the slow flow in real numbers, a1 = u1 + i*w1, as equations to be integrated",
+            |it| it.form.slow_flow().to_string().into(),
+        ),
+        Of::value("initial[]", "", "state at the start, or null", |it| {
+            it.initial.as_ref().map(|state| json::numbers(state)).into()
+        }),
+        Of::present_nested("exchange.", &of_exchange(), |it| {
+            let both = it.exchange.as_ref()?.as_ref().ok()?;
+            Some(of_exchange().record(both).into())
+        }),
+        Of::value("no_exchange", "", "why there is no exchange from the start, or null", |it| {
+            it.exchange.as_ref().and_then(|it| it.as_ref().err()).map(ToString::to_string).into()
+        }),
+    ])
+}
+
+fn of_mode<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()),
+        Of::number("frequency", "rad/s", "angular frequency of small oscillations", |it| it.mode.frequency()),
+        Of::value("shape[]", "", "displacements of the coordinates, the largest 1", |it| {
+            json::list(it.mode.shape.iter().map(|part| part.re))
+        }),
+    ])
+}
+
+fn of_divisor() -> Fields<Divisor> {
+    type Of = Field<Divisor>;
+    Fields::from([
+        Of::value("mode", "1", "number of the mode", |it| (it.mode + 1).into()),
+        Of::value("monomial", "", "term that is taken out, ~ for conjugates", |it| {
+            monomial(&it.powers, &it.conjugate_powers).into()
+        }),
+        Of::number("divisor", "rad/s", "its frequency less that of the mode", |it| it.divisor),
+    ])
+}
+
+pub(super) fn of_term() -> Fields<SlowTerm> {
+    type Of = Field<SlowTerm>;
+    Fields::from([
+        Of::value("mode", "1", "number of the mode whose amplitude changes", |it| (it.mode + 1).into())
+            .numeral("mode", |it| (it.mode + 1).to_string()),
+        Of::value("monomial", "", "product of amplitudes, ~ for conjugates", |it| {
+            monomial(&it.powers, &it.conjugate_powers).into()
+        })
+        .words("term", |it| monomial(&it.powers, &it.conjugate_powers)),
+        Of::number("real", "", "real part of its coefficient", |it| it.coefficient.re)
+            .numeral("coefficient", coefficient),
+        Of::number("imaginary", "", "imaginary part of its coefficient", |it| it.coefficient.im),
+        Of::value("exact", "", "coefficient with square roots, or null", |it| it.exact.as_deref().into())
+            .words("exactly", |it| it.exact.clone().unwrap_or_default()),
+        Of::value("kind", "", "shift, of a frequency with an amplitude, or resonance", |it| kind(it).into())
+            .words("kind", |it| kind(it).to_owned()),
+        Of::number("detuning", "rad/s", "its frequency less that of the mode", |it| it.detuning)
+            .short("detuning", 4),
+    ])
+}
+
+pub(super) fn of_exchange() -> Fields<Both> {
+    type Of = Field<Both>;
+    Fields::from([
+        Of::number("period_s", "s", "time in which the amplitudes come back, by the slow flow", |it| {
+            it.0.period
+        })
+        .line_of("exchange by the slow flow", |it| period(it.0.period, it.0.error)),
+        Of::number("error_s", "s", "bound on its error as that of the slow flow", |it| it.0.error),
+        Of::nullable(
+            "closed_form_s",
+            "s",
+            "the same by Jacobi functions with the terms of the second order alone, or null",
+            |it| it.0.closed_form,
+        )
+        .line_of("second order, closed form", |it| {
+            it.0.closed_form.map_or_else(String::new, |period| format!("{} s", rounded(period, 10)))
+        }),
+        Of::number("measured_period_s", "s", "the same of the whole motion, by integration", |it| {
+            it.1.period
+        })
+        .line_of("exchange of the whole motion", |it| period(it.1.period, it.1.error)),
+        Of::number("measured_error_s", "s", "what half of the time of integration changes", |it| it.1.error),
+        Of::number(
+            "relative_difference",
+            "1",
+            "period of the slow flow over that of the motion, minus 1",
+            |it| it.0.period / it.1.period - 1.0,
+        )
+        .line_of("relative difference", |it| short(it.0.period / it.1.period - 1.0, 2)),
+        Of::value("amplitudes[][]", "", "least and greatest amplitude of each mode on the way", |it| {
+            json::list(it.0.amplitudes.iter().map(|ends| json::numbers(ends)))
+        })
+        .line_of("amplitudes on the way", |it| {
+            let ends =
+                it.0.amplitudes
+                    .iter()
+                    .map(|[least, most]| format!("{} … {}", short(*least, 6), short(*most, 6)));
+            ends.collect::<Vec<_>>().join(", ")
+        }),
+    ])
+}
+
+fn period(value: f64, error: f64) -> String {
+    format!("{} s, to {}", rounded(value, 12), at_most(error))
+}
+
+/// `-0.0625i`, `0.5 + 2i`.
+fn coefficient(term: &SlowTerm) -> String {
+    let (re, im) = (term.coefficient.re, term.coefficient.im);
+    let imaginary = format!("{}i", short(im, 10));
+    match (re == 0.0, im == 0.0) {
+        (_, true) => short(re, 10),
+        (true, false) => imaginary,
+        (false, false) => format!("{} + {imaginary}", short(re, 10)),
+    }
+}
+
+fn kind(term: &SlowTerm) -> &'static str {
+    if term.is_of_every_system() { "shift" } else { "resonance" }
+}
+
+/// `a1^2*a2~`.
+fn monomial(powers: &[u8], conjugates: &[u8]) -> String {
+    let factor = |(mode, power, bar): (usize, u8, &str)| match power {
+        0 => None,
+        1 => Some(format!("a{}{bar}", mode + 1)),
+        _ => Some(format!("a{}{bar}^{power}", mode + 1)),
+    };
+    let own = powers.iter().enumerate().map(|(mode, power)| (mode, *power, ""));
+    let bars = conjugates.iter().enumerate().map(|(mode, power)| (mode, *power, "~"));
+    own.chain(bars).filter_map(factor).collect::<Vec<_>>().join("*")
+}
+
+pub(super) fn told(divisor: &Divisor) -> String {
+    let term = monomial(&divisor.powers, &divisor.conjugate_powers);
+    format!("{term} in a{}' with {} rad/s", divisor.mode + 1, short(divisor.divisor, 6))
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [of_answer().described(""), of_term().described("slow_terms[].")].concat();
+    vec![Answers { command: "resonance", option: "", json, csv: of_term().described_in_csv() }]
+}

@@ -1,0 +1,129 @@
+//! `libration resonance`: the slow flow of coupled modes near rest, and how they exchange their energy.
+
+mod fields;
+mod write;
+
+use crate::arguments::{InitialOptions, SystemOptions, count, part};
+use crate::failure::Failure;
+use crate::figure::resonance::Amplitudes;
+use crate::output::{FormOptions, announce};
+use crate::{figure, interrupt, parallel};
+use libration::normal_form::{
+    Exchange, LARGEST_ORDER, MeasuredExchange, NoExchange, NoNormalForm, NormalForm,
+};
+use libration::systems::Model;
+use libration::watch::Watch;
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) use fields::answers;
+
+/// How the modes of a system near rest change slowly: the normal form with its resonances, and the exchange of energy between modes
+///
+/// With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order. Terms that turn as fast as aⱼ stay in aⱼ′,
+/// exactly where the modes are exact; all others are taken out, each divided by its divisor.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration resonance spring_pendulum --order 3
+  libration resonance spring_pendulum --order 5 --initial r=1.3733,theta=0.04
+  libration resonance double_pendulum --json
+  libration resonance \"x'' = -x - x*y; y'' = -4.1*y - x^2/2\" --order 4 \\
+    --initial x=0.1,y=0.02 --figure exchange.svg
+
+With --initial the exchange from this state is found by the slow flow, in closed
+form where it is one of two modes at 2:1, and by integration of the whole motion,
+whose mean frequencies are exact.")]
+pub(crate) struct ResonanceQuestion {
+    #[command(flatten)]
+    system: SystemOptions,
+    #[command(flatten)]
+    initial: InitialOptions,
+    /// Up to which order in the amplitudes
+    #[arg(long, value_name = "N", default_value = "3", value_parser = count::<LARGEST_ORDER>)]
+    order: usize,
+    /// Divisors below this part of the least frequency are taken for resonances
+    #[arg(long, value_name = "PART", default_value = "0.1", value_parser = part)]
+    detuning: f64,
+    /// Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs --initial
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable, requires = "initial")]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// What is written.
+struct Answer {
+    model: Model,
+    form: NormalForm,
+    initial: Option<Vec<f64>>,
+    exchange: Option<Result<(Exchange, MeasuredExchange), NoExchange>>,
+}
+
+impl ResonanceQuestion {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let model = self.system.model()?;
+        let initial = match self.initial.is_given() {
+            true => Some(self.initial.read(&model)?.state),
+            false => None,
+        };
+        interrupt::listen()?;
+        let answer = parallel::until_asked("the normal form", |watch| {
+            let rest: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
+            let form = NormalForm::about_watched(model.equation(), &rest, self.order, self.detuning, watch)?;
+            let exchange = initial.as_ref().map(|state| {
+                let exchange = form.exchange_watched(state, watch)?;
+                let measured = form.measured_exchange_watched(model.equation(), state, &exchange, watch)?;
+                Ok((exchange, measured))
+            });
+            Ok(Answer { model, form, initial, exchange })
+        });
+        let early = || {
+            Failure::Interrupted(
+                "interrupted before the normal form was known: nothing is written".to_owned(),
+            )
+        };
+        let answer = answer.ok_or_else(early)?.map_err(failure)?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                vec![figure::file::write(
+                    path,
+                    &figure::resonance::amplitudes(&answer.shown()?),
+                    &self.sizes,
+                )?]
+            }
+            None => vec![],
+        };
+        answer.write(out, self.form.form(), drawn.is_empty())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+}
+
+impl Answer {
+    /// What the picture shows: two exchanges, or forty periods where there is none.
+    fn shown(&self) -> Result<Amplitudes<'_>, Failure> {
+        const PERIODS: f64 = 40.0;
+        const SAMPLES: usize = 240;
+        let missing = || Failure::usage("--figure", "it shows a motion: give its start by --initial");
+        let state = self.initial.as_ref().ok_or_else(missing)?;
+        let none = |error: NoExchange| Failure::no_answer("--initial", error);
+        let slowest = self.form.modes.modes.iter().map(|mode| mode.frequency()).fold(f64::INFINITY, f64::min);
+        let span = match &self.exchange {
+            Some(Ok((exchange, _))) => 2.0 * exchange.period,
+            _ => PERIODS * std::f64::consts::TAU / slowest,
+        };
+        let interval = span / crate::output::number::count(SAMPLES);
+        let seen = self.form.seen_path(self.model.equation(), state, interval, SAMPLES, &Watch::none());
+        let seen = seen.map_err(none)?;
+        let slow = self.form.slow_path(&seen[0], interval, SAMPLES, &Watch::none()).map_err(none)?;
+        Ok(Amplitudes { model: &self.model, initial: state, interval, slow, seen })
+    }
+}
+
+fn failure(error: NoNormalForm) -> Failure {
+    match error {
+        NoNormalForm::Order(_) => Failure::usage("--order", error),
+        _ => Failure::no_answer("SYSTEM|EQUATION", error),
+    }
+}

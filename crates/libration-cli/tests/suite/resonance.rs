@@ -1,0 +1,50 @@
+//! `libration resonance`.
+
+use crate::command::{json, message, run, text};
+
+#[test]
+fn an_exchange_of_energy_is_told_beside_the_whole_motion() {
+    let question =
+        "resonance spring_pendulum --set kappa=3 --order 4 --initial r=1.373333333333333333,theta=0.04";
+    let answer = json(question);
+    let exchange = &answer["exchange"];
+    let number = |name: &str| exchange[name].as_f64().unwrap();
+    // By a return map in long double.
+    let expected = 148.545_397_098_687_13;
+    assert!((number("measured_period_s") / expected - 1.0).abs() < 1e-9, "{exchange}");
+    assert!((number("period_s") / expected - 1.0).abs() < 1e-3);
+    let difference = number("period_s") / number("measured_period_s") - 1.0;
+    assert!((number("relative_difference") - difference).abs() < 1e-15);
+    assert_eq!(answer["slow_terms"][0]["exact"], "9/32*sqrt(3)*i");
+    assert_eq!(answer["slow_terms"][0]["kind"], "resonance");
+    let words = text(question).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("resonant terms let modes exchange energy"), "{words}");
+    assert!(words.contains("exchange of the whole motion 148.54539"), "{words}");
+}
+
+#[test]
+fn modes_without_resonance_keep_their_amplitudes() {
+    let told = text("resonance double_pendulum --initial theta1=0.1");
+    assert!(told.contains("No resonance to this order"), "{told}");
+    let answer = json("resonance double_pendulum --initial theta1=0.1");
+    assert!(answer["no_exchange"].as_str().unwrap().contains("no two modes are in resonance"));
+    assert!(answer.get("exchange").is_none());
+}
+
+#[test]
+fn what_has_no_normal_form_is_refused() {
+    let cases: [(&[&str], i32, &[&str]); 5] = [
+        (&["resonance", "damped_pendulum", "--set", "c=0.1"], 1, &["mode 1", "damping to zero"]),
+        (&["resonance", "double_pendulum", "--order", "1"], 2, &["--order", "2 to 9"]),
+        (&["resonance", "double_pendulum", "--order", "12"], 2, &["--order"]),
+        (&["resonance", "double_pendulum", "--figure", "x.svg"], 2, &["--initial"]),
+        (&["resonance", "x' = -x"], 1, &["first order"]),
+    ];
+    for (arguments, status, parts) in cases {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {}", message(&output));
+        for part in parts {
+            assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! The slow flow of coupled oscillators near rest: normal forms with their resonances, and the exchange of energy.
+//!
+//! ```
+//! use libration::normal_form::{DETUNING, NormalForm};
+//! // One coordinate, no resonance: Lindstedt's frequency, 1 − a²/16.
+//! let pendulum = NormalForm::about(&"x'' = -sin(x)".parse()?, &[0.0], 3, DETUNING)?;
+//! assert_eq!(pendulum.slow_terms[0].exact.as_deref(), Some("-1/16*i"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+
+mod polynomials;
+
+mod expansion;
+mod linear_motion;
+
+mod form;
+
+mod exchange;
+mod slow_flow;
+
+pub use error::NoNormalForm;
+pub use exchange::{Exchange, MeasuredExchange, NoExchange};
+pub use form::{Divisor, NormalForm, SlowTerm};
+
+/// The largest order in the amplitudes.
+pub const LARGEST_ORDER: usize = 9;
+/// Divisors that are smaller than this part of the least frequency are taken for resonances, where nothing else is wanted.
+pub const DETUNING: f64 = 0.1;

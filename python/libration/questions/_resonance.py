@@ -1,0 +1,74 @@
+"""`libration resonance`. Written by scripts/questions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from .._ask import Given, Path, Say, Values
+from ..answer import Answer, answer
+
+
+def resonance(
+    system: Given,
+    *,
+    set: Values | Sequence[str] | None = None,
+    initial: Values | None = None,
+    order: Given | None = None,
+    detuning: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Answer:
+    """How the modes of a system near rest change slowly: the normal form with its resonances, and the exchange of energy between modes.
+
+    With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order. Terms that turn as fast as aⱼ stay in aⱼ′, exactly
+    where the modes are exact; all others are taken out, each divided by its divisor.
+
+    Parameters
+    ----------
+    system : number or text
+        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        order, such as "x' = x - x*y; y' = x*y - y".
+    set : dict, optional
+        The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    initial : dict, optional
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+    order : number or text, optional
+        Up to which order in the amplitudes [default: 3].
+    detuning : number or text, optional
+        Divisors below this part of the least frequency are taken for resonances [default: 0.1].
+    figure : str or path, optional
+        Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs ``initial``.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : number or text, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : number or text, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+
+    Examples
+    --------
+    >>> from libration import questions
+    >>> resonance = questions.resonance("spring_pendulum", set={"kappa": 3}, order=2)
+    >>> resonance.slow_terms.exact.tolist()
+    ['9/32*sqrt(3)*i', '1/8*sqrt(3)*i']
+    """
+    return answer(Answer, "resonance", locals())
