@@ -4,6 +4,7 @@
 
 mod condition;
 mod continuation;
+mod forced_references;
 mod golden;
 mod hidden_forces;
 mod period_majorants;

@@ -1,0 +1,267 @@
+//! Points of response curves and the singular points that no other file of the suite has, against Fourier collocation with extended systems and
+//! Taylor shooting, both in floats of 130 bits, which agree in 30 digits.
+
+use libration::continuation::{BranchPoint, Response, ResponseOptions, SpecialKind};
+use libration::expression::Equation;
+
+const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
+const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
+const DUFFING: &str = "x'' = -c*x' - x - b*x^3 + F*cos(w*t)";
+const VAN_DER_POL: &str = "x'' = mu*(1 - x^2)*x' - x + F*cos(w*t)";
+
+/// c and A, the frequency, the state at the phase zero, the amplitude, the multipliers.
+type Driven<'a> = ([&'a str; 2], f64, [f64; 2], f64, [f64; 2], [f64; 2]);
+
+const DRIVEN: &[Driven<'_>] = &[
+    (
+        ["0.1", "0.15"],
+        0.70,
+        [0.2945168920184240369183, 0.02871899931394924897663],
+        0.29738451418026991193,
+        [-0.5408300221505175, 0.33919071531119344],
+        [-0.5408300221505175, -0.33919071531119344],
+    ),
+    (
+        ["0.1", "0.15"],
+        0.82,
+        [0.8031334380542660019678, 1.137746966574271967852],
+        1.5681935320024609337,
+        [0.3357661721582632, 0.0],
+        [1.3841665185716332, 0.0],
+    ),
+    (
+        ["0.1", "0.15"],
+        0.90,
+        [-0.7233375583213999238589, 1.147842604057744526505],
+        1.4390702680283405089,
+        [0.549299624851421, 0.44247470331344957],
+        [0.549299624851421, -0.44247470331344957],
+    ),
+    (
+        ["0.05", "0.08"],
+        0.60,
+        [0.1250709775837252637639, 0.003522851278501599156193],
+        0.1252090380185979773,
+        [-0.40060499325970905, 0.6571913622102602],
+        [-0.40060499325970905, -0.6571913622102602],
+    ),
+    (
+        ["0.05", "0.08"],
+        0.80,
+        [0.8452862559414249198374, 1.268826631495507674824],
+        1.7389652817683730903,
+        [0.4600250252707774, 0.0],
+        [1.4678155960283368, 0.0],
+    ),
+    (
+        ["0.05", "0.08"],
+        0.90,
+        [0.4579385470959567086796, 0.113270566748632317066],
+        0.4750890339139672883,
+        [0.7418555648136249, 0.3936965866443119],
+        [0.7418555648136249, -0.3936965866443119],
+    ),
+    (
+        ["0.05", "0.08"],
+        0.90,
+        [-0.8737122177127030455364, 0.9823655028639180188192],
+        1.389211191506642999,
+        [0.7257485865177982, 0.4226531326605103],
+        [0.7257485865177982, -0.4226531326605103],
+    ),
+    (
+        ["0.02", "0.03"],
+        0.75,
+        [0.06857965603890780638741, 0.001765253478799856549587],
+        0.068620049017423855532,
+        [-0.45554947006389246, 0.7988789956796087],
+        [-0.45554947006389246, -0.7988789956796087],
+    ),
+    (
+        ["0.02", "0.03"],
+        0.85,
+        [0.7594976073505290613305, 1.160652451908896283345],
+        1.5277505972561323741,
+        [0.6822691251387183, 0.0],
+        [1.2642656414894033, 0.0],
+    ),
+    (
+        ["0.02", "0.03"],
+        0.95,
+        [0.3487124716100267749195, 0.07675203514150143034311],
+        0.35799811084729333994,
+        [0.9139069896809355, 0.2021677114997053],
+        [0.9139069896809355, -0.2021677114997053],
+    ),
+    (
+        ["0.02", "0.03"],
+        0.95,
+        [-0.7776382308254793195488, 0.5946655930088984759708],
+        0.99992119984416896426,
+        [0.9003725262783397, 0.2557871835801344],
+        [0.9003725262783397, -0.2557871835801344],
+    ),
+    (
+        ["0.2", "0.32"],
+        0.5,
+        [0.4297457617312298390469, 0.02906796483944310805135],
+        0.43385086278486844706,
+        [0.2657427024548519, 0.1018990100537547],
+        [0.2657427024548519, -0.1018990100537547],
+    ),
+    (
+        ["0.2", "0.32"],
+        0.7,
+        [0.7828782491793221664098, 1.46530954580476636644],
+        2.0654077175251069367,
+        [0.11430914113615165, 0.0],
+        [1.4530327652219677, 0.0],
+    ),
+    (
+        ["0.2", "0.32"],
+        0.8,
+        [-0.4530451630732710495229, 1.606471376609114318435],
+        1.9004548343316144722,
+        [0.22900392709420947, 0.394254711736197],
+        [0.22900392709420947, -0.394254711736197],
+    ),
+];
+
+/// c and a, the frequency, the state at the phase zero, the amplitude, whether it is stable.
+type Swing<'a> = ([&'a str; 2], f64, [f64; 2], f64, bool);
+
+const SWINGS: &[Swing<'_>] = &[
+    (["0.1", "0.1"], 1.7, [-0.767919776574117638428, -1.271521079330650028895], 1.7187670014305315187, true),
+    (["0.1", "0.1"], 1.7, [1.211495614994511952683, 0.3816193833431185008326], 1.3125393346641914969, false),
+    (["0.1", "0.1"], 1.8, [-0.57902232665710025038, -1.228941888972720935527], 1.5328524410011299453, true),
+    (["0.1", "0.1"], 1.8, [0.7404872416231674103562, 0.205139315693098809059], 0.78336769192489513935, false),
+    (["0.1", "0.1"], 1.9, [-0.4311348536699103005901, -1.128279026066411117392], 1.3244542926298063671, true),
+    (["0.1", "0.1"], 2.0, [0.3082417299599877328096, 0.9701330672749820807767], 1.0834319329429958589, true),
+    (["0.02", "0.05"], 1.5, [0.4867154938655824616566, 1.630963249685889466141], 2.0714591749043360817, true),
+    (["0.02", "0.05"], 1.7, [0.2776585166113730077387, 1.451971722863670410902], 1.6830529559289389602, true),
+    (["0.02", "0.05"], 1.8, [0.2052089969201143022414, 1.304833828025804495326], 1.4546712633286063787, true),
+    (["0.1", "0.2"], 2.0, [0.2269707947733999434097, 1.345142912732096433202], 1.520966294262613471, true),
+    (["0.1", "0.2"], 1.5, [1.62867066851328747563, 0.2471063785965295901876], 1.6813645998015728711, false),
+    (
+        ["0.1", "0.2"],
+        1.7,
+        [0.4389033224879698143674, 0.05407727079641837451009],
+        0.44663185594188912175,
+        false,
+    ),
+];
+
+fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
+    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
+    text.parse::<Equation>().unwrap().with(&values).unwrap()
+}
+
+/// The motion at a frequency near a state of which three decimals are known.
+fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_periods: u32) -> BranchPoint {
+    let rough = state.map(|x| (x * 1e3).round() / 1e3);
+    let options = ResponseOptions {
+        start: Some(rough.to_vec()),
+        at: Some(frequency),
+        drive_periods,
+        generations: 0,
+        most_points: 3,
+    };
+    let range = [frequency, frequency + 0.01];
+    let response = Response::over(equation, "w", range, &options).unwrap();
+    let points = response.branches.iter().flat_map(|it| it.points.clone());
+    let mut at = points.filter(|it| it.parameter.to_bits() == frequency.to_bits());
+    at.next().unwrap_or_else(|| panic!("nothing at {frequency}"))
+}
+
+fn assert_state(point: &BranchPoint, state: [f64; 2], amplitude: f64) {
+    for (found, expected) in point.state.iter().zip(state) {
+        let off = (found - expected).abs();
+        assert!(off <= 1e-12 && off <= point.error.max(2e-14), "{point:?} for {state:?}: off by {off:e}");
+    }
+    assert!((point.amplitude(0, true) - amplitude).abs() < 1e-12, "{point:?} for {amplitude}");
+}
+
+#[test]
+fn points_of_the_driven_pendulum_have_their_states_and_multipliers() {
+    for (values, w, state, amplitude, first, second) in DRIVEN {
+        let pendulum = equation(PENDULUM, &[("c", values[0]), ("A", values[1])]);
+        let point = point_near(&pendulum, *w, *state, 1);
+        assert_state(&point, *state, *amplitude);
+        for expected in [first, second] {
+            let off =
+                |it: &libration::algebra::Complex| libm::hypot(it.re - expected[0], it.im - expected[1]);
+            let nearest = point.multipliers.iter().map(off).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 2e-12, "{expected:?} in {:?}", point.multipliers);
+        }
+        assert_eq!(
+            point.stable,
+            libm::hypot(second[0], second[1]).max(libm::hypot(first[0], first[1])) < 1.0
+        );
+    }
+}
+
+#[test]
+fn swings_of_the_pendulum_on_a_moving_pivot_have_their_states() {
+    for (values, w, state, amplitude, stable) in SWINGS {
+        let pivot = equation(PIVOT, &[("c", values[0]), ("a", values[1])]);
+        let point = point_near(&pivot, *w, *state, 2);
+        assert_state(&point, *state, *amplitude);
+        assert_eq!(point.stable, *stable, "{point:?}");
+    }
+}
+
+/// That a special point is where it has to be, to 12 digits and within its error.
+fn assert_special(equation: &Equation, parameter: &str, start: [f64; 2], kind: SpecialKind, expected: f64) {
+    let range = [0.97 * expected, 1.03 * expected];
+    let options = ResponseOptions {
+        start: Some(start.to_vec()),
+        at: Some(0.999 * expected),
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let response = Response::over(equation, parameter, range, &options).unwrap();
+    let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
+    let off = |found: f64| (found - expected).abs();
+    let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
+    let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {expected}"));
+    let found = nearest.point.parameter;
+    assert!(
+        off(found) <= 1e-12 * expected && off(found) <= nearest.error.max(2e-13 * expected),
+        "{kind} at {found:?} ± {:e} for {expected:?}",
+        nearest.error
+    );
+}
+
+#[test]
+fn further_folds_and_losses_of_symmetry_are_exact() {
+    use SpecialKind::{Fold, SymmetryBreaking};
+    for (values, parameter, start, kind, expected) in [
+        ([("c", "0.05"), ("A", "0.08")], "w", [0.653, 0.263], Fold, 0.914059678144804115227226),
+        ([("c", "0.1"), ("w", "0.8")], "A", [0.999, 0.267], Fold, 0.255190315515798797526048),
+        ([("c", "0.05"), ("w", "0.85")], "A", [0.876, 0.17], Fold, 0.1665757435471294898163594),
+        ([("c", "0.1"), ("w", "0.8")], "A", [-2.541, 0.431], SymmetryBreaking, 0.8313728241194022479976947),
+        ([("c", "0.05"), ("w", "0.85")], "A", [-2.574, 0.202], SymmetryBreaking, 0.9904648158858902725871148),
+    ] {
+        assert_special(&equation(PENDULUM, &values), parameter, start, kind, expected);
+    }
+    let strong = equation(DUFFING, &[("c", "0.1"), ("b", "1"), ("F", "1")]);
+    assert_special(&strong, "w", [-0.056, 8.749], Fold, 3.039054720421332215233475);
+    for (mu, f, start, expected) in [
+        ("0.1", "0.05", [-1.947, -0.241], 1.011950453981722751644733),
+        ("0.5", "0.1", [-1.986, 0.032], 1.010141301474202509810812),
+    ] {
+        assert_special(&equation(VAN_DER_POL, &[("mu", mu), ("F", f)]), "w", start, Fold, expected);
+    }
+    // The other end of the same entrainment is beyond its value.
+    let relaxed = equation(VAN_DER_POL, &[("mu", "1"), ("F", "0.2")]);
+    let options = ResponseOptions {
+        start: Some(vec![-1.974, 0.199]),
+        at: Some(0.99),
+        generations: 0,
+        ..ResponseOptions::default()
+    };
+    let response = Response::over(&relaxed, "w", [0.85, 1.0], &options).unwrap();
+    let folds = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == Fold);
+    let offs = folds.map(|it| (it.point.parameter - 0.9955703586630364856476981).abs());
+    assert!(offs.fold(f64::INFINITY, f64::min) < 1e-12);
+}
