@@ -265,3 +265,32 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
     let offs = folds.map(|it| (it.point.parameter - 0.9955703586630364856476981).abs());
     assert!(offs.fold(f64::INFINITY, f64::min) < 1e-12);
 }
+
+#[test]
+fn a_motion_of_two_hundred_harmonics_is_exact() {
+    // Pulses: the drive has the harmonics exp(-500)*I_k(500), the answer these over 1 - k²w² + ikw/2; summed in mpmath to 40 digits.
+    let pulses = equation("x'' = -x'/2 - x + exp(500*(cos(w*t) - 1))", &[]);
+    let point = point_near(&pulses, 0.3, [0.0231, 0.1741], 1);
+    for (found, expected) in point.state.iter().zip([0.02309985491357088725345, 0.1741238350746010008378]) {
+        let off = (found - expected).abs();
+        assert!(off < 1e-13 && off <= point.error, "{found:?} ± {:e} for {expected:?}", point.error);
+    }
+}
+
+#[test]
+fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
+    // Linear, so that amplitude and both multipliers are known: exp((-5 ± √24)·2π/w), the second below 1e-90.
+    let damped = equation("x'' = -10*x' - x + cos(w*t)", &[]);
+    let response = Response::over(&damped, "w", [0.2, 0.3], &ResponseOptions::default()).unwrap();
+    let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+    assert!(branch.special.is_empty(), "{:?}", branch.special);
+    for point in &branch.points {
+        let w = point.parameter;
+        let amplitude = 1.0 / libm::hypot(1.0 - w * w, 10.0 * w);
+        assert!(point.stable && (point.amplitude(0, false) - amplitude).abs() < 1e-14, "{point:?}");
+        let slow = libm::exp((libm::sqrt(24.0) - 5.0) * std::f64::consts::TAU / w);
+        let [first, second] = &point.multipliers[..] else { panic!("{:?}", point.multipliers) };
+        assert!((first.re - slow).abs() < 1e-13 && first.im.abs() < 1e-300, "{first:?} for {slow}");
+        assert!(second.abs() < 1e-13 * slow, "{second:?}");
+    }
+}
