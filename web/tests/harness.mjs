@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const clone = fileURLToPath(new URL("../../", import.meta.url));
-const page = process.env.PAGE ?? `${clone}web/dist/libration.html`;
+export const page = process.env.PAGE ?? `${clone}web/dist/libration.html`;
 const built = ["release", "debug"].map((profile) => `${clone}target/${profile}/libration`).filter(existsSync);
 const libration = process.env.LIBRATION ?? built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
 

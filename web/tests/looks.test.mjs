@@ -1,10 +1,10 @@
 // Every room of questions on a phone, a desk and a projector, light and dark: nothing sticks out, axe finds nothing, and keys reach everything.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { close, DESK, PHONE, PROJECTOR, visit } from "./harness.mjs";
+import { close, DESK, page, PHONE, PROJECTOR, visit } from "./harness.mjs";
 
 after(close);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -59,6 +59,11 @@ for (const fragment of ROOMS) {
       await tab(room);
     }, { viewport: DESK, bypassCSP: true }));
 }
+
+test("the page has at most three megabytes", () => {
+  const { size } = statSync(page);
+  assert.ok(size <= 3e6, `${size} bytes`);
+});
 
 test("the works in the page are named, with the texts of their licences", () =>
   visit("about", async (room) => {

@@ -2,6 +2,7 @@
 
 mod backbone;
 mod bifurcation;
+#[cfg(not(target_family = "wasm"))]
 mod completions;
 mod decay;
 mod derive;
@@ -135,6 +136,7 @@ enum Question {
     Fit(FitQuestion),
     Fields(fields::FieldsQuestion),
     Page(page::Page),
+    #[cfg(not(target_family = "wasm"))]
     Completions(completions::Completions),
 }
 
@@ -201,6 +203,7 @@ impl Libration {
             Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
             Question::Fields(question) => question.answer(out),
             Question::Page(question) => question.answer(),
+            #[cfg(not(target_family = "wasm"))]
             Question::Completions(question) => question.answer(out),
         }
     }
