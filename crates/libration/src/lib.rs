@@ -114,6 +114,7 @@ pub mod spectrum;
 
 pub mod decay;
 pub mod melnikov;
+pub mod nonlinear_modes;
 pub mod normal_form;
 pub mod normal_modes;
 

@@ -14,6 +14,9 @@ def modes(
     *,
     set: Values | Sequence[str] | None = None,
     about: Values | None = None,
+    follow: Given | None = None,
+    amplitudes: Given | None = None,
+    coordinate: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
@@ -33,6 +36,12 @@ def modes(
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
         Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
+    follow : number or text, optional
+        Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their stability.
+    amplitudes : number or text, or several, optional
+        Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5.
+    coordinate : number or text, optional
+        The coordinate whose amplitude is meant [default: the first].
     figure : str or path, optional
         Draw the shapes to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional

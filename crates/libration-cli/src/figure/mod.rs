@@ -11,6 +11,7 @@ pub(crate) mod melnikov;
 pub(crate) mod modes;
 pub(crate) mod motion;
 pub(crate) mod motions;
+pub(crate) mod nonlinear_modes;
 pub(crate) mod orbit;
 pub(crate) mod periods;
 pub(crate) mod phase;

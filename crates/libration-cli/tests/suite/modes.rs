@@ -233,3 +233,27 @@ fn what_is_beyond_the_range_of_numbers_is_called_so() {
         String::from_utf8_lossy(&tiny.stderr)
     );
 }
+
+#[test]
+fn a_mode_is_followed_to_large_amplitudes_with_its_stability() {
+    let answer = json("modes double_pendulum --follow 2 --amplitudes 20deg,60deg");
+    let points = answer["points"].as_array().unwrap();
+    // By collocation and by shooting in 130-bit floats.
+    assert!((points[1]["period_s"].as_f64().unwrap() - 6.287_859_494_514_626).abs() < 1e-12, "{points:?}");
+    assert!((points[1]["start"][1].as_f64().unwrap() + 1.099_990_501_943_477_8).abs() < 1e-11);
+    assert_eq!((&points[0]["stable"], &points[1]["stable"]), (&true.into(), &false.into()));
+    let told = text("modes double_pendulum --follow 2 --amplitudes 20deg,60deg");
+    assert!(told.contains("It becomes unstable"), "{told}");
+    for (arguments, part) in [
+        (&["modes", "double_pendulum", "--follow", "3", "--amplitudes", "0.1"][..], "there is no mode 3"),
+        (&["modes", "double_pendulum", "--follow", "1"][..], "--amplitudes"),
+        (
+            &["modes", "double_pendulum", "--follow", "1", "--amplitudes", "0.1", "--coordinate", "x"][..],
+            "no coordinate",
+        ),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", message(&output));
+        assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
+    }
+}

@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 56] = [
+pub(crate) const QUESTIONS: [&str; 57] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -49,6 +49,7 @@ pub(crate) const QUESTIONS: [&str; 56] = [
     "simulate|coupled_pendulums|--initial|theta1=20deg|--times|0,1|--events|crossing",
     "simulate|pendulum|--each|examples/starts.csv|--times|0,1|--events|turning,crossing",
     "modes|double_pendulum",
+    "modes|double_pendulum|--follow|2|--amplitudes|20deg:60deg:40deg",
     "modes|spring_pendulum",
     "modes|x''=y-2*x-x^3;y''=x-2*y",
     "orbit|driven_pendulum|--set|A=0.15,c=0.1,omega=0.82",

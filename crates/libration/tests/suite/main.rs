@@ -38,6 +38,7 @@ mod ledger;
 mod melnikov;
 mod mirrored;
 mod motion;
+mod nonlinear_modes;
 mod normal_form;
 mod normal_modes;
 mod open_gauge;

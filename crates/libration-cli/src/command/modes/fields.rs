@@ -125,7 +125,7 @@ pub(crate) fn answers() -> Vec<Answers> {
     let json = [of_mode().described("modes[]."), of_shift().described("modes[].")].concat();
     let csv = [of_mode().described_in_csv(), descriptions("", &[SHAPE]), of_shift().described_in_csv()];
     let json = [of_equilibrium().described(""), json].concat();
-    vec![Answers { command: "modes", option: "", json, csv: csv.concat() }]
+    vec![Answers { command: "modes", option: "", json, csv: csv.concat() }, super::follow::answers()]
 }
 
 /// The frequency of an oscillation with square roots.

@@ -2,6 +2,7 @@
 
 mod equilibrium;
 mod fields;
+mod follow;
 mod write;
 
 use crate::arguments::SystemOptions;
@@ -10,6 +11,8 @@ use crate::figure;
 use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
 use crate::parallel;
+use follow::{FollowOptions, Followed};
+use libration::nonlinear_modes::{NoNonlinearMode, NonlinearMode};
 use libration::normal_modes::NormalModes;
 use libration::systems::Model;
 use std::io::Write;
@@ -27,13 +30,16 @@ pub(crate) use fields::answers;
   libration modes spring_pendulum --json
   libration modes coupled_pendulums --figure shapes.svg
   libration modes \"x'' = y - 2*x - x^3; y'' = x - 2*y\"
-  libration modes pendulum --about theta=180deg")]
+  libration modes pendulum --about theta=180deg
+  libration modes double_pendulum --follow 2 --amplitudes 10deg:80deg:10deg")]
 pub(crate) struct Modes {
     #[command(flatten)]
     system: SystemOptions,
     /// Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     about: Option<String>,
+    #[command(flatten)]
+    follow: FollowOptions,
     /// Draw the shapes to FILE.svg or FILE.png
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -61,6 +67,9 @@ impl Modes {
             || Failure::Interrupted("interrupted before the modes were known: nothing is written".to_owned());
         let modes = modes.ok_or_else(early)?;
         let modes = modes.map_err(|error| Failure::no_answer("SYSTEM|EQUATION", error))?;
+        if let Some(number) = self.follow.follow {
+            return self.followed(out, model, &modes, usize::from(number) - 1);
+        }
         let answer = Answer { model, modes };
         let drawn = match &self.figure {
             Some(path) => {
@@ -74,6 +83,44 @@ impl Modes {
             Form::Csv => write::csv(out, &answer)?,
             Form::Table => write::sheets(out, &answer)?,
         }
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+
+    /// The mode with a number from 0 followed in amplitude.
+    fn followed(
+        &self,
+        out: &mut dyn Write,
+        model: Model,
+        modes: &NormalModes,
+        mode: usize,
+    ) -> Result<(), Failure> {
+        let coordinate = self.follow.coordinate(&model)?;
+        let amplitudes = self.follow.amplitudes(&model.coordinates()[coordinate])?;
+        let found = parallel::until_asked("the orbits of the mode", |watch| {
+            NonlinearMode::follow_watched(model.equation(), modes, mode, coordinate, &amplitudes, watch)
+        });
+        let early = || {
+            Failure::Interrupted("interrupted before the orbits were known: nothing is written".to_owned())
+        };
+        let found = found.ok_or_else(early)?.map_err(|error| match error {
+            NoNonlinearMode::NoMode { .. } => Failure::usage("--follow", error),
+            NoNonlinearMode::AtRest(_) => Failure::usage("--coordinate", error),
+            _ => Failure::no_answer("--follow", error),
+        })?;
+        let followed = Followed { model, mode, coordinate, found };
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = figure::nonlinear_modes::backbone(
+                    &followed.model,
+                    followed.mode,
+                    followed.coordinate,
+                    &followed.found,
+                );
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        followed.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 }

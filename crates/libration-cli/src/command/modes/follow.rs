@@ -1,0 +1,195 @@
+//! A mode followed in amplitude, as table, JSON and CSV.
+
+use crate::arguments::displacements;
+use crate::failure::Failure;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::number::{at_most, short};
+use crate::output::table::{Table, paragraph, write_text};
+use crate::output::{Form, csv, json};
+use libration::nonlinear_modes::{ModePoint, NonlinearMode, StabilityChange};
+use libration::quantity::Displacement;
+use libration::systems::{Coordinate, Model};
+use std::io::{self, Write};
+
+/// Where lines are broken.
+const COLUMNS: usize = 100;
+
+/// Which mode is followed, and how far.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct FollowOptions {
+    /// Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their stability
+    #[arg(long, value_name = "MODE", requires = "amplitudes", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(super) follow: Option<u16>,
+    /// Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5
+    #[arg(long, value_name = "LIST", requires = "follow")]
+    amplitudes: Option<String>,
+    /// The coordinate whose amplitude is meant [default: the first]
+    #[arg(long, value_name = "NAME", requires = "follow")]
+    coordinate: Option<String>,
+}
+
+/// A followed mode.
+pub(super) struct Followed {
+    pub(super) model: Model,
+    pub(super) mode: usize,
+    pub(super) coordinate: usize,
+    pub(super) found: NonlinearMode,
+}
+
+impl FollowOptions {
+    /// The number of the coordinate.
+    pub(super) fn coordinate(&self, model: &Model) -> Result<usize, Failure> {
+        let Some(name) = &self.coordinate else { return Ok(0) };
+        let plain = crate::arguments::plain_name(name);
+        model.coordinates().iter().position(|it| it.name == plain).ok_or_else(|| {
+            let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
+            let reason =
+                format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", "));
+            Failure::usage("--coordinate", reason)
+        })
+    }
+
+    /// Ascending amplitudes.
+    pub(super) fn amplitudes(&self, coordinate: &Coordinate) -> Result<Vec<f64>, Failure> {
+        let text = self.amplitudes.as_deref().unwrap_or_default();
+        let values = displacements("--amplitudes", text, coordinate.is_angle())?;
+        let mut values: Vec<f64> = values.iter().map(Displacement::to_f64).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        Ok(values)
+    }
+}
+
+impl Followed {
+    fn is_angle(&self) -> bool {
+        self.model.coordinates()[self.coordinate].is_angle()
+    }
+
+    fn amplitude_text(&self, amplitude: f64) -> String {
+        match self.is_angle() {
+            true => format!("{}°", short(amplitude.to_degrees(), 5)),
+            false => short(amplitude, 5),
+        }
+    }
+
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> io::Result<()> {
+        let fields = of_point();
+        match form {
+            Form::Json => {
+                let points = self.found.points.iter().map(|point| fields.record(point));
+                json::document_with_list(out, of_family().record(self), "points", points)
+            }
+            Form::Csv => {
+                csv::line(out, &fields.csv_names())?;
+                self.found.points.iter().try_for_each(|point| csv::line(out, &fields.csv_cells(point)))
+            }
+            Form::Table => self.write_sheet(out),
+        }
+    }
+
+    fn write_sheet(&self, out: &mut dyn Write) -> io::Result<()> {
+        for (name, text) in of_family().lines(self) {
+            writeln!(out, "{}", paragraph(&format!("{name:<14}"), &text, COLUMNS))?;
+        }
+        writeln!(out)?;
+        let fields = of_point();
+        let mut table = Table::new(fields.columns());
+        self.found.points.iter().try_for_each(|point| table.row(out, fields.cells(point)))?;
+        table.finish(out)?;
+        writeln!(out)?;
+        write_text(out, "", &self.words())
+    }
+
+    fn words(&self) -> String {
+        let change = |it: &StabilityChange| {
+            let [from, to] = it.between.map(|amplitude| self.amplitude_text(amplitude));
+            let place = if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
+            format!("It becomes {} {place}.", if it.stable_above { "stable" } else { "unstable" })
+        };
+        let mut sentences: Vec<String> = self.found.changes.iter().map(change).collect();
+        if let Some(reach) = self.found.series_reach(0.01) {
+            sentences.push(format!(
+                "The series ω + κa² is within 1 % of the frequency up to {}.",
+                self.amplitude_text(reach)
+            ));
+        }
+        sentences.extend(self.found.lost.as_ref().map(|lost| format!("It ends early: {lost}.")));
+        if sentences.is_empty() { "Its stability does not change.".to_owned() } else { sentences.join(" ") }
+    }
+}
+
+fn of_family() -> Fields<Followed> {
+    type Of = Field<Followed>;
+    Fields::from([
+        Of::value("system", "", "key of the system, null where its equations were typed", |it| {
+            it.model.key().into()
+        })
+        .line_of("system", |it| it.model.title().to_owned()),
+        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+            json::list(it.model.equation().to_string().split("; "))
+        })
+        .line_of("equations", |it| it.model.equation().to_string()),
+        Of::value("mode", "1", "number of the mode, from 1", |it| (it.mode + 1).into())
+            .line_of("mode", |it| (it.mode + 1).to_string()),
+        Of::value("coordinate", "", "coordinate whose amplitude is meant", |it| {
+            it.model.coordinates()[it.coordinate].name.as_str().into()
+        })
+        .line_of("amplitude of", |it| it.model.coordinates()[it.coordinate].name.clone()),
+        Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
+        Of::nested("stability_changes[].", &of_change(), |it| of_change().records(&it.found.changes)),
+        Of::nullable(
+            "series_reach",
+            "",
+            "amplitude up to which ω + κa² is within 1 % of the frequency, or null",
+            |it| it.found.series_reach(0.01),
+        ),
+        Of::value("lost", "", "why it does not come to the last amplitude, or null", |it| {
+            it.found.lost.as_ref().map(ToString::to_string).into()
+        }),
+    ])
+}
+
+fn of_change() -> Fields<StabilityChange> {
+    type Of = Field<StabilityChange>;
+    Fields::from([
+        Of::number("from", "", "amplitude below the change of stability", |it| it.between[0]),
+        Of::number("to", "", "amplitude above it", |it| it.between[1]),
+        Of::value("stable_above", "", "whether the mode is stable above", |it| it.stable_above.into()),
+    ])
+}
+
+fn of_point() -> Fields<ModePoint> {
+    type Of = Field<ModePoint>;
+    Fields::from([
+        Of::number("amplitude", "", "displacement at the start, in rad for angles", |it| it.amplitude)
+            .rounded("amplitude", 6),
+        Of::number("period_s", "s", "period of the orbit", |it| it.orbit.period()).rounded("period / s", 14),
+        Of::number("error_s", "s", "bound on its error", |it| it.orbit.period_uncertainty())
+            .numeral("to", |it| at_most(it.orbit.period_uncertainty())),
+        Of::number("frequency", "rad/s", "angular frequency of the orbit", |it| it.orbit.frequency()),
+        Of::nullable("series_frequency", "rad/s", "ω + κa² of its first harmonic, or null", |it| {
+            it.series_frequency
+        })
+        .rounded("ω + κa²", 8),
+        Of::value("stable", "", "whether no small deviation grows exponentially", |it| it.is_stable().into())
+            .words("stable", |it| if it.is_stable() { "yes" } else { "no" }.to_owned()),
+        Of::value("multipliers[][]", "1", "Floquet multipliers, real and imaginary part", |it| {
+            let multipliers =
+                it.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();
+            json::list(multipliers.iter().map(|z| json::numbers(&[z.re, z.im])))
+        }),
+        Of::value("start[]", "", "state at the start, in the order of the names", |it| {
+            json::numbers(&it.start)
+        })
+        .words("start", |it| {
+            let places = it.start[..it.start.len() / 2].iter().map(|x| short(*x, 10));
+            places.collect::<Vec<_>>().join(", ")
+        }),
+    ])
+}
+
+pub(super) fn answers() -> Answers {
+    let json = [of_family().described(""), of_point().described("points[].")].concat();
+    Answers { command: "modes", option: "--follow", json, csv: of_point().described_in_csv() }
+}

@@ -1,0 +1,20 @@
+//! Nonlinear normal modes: the modes of small oscillations followed to large ones, as periodic orbits with their stability.
+//!
+//! ```
+//! use libration::nonlinear_modes::NonlinearMode;
+//! use libration::normal_modes::NormalModes;
+//! // Two equal pendulums, coupled: in phase each swings as one alone.
+//! let equation = "x'' = -sin(x) + (y - x)/5; y'' = -sin(y) + (x - y)/5".parse()?;
+//! let modes = NormalModes::new(&equation)?;
+//! let together = NonlinearMode::follow(&equation, &modes, 0, 0, &[0.5, 1.0])?;
+//! let point = &together.points[1];
+//! let alone = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("1".parse()?)?;
+//! assert!((point.orbit.period() - alone.period()).abs() < 1e-12 && (point.start[1] - 1.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod mode;
+
+pub use error::{LostMode, NoNonlinearMode, Reason};
+pub use mode::{ModePoint, NonlinearMode, StabilityChange};
