@@ -26,18 +26,25 @@ function lzma(bytes) {
   return made;
 }
 
-/** As `src/engine/base85.ts` reads it; zeros fill the last group. */
-function base85(bytes) {
-  const letters = Array.from({ length: 88 }, (_, n) => String.fromCharCode(35 + n)).filter((letter) => !"&<>".includes(letter));
-  const whole = Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4)]);
-  const groups = [];
-  for (let at = 0; at < whole.length; at += 4) {
-    let value = whole.readUInt32BE(at);
-    const group = ["", "", "", "", ""];
-    for (let n = 4; n >= 0; n--, value = Math.floor(value / 85)) group[n] = letters[value % 85];
-    groups.push(group.join(""));
+/** As `src/engine/base91.ts` reads it; zeros fill the last pair of letters. */
+function base91(bytes) {
+  const letters = Array.from({ length: 92 }, (_, n) => String.fromCharCode(35 + n)).filter((letter) => letter !== "<");
+  const pairs = [];
+  let kept = 0;
+  let bits = 0;
+  for (let at = 0; at < bytes.length || bits > 0; ) {
+    while (bits < 13) {
+      kept = (kept << 8) | (bytes[at++] ?? 0);
+      bits += 8;
+    }
+    bits -= 13;
+    const value = kept >>> bits;
+    pairs.push(letters[Math.floor(value / 91)] + letters[value % 91]);
+    kept &= (1 << bits) - 1;
+    // What is left of the zeros behind the last byte says nothing.
+    if (at > bytes.length) break;
   }
-  return groups.join("");
+  return pairs.join("");
 }
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -53,7 +60,7 @@ const sizes = [["script", script], ["style", style]].map(([name, text]) => [name
 const packed = new Map();
 function pack(id, raw) {
   const compressed = lzma(raw);
-  const text = base85(compressed);
+  const text = base91(compressed);
   packed.set(id, `<script type="text/plain" id="${id}">${text}</script>`);
   sizes.push([id, raw.length, compressed.length, text.length]);
 }

@@ -1,6 +1,6 @@
 // What stands in the page compressed, as text in a script element that nobody runs: WebAssembly modules, and licences.
 
-import { bytes } from "./base85.ts";
+import { bytes } from "./base91.ts";
 import { decompressed } from "./lzma.ts";
 
 /** The text in the element with this id, which may not have been read yet. */

@@ -26,7 +26,7 @@ const MOST_PERIODS: usize = 1000;
 #[command(after_help = "Examples:
   libration melnikov driven_pendulum --set c=0.1,omega=1 --over A=0:1
   libration melnikov driven_pendulum --set A=0.3,c=0.1,omega=1 --json
-  libration melnikov \"x'' + 0.1 x' + sin(x) = A cos(t) + A/3 cos(3t)\" \\
+  libration melnikov \"x'' + 0.1 x' + sin(x) = A cos(t) + A/3*cos(3t)\" \\
     --over A=0:1 --figure melnikov.svg
   libration melnikov \"x'' + sin(x) = 0.05 cos(2t)\" --orders 10
 

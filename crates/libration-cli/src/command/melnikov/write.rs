@@ -80,7 +80,8 @@ impl Answer {
 fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
     let name = separatrix(melnikov.direction);
     let mut sum = short(melnikov.mean, 12);
-    for (k, value) in (1..).zip(&melnikov.harmonics) {
+    let terms = (1..).zip(&melnikov.harmonics).zip(&melnikov.harmonic_errors);
+    for ((k, value), _) in terms.filter(|((_, value), error)| value.abs() > **error) {
         let phase = value.argument().to_degrees();
         let turned = if phase == 0.0 {
             String::new()

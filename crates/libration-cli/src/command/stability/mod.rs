@@ -43,7 +43,7 @@ pub(crate) struct StabilityQuestion {
     #[command(flatten)]
     system: SystemOptions,
     /// Two parameters and their ranges, such as omega=1:3,a=0:0.5
-    #[arg(long, value_name = "NAME=FROM:TO,NAME=FROM:TO", value_parser = two_parameter_spans)]
+    #[arg(long, value_name = "X=A:B,Y=C:D", value_parser = two_parameter_spans)]
     map: [ParameterSpan; 2],
     #[command(flatten)]
     initial: InitialOptions,
