@@ -129,6 +129,18 @@ def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _stability(answer: "Answer", ax: "Axes | None") -> "Axes":
+    ax = _plot.axes(ax, tuple(answer["parameters"]))
+    kinds = list(dict.fromkeys(curve["kind"] for curve in answer.curves))
+    for curve in answer.curves:
+        place = kinds.index(curve["kind"])
+        x, y = np.array([point["parameters"] for point in curve["points"]]).T
+        ax.plot(x, y, color=_plot.COLOURS[place % len(_plot.COLOURS)], label=curve["kind"].replace("_", " "))
+    labels = dict(zip(*reversed(ax.get_legend_handles_labels())))
+    _plot.legend(ax, handles=list(labels.values()), labels=list(labels))
+    return ax
+
+
 def _section(answer: "Answer", ax: "Axes | None") -> "Axes":
     names, points = answer["state"], answer.points
     ax = _plot.axes(ax, (names[0], names[len(names) // 2]))
@@ -203,6 +215,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "resonance": _resonance,
     "melnikov": _melnikov,
     "response": _response,
+    "stability": _stability,
     "section": _section,
     "bifurcation": _bifurcation,
     "lyapunov": _lyapunov,

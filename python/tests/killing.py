@@ -15,7 +15,7 @@ import psutil
 
 import libration as lb
 
-QUESTION = "section driven_pendulum --set c=1/2 --points 1 --skip 500"
+QUESTION = "section driven_pendulum --set c=1/2 --points 1 --skip 3000"
 OVER = {"A": "1:1.2:0.005", "theta": [0.1, 0.2, 0.3]}
 KEEP = {"omega": "points[0].state[1]"}
 """A chunk takes some milliseconds, all of them a few seconds."""

@@ -12,7 +12,7 @@ from ..answer import Answer, answer
 def stability(
     system: Given,
     *,
-    map: Values | Sequence[str],
+    map: Given,
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     drive_periods: Given | None = None,
@@ -34,7 +34,7 @@ def stability(
     system : number or text
         A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
         order, such as "x' = x - x*y; y' = x*y - y".
-    map : dict
+    map : number or text, or several
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
@@ -74,7 +74,7 @@ def stability(
     --------
     >>> from libration import questions
     >>> edges = questions.stability("vertically_driven_pendulum", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0)
-    >>> edges.curves.kind.tolist(), round(edges.curves[0].points.parameters[0].max(), 12)
-    (['branch_point'], 0.287786174670)
+    >>> edges.curves.kind.tolist(), round(float(edges.curves[0].points.parameters[0, 1]), 12)
+    (['branch_point'], 0.28778617467)
     """
     return answer(Answer, "stability", locals())
