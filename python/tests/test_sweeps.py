@@ -161,7 +161,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path, undisturbed: dict[str, bytes]
         running = started(place, 2)
         running.send_signal(signal.SIGINT)
         _, message = running.communicate(timeout=killing.LONGEST)
-        # The sweep takes a few seconds, and may have ended before the signal came.
+        # The sweep takes half a second, and may have ended before the signal came.
         if running.returncode != 0:
             break
     assert running.returncode != 0 and b"Interrupted" in message, message.decode()
