@@ -71,8 +71,6 @@ const FIRST: f64 = 0.02;
 const SHORT: f64 = 0.01;
 /// A step whose guess is farther off than this part of it may have come to another branch.
 const FAR: f64 = 0.2;
-/// And one whose corrections do not shrink to this part each time.
-const SLOW: f64 = 0.3;
 /// The largest angle between the directions at both ends, and the one that is meant.
 const TURNS: [f64; 2] = [0.35, 0.14];
 
@@ -196,7 +194,7 @@ impl<'a> Walk<'a> {
         let guess: Vec<f64> = self.at().place().iter().enumerate().map(|(j, x)| x + step(j)).collect();
         let corrected = self.corrector.corrected(&guess, &tangent, units)?;
         let off = corrected.first / length;
-        if off > FAR || (corrected.contraction > SLOW && corrected.first > 1e-6) {
+        if off > FAR {
             return None;
         }
         let node = Node::new(&self.corrector, corrected, &self.at().direction, units)?;

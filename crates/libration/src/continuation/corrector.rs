@@ -13,8 +13,6 @@ pub(super) struct Corrected {
     pub(super) image: Image,
     /// How far the first guess was off, in units.
     pub(super) first: f64,
-    /// The part of the first correction that the second was; 0 where none was needed.
-    pub(super) contraction: f64,
 }
 
 /// Newton's rounds; each doubles the digits once the guess is near.
@@ -38,21 +36,19 @@ impl Corrector<'_> {
     /// The motion of the space nearest to a guess in the plane across a direction, which is given in units.
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
         let mut place = guess.to_vec();
-        let (mut first, mut contraction, mut before) = (0.0, 0.0, f64::INFINITY);
+        let (mut first, mut before) = (0.0, f64::INFINITY);
         for round in 0..MOST_ROUNDS {
             let image = self.image(&place)?;
             if round == 0 && is_rounding(&image, &place, units) {
-                return Some(Corrected { place, image, first, contraction });
+                return Some(Corrected { place, image, first });
             }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
             let right: Vec<f64> =
                 image.defect.iter().zip(units).map(|(d, unit)| -d / unit).chain([-off]).collect();
             let change = solve(&Doubles, |x| x.abs(), &bordered(&image, across, units), &right)?;
             let size = norm(&change);
-            match round {
-                0 => first = size,
-                1 => contraction = size / first,
-                _ => {}
+            if round == 0 {
+                first = size;
             }
             if !size.is_finite() || (size > 0.5 * before && size > ROUNDING) {
                 return None;
@@ -62,7 +58,7 @@ impl Corrector<'_> {
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
                 let image = if size > self.stale { self.image(&place)? } else { image };
-                return Some(Corrected { place, image, first, contraction });
+                return Some(Corrected { place, image, first });
             }
             before = size;
         }

@@ -49,9 +49,9 @@ impl<'w> Family<'w> {
     ) -> Result<Self, NoBranch> {
         let layout = StateLayout::new(equation);
         let law = DriveLaw::new(equation, parameters)?;
-        let plain = System::with_parameters(equation, parameters)?;
+        let plain = System::with_parameters(equation, parameters)?.for_many_steps();
         let derivatives = with_sensitivities(equation, parameters, layout.numbers());
-        let with_derivatives = System::with_parameters(&derivatives, parameters)?;
+        let with_derivatives = System::with_parameters(&derivatives, parameters)?.for_many_steps();
         let mut inputs = layout.symbols(equation.variables());
         inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
         let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;

@@ -154,11 +154,10 @@ impl Stretch<'_> {
     pub(super) fn specials(&self) -> Vec<Located> {
         let [a, b] = self.ends;
         let folds = Test::Fold.changes(a, b);
-        // At a fold a multiplier is +1 too.
-        let branches = Test::Branching.changes(a, b) != folds;
         let wanted = [
             (folds, Test::Fold),
-            (branches && !folds, Test::Branching),
+            // At a fold a multiplier is +1 too.
+            (!folds && Test::Branching.changes(a, b), Test::Branching),
             (Test::Flip.changes(a, b), Test::Flip),
             (Test::Torus.changes(a, b), Test::Torus),
         ];

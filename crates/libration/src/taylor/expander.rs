@@ -8,6 +8,7 @@ use super::System;
 use super::block::{Block, Row};
 use super::boundary::{Boundary, Forbidden, boundaries};
 use super::machine_code::MachineCode;
+use super::plan::Plan;
 use super::program::Program;
 use super::steep::{Steep, steep_places};
 use crate::algebra::{Ring, prepared_reciprocal};
@@ -29,44 +30,18 @@ pub(super) struct Surroundings<const N: usize> {
 #[derive(Debug)]
 pub(super) struct Expander<'a> {
     pub(super) system: &'a System,
-    pub(super) program: Program,
-    /// Where the accelerations end, and what stands in |…|.
-    pub(super) boundaries: Vec<Boundary<Row>>,
-    /// Of what the accelerations are steep functions.
-    pub(super) steep: Vec<Steep<Row>>,
-    pub(super) order: usize,
-    machine_code: Arc<MachineCode>,
+    pub(super) plan: Arc<Plan>,
 }
 
 impl<'a> Expander<'a> {
     pub(super) fn new(system: &'a System, order: usize, lanes: usize) -> Self {
-        const ENDLESS: usize = usize::MAX;
-        let state = std::iter::repeat_n(ENDLESS, system.layout().numbers());
-        let parameters = std::iter::repeat_n(0, system.parameters().len());
-        let signs = (0..system.moduli()).map(|modulus| match system.driven_in_modulus(modulus) {
-            Some(_) => ENDLESS,
-            None => 0,
-        });
-        let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
-        let last: Vec<bool> =
-            (0..system.layout().numbers()).map(|number| system.layout().driving(number).is_some()).collect();
-        let program = Program::new(system.tape(), &degrees, &last, order + 1);
-        let formulas = system.coordinates() + system.moduli();
-        let first_sign = degrees.len() - system.moduli();
-        let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
-        let on_block = |it: Boundary<usize>| Boundary { of: program.places[it.of], forbidden: it.forbidden };
-        let boundaries: Vec<Boundary<Row>> = boundaries.map(on_block).collect();
-        let divisors = boundaries.iter().filter(|boundary| boundary.forbidden == Forbidden::Zero);
-        let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
-        let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
-        let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
-        Self { system, boundaries, steep, program, order, machine_code: system.machine_code(order, lanes) }
+        Self { system, plan: system.plans().find(order, lanes, || plan(system, order, lanes)) }
     }
 
     /// The memory that the series need.
     pub(super) fn block<const N: usize>(&self) -> Block<N> {
-        let mut block = Block::new(self.program.rows, self.system.shared_layout(), self.order);
-        for &(row, value) in &self.program.constants {
+        let mut block = Block::new(self.plan.program.rows, self.system.shared_layout(), self.plan.order);
+        for &(row, value) in &self.plan.program.constants {
             block[row][0] = [value; N];
         }
         block
@@ -98,7 +73,7 @@ impl<'a> Expander<'a> {
     }
 
     fn compiled(&self) -> Option<&Compiled> {
-        self.machine_code.expansion(|| self.straight_line())
+        self.plan.machine_code.expansion(|| self.straight_line())
     }
 
     /// All but the zeroth coefficients.
@@ -118,12 +93,12 @@ impl<'a> Expander<'a> {
 
     /// What stands between the bars of an absolute value.
     pub(super) fn argument(&self, modulus: usize) -> Row {
-        self.program.results[self.system.coordinates() + modulus]
+        self.plan.program.results[self.system.coordinates() + modulus]
     }
 
     /// The formula of an event.
     pub(super) fn event(&self, event: usize) -> Row {
-        self.program.results[self.system.coordinates() + self.system.moduli() + event]
+        self.plan.program.results[self.system.coordinates() + self.system.moduli() + event]
     }
 
     /// The accelerations in a state, the same in all lanes but for what surrounds them.
@@ -147,7 +122,7 @@ impl<'a> Expander<'a> {
     #[inline(always)]
     pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         self.begin_inputs(block, surroundings);
-        self.program.begin(block);
+        self.plan.program.begin(block);
     }
 
     /// Those of what the tape is given beside the state.
@@ -170,6 +145,31 @@ impl<'a> Expander<'a> {
     }
 }
 
+fn plan(system: &System, order: usize, lanes: usize) -> Plan {
+    const ENDLESS: usize = usize::MAX;
+    let state = std::iter::repeat_n(ENDLESS, system.layout().numbers());
+    let parameters = std::iter::repeat_n(0, system.parameters().len());
+    let signs = (0..system.moduli()).map(|modulus| match system.driven_in_modulus(modulus) {
+        Some(_) => ENDLESS,
+        None => 0,
+    });
+    let degrees: Vec<usize> = state.chain([1]).chain(parameters).chain(signs).collect();
+    let last: Vec<bool> =
+        (0..system.layout().numbers()).map(|number| system.layout().driving(number).is_some()).collect();
+    let program = Program::new(system.tape(), &degrees, &last, order + 1);
+    let formulas = system.coordinates() + system.moduli();
+    let first_sign = degrees.len() - system.moduli();
+    let boundaries = boundaries(system.tape(), formulas, first_sign).into_iter();
+    let on_block = |it: Boundary<usize>| Boundary { of: program.places[it.of], forbidden: it.forbidden };
+    let boundaries: Vec<Boundary<Row>> = boundaries.map(on_block).collect();
+    let divisors = boundaries.iter().filter(|boundary| boundary.forbidden == Forbidden::Zero);
+    let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
+    let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
+    let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
+    let machine_code = MachineCode::new(lanes, system.is_for_many_steps());
+    Plan { order, lanes, program, boundaries, steep, machine_code }
+}
+
 /// What is given, and the zeroth coefficients if they are not known, compiled for each instruction set.
 struct Beginning<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
@@ -186,7 +186,7 @@ impl<const N: usize> Kernel for Beginning<'_, '_, N> {
         let Self { expander, block, surroundings, begun } = self;
         expander.begin_inputs(block, surroundings);
         if !begun {
-            expander.program.begin(block);
+            expander.plan.program.begin(block);
         }
     }
 }
@@ -203,10 +203,10 @@ impl<const N: usize> Kernel for Expansion<'_, '_, N> {
     #[inline(always)]
     fn run(self) {
         let Self { expander, block } = self;
-        for n in 1..=expander.order {
+        for n in 1..=expander.plan.order {
             expander.extend_state(block, n);
             if n <= expander.last() {
-                expander.program.extend(block, n);
+                expander.plan.program.extend(block, n);
             }
         }
     }
@@ -233,7 +233,7 @@ impl Expander<'_> {
     /// itself at what the equation says.
     #[inline(always)]
     pub(super) fn rates(&self) -> impl Iterator<Item = (Row, Row)> {
-        let (layout, terms) = (self.system.layout(), self.order + 1);
+        let (layout, terms) = (self.system.layout(), self.plan.order + 1);
         let row = move |number: usize| Row::new(number, terms);
         (0..layout.coordinates()).flat_map(move |i| {
             let velocity = layout.velocity(i).map(|velocity| (row(velocity), row(i)));
@@ -254,12 +254,12 @@ impl Expander<'_> {
     /// The last order that is asked for of formulas: events want as many as the state has.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
-        self.order - usize::from(self.system.events().is_empty())
+        self.plan.order - usize::from(self.system.events().is_empty())
     }
 
     /// What the equation of a coordinate tells: its acceleration, or its rate of change.
     #[inline(always)]
     pub(super) fn acceleration(&self, coordinate: usize) -> Row {
-        self.program.results[coordinate]
+        self.plan.program.results[coordinate]
     }
 }

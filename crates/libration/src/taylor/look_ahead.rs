@@ -121,13 +121,13 @@ impl<const N: usize> Stepper<'_, N> {
         /// where it is not below one tolerance.
         const NEAR: f64 = 1e4;
         const WIDEST: f64 = 1e-2;
-        if self.expander.boundaries.is_empty() || self.sticks(lane) {
+        if self.expander.plan.boundaries.is_empty() || self.sticks(lane) {
             return Ok(end);
         }
         let start = self.block.start[lane];
         let units = (end - start) / self.block.unit[lane];
         let blur = (NEAR * self.effort.relative).min(WIDEST);
-        let boundaries = self.expander.boundaries.iter();
+        let boundaries = self.expander.plan.boundaries.iter();
         let contacts =
             boundaries.filter_map(|boundary| boundary.first_contact(&self.block, lane, units, blur));
         let Some(first) = contacts.reduce(f64::min) else { return Ok(end) };
@@ -214,7 +214,7 @@ impl<const N: usize> Kernel for EndsOnOpenWays<'_, '_, N> {
         for last in block.last_coefficients() {
             open &= !any(last, |c| !c.is_finite());
         }
-        for boundary in &expander.boundaries {
+        for boundary in &expander.plan.boundaries {
             open = open && boundary.is_far(block, &units);
         }
         open.then_some(ends)

@@ -47,6 +47,7 @@ mod checkpoint;
 mod expander;
 mod machine_code;
 mod owned_step;
+mod plan;
 mod samples;
 mod step;
 mod step_length;

@@ -131,7 +131,7 @@ impl<'a, const N: usize> Stepper<'a, N> {
     pub(super) fn advance(&mut self) {
         self.block.begin_at_end(&self.next, &self.unit);
         if self.ends_known {
-            self.expander.program.begin_as(&self.scratch, &mut self.block);
+            self.expander.plan.program.begin_as(&self.scratch, &mut self.block);
         }
         self.begun = std::mem::take(&mut self.ends_known);
     }

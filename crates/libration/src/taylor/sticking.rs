@@ -28,17 +28,17 @@ impl Expander<'_> {
         let mut surroundings = surroundings.clone();
         let unknown = self.unknown_signs(block, &mut surroundings);
         self.begin(block, &surroundings);
-        for n in 1..=self.order {
+        for n in 1..=self.plan.order {
             self.extend_state(block, n);
             for one in &unknown {
                 block[one.velocity][n] = one.chosen(&[0.0; N], &block[one.velocity][n]);
                 block[one.sign][n] = [0.0; N];
             }
             if n <= self.last() {
-                self.program.extend(block, n);
+                self.plan.program.extend(block, n);
                 for one in &unknown {
                     block[one.sign][n] = one.chosen(&one.balance(&block[one.acceleration][n]), &[0.0; N]);
-                    self.program.extend(block, n);
+                    self.plan.program.extend(block, n);
                 }
             }
         }

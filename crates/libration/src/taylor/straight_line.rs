@@ -20,25 +20,25 @@ impl Expander<'_> {
         /// quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; when inner products were not
         /// packed yet it took 0.7 for 1.2 million (400 at order 33) and 5.4 for 2.1 million.
         const MOST: usize = 1 << 20;
-        let terms = self.order + 1;
-        if self.program.instructions(1).count().saturating_mul(terms * terms / 2) > MOST {
+        let terms = self.plan.order + 1;
+        if self.plan.program.instructions(1).count().saturating_mul(terms * terms / 2) > MOST {
             return None;
         }
-        let mut recording = Recording::new(self.program.rows, terms);
+        let mut recording = Recording::new(self.plan.program.rows, terms);
         let unit = recording.recorder.push(Arithmetic::Argument(0));
-        for n in 1..=self.order {
+        for n in 1..=self.plan.order {
             for (of, out) in self.rates() {
                 let value = rate(&recording, of, &unit, n)?;
                 recording.keep(out, n, value);
             }
             if n <= self.last() {
-                for instruction in self.program.instructions(n) {
+                for instruction in self.plan.program.instructions(n) {
                     let (out, value) = instruction.evaluate(&recording, n)?;
                     recording.keep(out, n, value);
                 }
             }
         }
-        StraightLine::new(recording.recorder.steps.into_inner(), self.program.rows * terms, 1).ok()
+        StraightLine::new(recording.recorder.steps.into_inner(), self.plan.program.rows * terms, 1).ok()
     }
 }
 

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::allowance::Allowance;
-use super::machine_code::{MachineCode, MachineCodes};
 use super::moduli::{Moduli, where_zero};
 use super::passage::Passage;
+use super::plan::Plans;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
 use super::tolerances::{ToleranceError, allowances, own_tolerances};
@@ -41,7 +41,8 @@ pub struct System {
     sharp: Vec<Option<SharpFormula>>,
     /// How what has no series is passed, if there is something.
     passage: Option<Arc<Passage>>,
-    machine_codes: Arc<MachineCodes>,
+    plans: Arc<Plans>,
+    for_many_steps: bool,
     /// Those of coordinates that have one of their own, else zero.
     tolerances: Vec<f64>,
     /// Whether a number of the state has been put to rest, by which these are other equations.
@@ -111,6 +112,11 @@ impl System {
         allowances(&self.tolerances, &self.layout, effort)
     }
 
+    /// The same system for thousands of steps, which are worth machine code from the first on.
+    pub(crate) fn for_many_steps(self) -> Self {
+        Self { plans: Arc::default(), for_many_steps: true, ..self }
+    }
+
     fn build(equation: Equation, parameters: Vec<Symbol>, events: Vec<Event>) -> Result<Self, WithoutValue> {
         let layout = StateLayout::new(&equation);
         let state = layout.symbols(equation.variables());
@@ -137,7 +143,7 @@ impl System {
         };
         let driven_in_moduli = arguments.iter().map(|modulus| driven(&modulus.argument)).collect();
         let tolerances = vec![0.0; layout.coordinates()];
-        let (layout, machine_codes, passage) = (Arc::new(layout), Arc::default(), passage.map(Arc::new));
+        let (layout, plans, passage) = (Arc::new(layout), Arc::default(), passage.map(Arc::new));
         Ok(Self {
             equation,
             layout,
@@ -147,7 +153,8 @@ impl System {
             driven_in_moduli,
             sharp,
             passage,
-            machine_codes,
+            plans,
+            for_many_steps: false,
             tolerances,
             rests: false,
         })
@@ -261,8 +268,12 @@ impl System {
         Tape::new(&self.equation.derivatives().iter().collect::<Vec<_>>(), &inputs).ok()
     }
 
-    pub(super) fn machine_code(&self, order: usize, lanes: usize) -> Arc<MachineCode> {
-        self.machine_codes.find(order, lanes)
+    pub(super) fn plans(&self) -> &Plans {
+        &self.plans
+    }
+
+    pub(super) fn is_for_many_steps(&self) -> bool {
+        self.for_many_steps
     }
 
     pub(super) fn tape(&self) -> &Tape {

@@ -1,5 +1,7 @@
 //! The order of the method.
 
+use std::sync::Arc;
+
 use libration_jit::Compiled;
 
 use super::System;
@@ -73,6 +75,22 @@ fn both_ways<const N: usize>(system: &System, order: usize, state: &[f64]) -> Op
         block.coefficients.numbers().to_vec()
     };
     Some([coefficients(None), coefficients(Some(&compiled))])
+}
+
+#[test]
+fn machine_code_comes_at_once_where_many_steps_are_expected_and_motions_share_it() {
+    let first_code = |system: &System| {
+        let expander = Expander::new(system, 20, 1);
+        expander.plan.machine_code.expansion(|| expander.straight_line()).is_some()
+    };
+    let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
+    assert!(!first_code(&system));
+    let system = system.for_many_steps();
+    let expected = cfg!(all(target_arch = "x86_64", unix)) && std::is_x86_feature_detected!("fma");
+    assert_eq!(first_code(&system), expected);
+    let [one, other] = [Expander::new(&system, 20, 1), Expander::new(&system, 20, 1)];
+    assert!(Arc::ptr_eq(&one.plan, &other.plan));
+    assert!(!Arc::ptr_eq(&one.plan, &Expander::new(&system, 21, 1).plan));
 }
 
 /// Every operation of a tape, at orders with few and with many terms.

@@ -65,7 +65,7 @@ impl<const N: usize> Stepper<'_, N> {
     /// Whether something may be felt inside the step that is not at its ends.
     fn hides(&self, lane: usize, end: f64) -> bool {
         let length = (end - self.block.start[lane]) / self.block.unit[lane];
-        self.expander.steep.iter().any(|steep| steep.is_unseen(&self.block, lane, length))
+        self.expander.plan.steep.iter().any(|steep| steep.is_unseen(&self.block, lane, length))
     }
 
     /// The end itself, or one nearer to the start, up to which the accelerations are those of the polynomials.
@@ -96,7 +96,8 @@ impl<const N: usize> Stepper<'_, N> {
         const INSIDE: f64 = 0.999;
         let start = self.block.start[lane];
         let length = (end - start) / self.block.unit[lane];
-        let unseen = self.expander.steep.iter().filter(|steep| steep.is_unseen(&self.block, lane, length));
+        let unseen =
+            self.expander.plan.steep.iter().filter(|steep| steep.is_unseen(&self.block, lane, length));
         let turns = unseen.filter_map(|steep| steep.first_turn(&self.block, lane, length));
         match turns.reduce(f64::min) {
             Some(part) if part < INSIDE => start + part * (end - start),
@@ -267,7 +268,7 @@ impl<const N: usize> Kernel for StepTrials<'_, '_, N> {
             });
         }
         let mut is_seen = true;
-        for steep in &expander.steep {
+        for steep in &expander.plan.steep {
             is_seen &= steep.is_seen(block, &units);
         }
         Trials { misfits, is_seen }

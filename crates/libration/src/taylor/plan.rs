@@ -1,0 +1,40 @@
+//! What all expansions of a system to an order have in common, made once.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::block::Row;
+use super::boundary::Boundary;
+use super::machine_code::MachineCode;
+use super::program::Program;
+use super::steep::Steep;
+
+/// Those for all orders and numbers of lanes in which a system was expanded.
+#[derive(Debug, Default)]
+pub(super) struct Plans {
+    known: Mutex<Vec<Arc<Plan>>>,
+}
+
+impl Plans {
+    pub(super) fn find(&self, order: usize, lanes: usize, new: impl FnOnce() -> Plan) -> Arc<Plan> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known.iter().find(|it| it.order == order && it.lanes == lanes) {
+            return Arc::clone(found);
+        }
+        let new = Arc::new(new());
+        known.push(Arc::clone(&new));
+        new
+    }
+}
+
+/// That for one order and number of lanes.
+#[derive(Debug)]
+pub(super) struct Plan {
+    pub(super) order: usize,
+    pub(super) lanes: usize,
+    pub(super) program: Program,
+    /// Where the accelerations end, and what stands in |…|.
+    pub(super) boundaries: Vec<Boundary<Row>>,
+    /// Of what the accelerations are steep functions.
+    pub(super) steep: Vec<Steep<Row>>,
+    pub(super) machine_code: MachineCode,
+}
