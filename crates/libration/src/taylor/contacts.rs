@@ -92,6 +92,11 @@ impl Contacts {
 
     /// The zeros in a step, with their times in its order.
     pub(super) fn zeros_in(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+        if stretch.coefficients.is_empty() {
+            // Behind a pole either sign is as good.
+            (self.side, self.near) = (None, false);
+            return vec![];
+        }
         let blur = stretch.blur();
         if blur == 0.0 {
             return self.comes_to_rest(stretch);

@@ -19,7 +19,7 @@ use super::{Effort, IntegrationError, Step, System};
 /// Where the argument of an absolute value changes its sign the step ends, at the nearest `f64`, and the other branch
 /// goes on. Where a power of it that is no whole number has no series, as |x|^1.5 and √|x′| at zero, one short step, whose
 /// end Picard's iteration finds, goes over the zero. A number that such a force brings to zero and leaves there, as
-/// x′ = −√|x|·sign(x) does, stays zero. Other formulas that are not analytic, such as √(x²) at zero, stop the integration,
+/// x′ = −√|x|·sign(x) and x″ = −x′/√|x′| do, stays zero. Other formulas that are not analytic, such as √(x²) at zero, stop the integration,
 /// and so does the end of a formula, such as that of e^(−1/x) at zero, however little of it the motion feels before;
 /// √(x² + ε²) with a tiny ε is followed round its bend in small steps. A singularity that is removable, as that of
 /// sin(x)/x, is passed.

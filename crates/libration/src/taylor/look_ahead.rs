@@ -41,6 +41,7 @@ impl<const N: usize> Stepper<'_, N> {
     /// The ends of the steps, lane by lane.
     fn look_for_ends(&mut self, lengths: &[f64; N], outcomes: &mut [Result<(), Cause>; N]) {
         let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
+        let powers = self.expander.system.passage().is_some();
         for lane in 0..N {
             let end = match endless[lane] {
                 true if self.sticks(lane) => Ok(self.goal[lane]),
@@ -49,6 +50,11 @@ impl<const N: usize> Stepper<'_, N> {
             };
             self.goal_bound[lane] |= endless[lane] || end == Ok(self.goal[lane]);
             self.unit[lane] = if endless[lane] { self.block.unit[lane] } else { unit_for(lengths[lane]) };
+            let end = if endless[lane] || powers {
+                end.map(|end| self.end_before_cancellation(lane, end))
+            } else {
+                end
+            };
             let end = end.and_then(|end| self.end_before_boundary(lane, end, lengths[lane]));
             self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
             outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
@@ -235,7 +241,8 @@ impl<const N: usize> Kernel for Lengths<'_, '_, N> {
             self.stepper;
         let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
         let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
-        let events = (0..expander.system.events().len()).map(|event| expander.event(event));
+        let shown = |event: &usize| expander.system.sharp(*event).is_none_or(|formula| !formula.ends);
+        let events = (0..expander.system.events().len()).filter(shown).map(|event| expander.event(event));
         step_lengths(block, signs.chain(events), allowances, effort.absolute, *log2_part_of_radius)
     }
 }

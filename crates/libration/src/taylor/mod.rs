@@ -31,6 +31,7 @@ mod tolerances;
 
 mod moduli;
 mod passage;
+mod quotients;
 mod sensitivities;
 mod sign_change;
 
@@ -54,6 +55,7 @@ mod step_length;
 mod straight_line;
 
 mod branches;
+mod cancellation;
 mod contacts;
 mod sharp;
 mod steep;

@@ -7,6 +7,8 @@ use crate::expression::{Expression, Function, Symbol};
 #[derive(Debug, Default)]
 pub(super) struct Moduli {
     arguments: Vec<Modulus>,
+    /// What powers that are no whole numbers are taken of, where no |…| stands in it.
+    bases: Vec<Expression>,
 }
 
 /// What stands in a |…|.
@@ -55,6 +57,9 @@ impl Moduli {
             let Modulus { argument, in_root, .. } = &mut self.arguments[place];
             *in_root |= with_zero(&base, argument).vanishes();
         }
+        if within.is_empty() {
+            self.bases.push(base.clone());
+        }
         let [place] = within[..] else { return power(base) };
         let vanishes = |side: i64| base.substitute(&sign(place), &Expression::from(side)).vanishes();
         let half_less = |side: Expression| {
@@ -96,6 +101,11 @@ impl Moduli {
             (!there.vanishes()).then(|| modulus.written.to_string())
         };
         self.arguments.iter().enumerate().find_map(jumps)
+    }
+
+    /// Whether such a power is taken of a symbol itself, and has no value on one side of its zero.
+    pub(super) fn has_power_of(&self, symbol: &Symbol) -> bool {
+        self.bases.contains(&Expression::Symbol(symbol.clone()))
     }
 
     pub(super) fn into_arguments(self) -> Vec<Modulus> {

@@ -124,7 +124,7 @@ impl<'a> PartialSolution<'a> {
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
             let whole = || Part { start: step.start(), length, coefficients: formula(event) };
             let parts = match self.system.sharp(event) {
-                Some(sharp) => sharp.parts(step, &self.trajectory.parameters),
+                Some(sharp) => sharp.parts(step, &self.trajectory.parameters, tolerance),
                 None => vec![whole()],
             };
             for Part { start, length, coefficients } in parts {

@@ -13,6 +13,8 @@ pub(super) struct Passage {
     moduli: usize,
     /// The numbers of the |…| of which a power without a series is taken.
     roots: Vec<usize>,
+    /// The numbers of the state of which such a power is taken as they are.
+    bases: Vec<usize>,
 }
 
 /// What they come to in a state.
@@ -27,21 +29,26 @@ impl Passage {
     pub(super) fn new(
         derivatives: &[Expression],
         moduli: &[Modulus],
+        bases: Vec<usize>,
         events: &[Expression],
         inputs: &[Symbol],
     ) -> Result<Option<Self>, WithoutValue> {
         let roots: Vec<usize> = (0..moduli.len()).filter(|&number| moduli[number].in_root).collect();
-        if roots.is_empty() {
+        if roots.is_empty() && bases.is_empty() {
             return Ok(None);
         }
         let written = moduli.iter().map(|modulus| &modulus.written);
         let formulas: Vec<&Expression> = derivatives.iter().chain(written).chain(events).collect();
         let tape = Tape::new(&formulas, inputs)?;
-        Ok(Some(Self { tape, coordinates: derivatives.len(), moduli: moduli.len(), roots }))
+        Ok(Some(Self { tape, coordinates: derivatives.len(), moduli: moduli.len(), roots, bases }))
     }
 
     pub(super) fn roots(&self) -> &[usize] {
         &self.roots
+    }
+
+    pub(super) fn bases(&self) -> &[usize] {
+        &self.bases
     }
 
     /// `None` where something has no value.

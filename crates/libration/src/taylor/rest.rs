@@ -22,7 +22,8 @@ pub(super) enum Rest {
 /// Whether a motion has come to rest in one number of its state, the time going forward or backward.
 pub(super) fn rest(system: &System, moment: &Moment, parameters: &[f64], backward: bool) -> Option<Rest> {
     let passage = system.passage()?;
-    let numbers = passage.roots().iter().filter_map(|&modulus| system.driven_in_modulus(modulus));
+    let in_moduli = passage.roots().iter().filter_map(|&modulus| system.driven_in_modulus(modulus));
+    let numbers = in_moduli.chain(passage.bases().iter().copied());
     let mut all = numbers.filter_map(|number| {
         let equation = at_zero(system, number)?;
         let side = Side { passage, system, moment, parameters, number };
@@ -89,11 +90,10 @@ impl Side<'_> {
             return None;
         }
         let distance = if here == 0.0 { NEAR } else { here.abs() };
-        let away = |value: f64| {
-            let rate = self.rate(value)?;
-            Some(rate * value.signum() * if backward { -1.0 } else { 1.0 } >= 0.0)
-        };
-        let [above, below] = [away(distance)?, away(-distance)?];
-        Some(!above && !below)
+        // What has no value on a side does not lead there.
+        let sides = [distance, -distance].map(|value| Some(self.rate(value)? * value.signum()));
+        let mut rates = sides.into_iter().flatten().peekable();
+        rates.peek()?;
+        Some(rates.all(|rate| if backward { rate > 0.0 } else { rate < 0.0 }))
     }
 }

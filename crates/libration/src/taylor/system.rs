@@ -6,6 +6,7 @@ use super::allowance::Allowance;
 use super::moduli::{Moduli, where_zero};
 use super::passage::Passage;
 use super::plan::Plans;
+use super::quotients::with_values_at_zero;
 use super::sharp::SharpFormula;
 use super::state_names::named_state;
 use super::tolerances::{ToleranceError, allowances, own_tolerances};
@@ -118,6 +119,7 @@ impl System {
     }
 
     fn build(equation: Equation, parameters: Vec<Symbol>, events: Vec<Event>) -> Result<Self, WithoutValue> {
+        let equation = with_values_at_zero(equation);
         let layout = StateLayout::new(&equation);
         let state = layout.symbols(equation.variables());
         let mut moduli = Moduli::default();
@@ -132,8 +134,9 @@ impl System {
         let written = inputs.clone();
         let sharp = watched.iter().map(|formula| SharpFormula::new(formula, &inputs)).collect();
         inputs.extend(moduli.signs());
+        let bases = (0..state.len()).filter(|&number| moduli.has_power_of(&state[number])).collect();
         let arguments = moduli.into_arguments();
-        let passage = Passage::new(equation.derivatives(), &arguments, &watched, &written)?;
+        let passage = Passage::new(equation.derivatives(), &arguments, bases, &watched, &written)?;
         let own = arguments.iter().map(|modulus| &modulus.argument);
         let formulas: Vec<&Expression> = derivatives.iter().chain(own).chain(in_moduli).collect();
         let tape = Tape::new(&formulas, &inputs)?;

@@ -61,6 +61,83 @@ fn other_powers_come_to_zero_when_they_should() {
     }
 }
 
+/// x = (1 − t/10)¹⁰, a polynomial whose terms are a thousand times as large as it is: from either side of zero, and without |…| from where
+/// the power has a value.
+#[test]
+fn powers_next_to_one_lose_nothing_to_cancellation() {
+    let times: Vec<f64> = (0..=14).map(f64::from).collect();
+    for (equation, start) in
+        [("x' = -abs(x)^0.9*sign(x)", 1.0), ("x' = -abs(x)^0.9*sign(x)", -1.0), ("x' = -x^0.9", 1.0)]
+    {
+        for tolerance in [1e-15, 1e-12] {
+            let solution = solve(equation, &[start], &times, tolerance);
+            for Moment { time, state } in &solution.samples {
+                let exact = start * pow((1.0 - time / 10.0).max(0.0), 10.0);
+                let error = (state[0] - exact).abs();
+                assert!(error <= 2.0 * tolerance, "{equation} to {tolerance:e} at {time}: {error:e}");
+            }
+            assert!(solution.end.state[0] == 0.0 && solution.steps < 400, "{}", solution.steps);
+        }
+    }
+}
+
+/// What a root without |…| is taken of stays at zero too, from which nothing leads below; above it a force may.
+#[test]
+fn roots_without_bars_come_to_rest_where_they_end() {
+    let end = solve("x' = -sqrt(x); y'' = -sqrt(y')", &[1.0, 0.0, 1.0], &[9.0], 1e-15).end.state;
+    assert!(end[0] == 0.0 && end[2] == 0.0 && (end[1] - 2.0 / 3.0).abs() < 1e-15, "{end:?}");
+    let away = integrate(&system("x' = sqrt(x)"), &from(&[0.0]), &[1.0], &Effort::to_tolerance(1e-12));
+    let Err(IntegrationError::Stopped { cause, .. }) = away else { panic!("{away:?}") };
+    assert_eq!(cause, Cause::Undecided);
+}
+
+/// v/|v|^p is |v|^(1 − p)·sign(v), however it is written: v^p = 1 − pt. With p = 1 it is dry friction.
+#[test]
+fn quotients_that_vanish_with_their_divisor_come_to_rest() {
+    let written = [
+        ("-x'/sqrt(abs(x'))", 0.5),
+        ("-3*x'/(3*sqrt(abs(x')))", 0.5),
+        ("x'*(-abs(x')^(-1/2))", 0.5),
+        ("-x'^3/abs(x')^2.5", 0.5),
+        ("-x'/(abs(x')^0.15)^2", 0.3),
+        ("-x'/abs(x')^0.3", 0.3),
+        ("-x'/abs(x')", 1.0),
+        ("-x'*(1/abs(x'))", 1.0),
+    ];
+    for (formula, p) in written {
+        for start in [1.0, -1.0] {
+            let equation = format!("x'' = {formula}");
+            let times = [0.5 / p, 0.9 / p, 2.0 / p, 30.0 / p];
+            for Moment { time, state } in &solve(&equation, &[0.0, start], &times, 1e-15).samples {
+                let left = (1.0 - p * time).max(0.0);
+                let speed = pow(left, 1.0 / p);
+                let way = (1.0 - speed * left) / (1.0 + p);
+                let errors = [(state[0] - start * way).abs(), (state[1] - start * speed).abs()];
+                assert!(errors.iter().all(|error| *error < 1e-14), "{formula} at {time}: {errors:?}");
+                assert!(left > 0.0 || state[1] == 0.0, "{formula} at {time}: {}", state[1]);
+            }
+        }
+    }
+}
+
+/// x′ = x²/|x|^1.5 is √|x| on both sides: (1 + t/2)² above zero, −(1 − t/2)² below.
+#[test]
+fn even_powers_over_powers_of_a_modulus_keep_no_sign() {
+    let state = solve("x' = x^2/abs(x)^1.5", &[1.0], &[2.0], 1e-15).end.state[0];
+    assert!((state - 4.0).abs() < 1e-14, "{state}");
+    let state = solve("x' = x^2/abs(x)^1.5", &[-1.0], &[1.0], 1e-15).end.state[0];
+    assert!((state + 0.25).abs() < 1e-15, "{state}");
+}
+
+/// v′ = −1/√v ends at t = 2/3, with a rate that is infinite: nothing says what comes then, and the error tells where.
+#[test]
+fn a_rate_that_is_infinite_at_zero_ends_the_motion() {
+    let equation = "x'' = -x'/abs(x')^1.5";
+    let motion = integrate(&system(equation), &from(&[0.0, 1.0]), &[9.0], &Effort::to_tolerance(1e-12));
+    let Err(IntegrationError::Stopped { solution, .. }) = motion else { panic!("{motion:?}") };
+    assert!((solution.end.time - 2.0 / 3.0).abs() < 1e-12, "{}", solution.end.time);
+}
+
 /// v = (1 − t/2)²: after 2/3 it stands still, and another coordinate does not notice.
 #[test]
 fn a_velocity_comes_to_rest_while_others_move_on() {

@@ -65,6 +65,47 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
     crossings
 }
 
+/// Of cos t. Where a formula has a pole or ends the motion goes on, in as few steps as without it; a pole is no zero, a jump is one.
+#[test]
+fn formulas_that_end_on_the_way_do_not_end_the_motion() {
+    let all = |places: &[f64]| {
+        let about =
+            |x: &f64| [0.0, 2.0, 4.0].map(|turns| [turns * PI - libm::acos(*x), turns * PI + libm::acos(*x)]);
+        let mut times: Vec<f64> = places.iter().flat_map(about).flatten().collect();
+        times.retain(|time| 0.0 < *time && *time < 10.0);
+        times.sort_by(f64::total_cmp);
+        times
+    };
+    let at = |x: f64| all(&[x]);
+    let both_sides = |x: f64| all(&[x, -x]);
+    let root = 13f64.sqrt();
+    let cubic = all(&[0.25, (root - 1.0) / 8.0, (-root - 1.0) / 8.0]);
+    let cases = [
+        ("1/x - 16/9", at(9.0 / 16.0), 1e-12),
+        ("1/(x - 1/2) - 1000000", at(0.500001), 1e-12),
+        ("1/x", vec![], 0.0),
+        ("1/x^2 - 3", both_sides(3f64.sqrt().recip()), 1e-12),
+        ("1/(1 - cos(x)) - 3", both_sides(libm::acos(2.0 / 3.0)), 1e-12),
+        ("tan(2*x)", at(0.0), 1e-12),
+        ("ln(x) + 1", at(libm::exp(-1.0)), 1e-12),
+        ("sqrt(x) - 1/2", at(0.25), 1e-12),
+        ("x^(-1/3) - 2", at(0.125), 1e-12),
+        ("1/(x*(x^2 - 1/4)) + 64/3", cubic, 1e-12),
+        ("atan(1/x)", at(0.0), 1e-10),
+    ];
+    for (formula, exact, bound) in cases {
+        let solution =
+            run(&watched("x'' = -x", &[(formula, Direction::Any, false)]), &[1.0, 0.0], &[10.0], 1e-14);
+        let found: Vec<f64> = solution.events.iter().map(|event| event.time).collect();
+        assert_eq!(found.len(), exact.len(), "{formula}: {found:?}, {exact:?}");
+        assert!(
+            found.iter().zip(&exact).all(|(a, b)| (a - b).abs() <= bound),
+            "{formula}: {found:?}, {exact:?}"
+        );
+        assert!((solution.end.state[0] - libm::cos(10.0)).abs() < 1e-14 && solution.steps < 10, "{formula}");
+    }
+}
+
 #[test]
 fn crossings_next_to_the_amplitude_are_neither_missed_nor_doubled() {
     assert!(crossings_next_to_the_amplitude(1000) > 5000);
