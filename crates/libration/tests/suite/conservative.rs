@@ -41,6 +41,49 @@ fn every_motion_is_met_as_well_as_its_condition_allows() {
     }
 }
 
+/// Fermi, Pasta and Ulam's chain, to a tolerance of 1e-15, at the times of `chains.csv` up to one, each with the error there and what is
+/// allowed: as above, and four roundings more of its phase with each period of the lowest mode, so that the error grows like the time.
+fn errors_of_chain(set: &str, end: f64) -> Vec<[f64; 3]> {
+    let table = Table::read("chains.csv");
+    let rows = || table.rows().filter(|row| row.text("set") == set && row.input("time") <= end);
+    let start: Vec<f64> = rows().next().unwrap().text("start_hex").split(' ').map(from_hex).collect();
+    let times: Vec<f64> = rows().map(|row| row.input("time")).collect();
+    let system = model("fermi_pasta_ulam", set).system().unwrap();
+    let numbers = f64::from(u32::try_from(start.len()).unwrap()).sqrt();
+    let effort = Effort::to_tolerance(1e-15);
+    let motion = integrate(&system, &Moment { time: 0.0, state: start }, &times, &effort).unwrap();
+    let mut growth = Growth::default();
+    let errors = motion.samples.iter().zip(rows()).map(|(sample, row)| {
+        let periods = sample.time / 66.0;
+        let allowed =
+            numbers * growth.until(set, row) + 4.0 * f64::EPSILON * (1.0 + row.input("size")) * periods;
+        assert!(row.input("uncertainty") < 0.01 * allowed);
+        [sample.time, error(&sample.state, row), allowed]
+    });
+    errors.collect()
+}
+
+fn chains_are_where_they_should_be(end: f64) {
+    for set in ["alpha=0.25,beta=0", "alpha=0,beta=8"] {
+        for [time, error, allowed] in errors_of_chain(set, end) {
+            assert!(error <= allowed, "{set} at {time}: {error:e}, allowed {allowed:e}");
+        }
+    }
+}
+
+/// A hundred periods of the lowest mode.
+#[test]
+fn chains_are_where_another_integrator_finds_them_in_more_digits() {
+    chains_are_where_they_should_be(7000.0);
+}
+
+/// `cargo test --release -p libration --test suite ten_thousand_periods -- --ignored`
+#[test]
+#[ignore = "two minutes in a release build"]
+fn chains_are_where_they_should_be_after_ten_thousand_periods() {
+    chains_are_where_they_should_be(f64::INFINITY);
+}
+
 /// The energy of Fermi, Pasta and Ulam's chain, written out.
 fn energy_of_chain(state: &[f64], alpha: f64, beta: f64) -> f64 {
     let (places, velocities) = state.split_at(state.len() / 2);
