@@ -107,7 +107,10 @@ pub fn integrate_many(
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    many(system, trajectories, effort, None)
+    match trajectories {
+        [one] => vec![one.integrate(system, effort)],
+        _ => many(system, trajectories, effort, None),
+    }
 }
 
 /// Integrates as [`integrate_many`] does; `watch` sees the steps of all motions, with their numbers, and may stop them all.
@@ -120,7 +123,10 @@ pub fn integrate_many_watched(
     effort: &Effort,
     mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
-    many(system, trajectories, effort, Some(&mut |number, taken| watch(number, &taken.step)))
+    match trajectories {
+        [one] => vec![one.integrate_watched(system, effort, |step| watch(0, step))],
+        _ => many(system, trajectories, effort, Some(&mut |number, taken| watch(number, &taken.step))),
+    }
 }
 
 // Loops over steps that do not depend on the type of their watch, so that they are compiled once and in this crate.
