@@ -26,7 +26,7 @@ def response(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The periodic answers of a driven system over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings.
+    """The periodic answers of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings.
 
     Branches begin with the answers that are found at both ends of the range, and are followed through their folds; those that branch off are followed
     too. Every point has an error, special points are exact to their last digits.

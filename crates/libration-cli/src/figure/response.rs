@@ -9,13 +9,14 @@ use libration::systems::Model;
 
 /// The dashes of what is unstable.
 const DASHES: &[f64] = &[5.0, 4.0];
-const KINDS: [SpecialKind; 6] = [
+const KINDS: [SpecialKind; 7] = [
     SpecialKind::Fold,
     SpecialKind::SymmetryBreaking,
     SpecialKind::PeriodDoubling,
     SpecialKind::NeimarkSacker,
     SpecialKind::NeutralSaddle,
     SpecialKind::BranchPoint,
+    SpecialKind::Hopf,
 ];
 
 /// What the picture is of.

@@ -1,6 +1,6 @@
 //! `libration response` and `libration orbit`.
 
-use crate::command::{json, message, run, text};
+use crate::command::{json, libration, message, run, text};
 use serde_json::Value;
 
 fn number(value: &Value, name: &str) -> f64 {
@@ -67,6 +67,26 @@ fn a_response_is_told_in_words() {
 }
 
 #[test]
+fn limit_cycles_are_followed_to_their_hopf_points() {
+    let brusselator = "x' = 1 + x^2 y - (b + 1) x; y' = b x - x^2 y";
+    let output = run(&["response", brusselator, "--over", "b=1.5:3", "--json"]);
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let branch = &answer["branches"][0];
+    assert_eq!((&branch["beginning"], &branch["ending"]), (&"range_end".into(), &"rest".into()));
+    let special = &branch["special"].as_array().unwrap()[..];
+    assert!(special.len() == 1 && special[0]["kind"] == "hopf", "{special:?}");
+    assert!((number(&special[0], "parameter") - 2.0).abs() < 1e-14);
+    for point in branch["points"].as_array().unwrap() {
+        let multipliers = point["multipliers"].as_array().unwrap();
+        assert!(multipliers.iter().any(|it| (it[0].as_f64().unwrap() - 1.0).abs() < 1e-15), "{point}");
+    }
+    let told = text("response van_der_pol --over mu=0.5:2 --digits 20");
+    assert!(told.contains("symmetric, limit cycle:"), "{told}");
+    let refused = libration("response van_der_pol --over mu=0.5:2 --drive-periods 2");
+    assert!(!refused.status.success() && message(&refused).contains("no drive"), "{}", message(&refused));
+}
+
+#[test]
 fn special_points_have_the_digits_that_are_asked_for() {
     let question =
         "response driven_pendulum --set A=0.15,c=0.1 --over omega=0.86:0.88 --generations 0 --digits 25";
@@ -116,7 +136,7 @@ fn an_orbit_of_each_kind_is_told() {
 #[test]
 fn what_cannot_be_is_refused_with_what_would_do() {
     let cases: [(&[&str], i32, &[&str]); 8] = [
-        (&["response", "pendulum", "--over", "omega0=1:2"], 1, &["no drive", "sines and cosines"]),
+        (&["response", "pendulum", "--over", "omega0=1:2"], 1, &["family", "libration backbone"]),
         (&["response", "driven_pendulum", "--over", "omega=1"], 2, &["--over", "omega=0.3:1.4"]),
         (&["response", "driven_pendulum", "--over", "omega=1:1"], 2, &["--over", "no width"]),
         (&["response", "driven_pendulum", "--over", "b=1:2"], 2, &["--over", "b"]),

@@ -1,7 +1,7 @@
 //! A branch of periodic motions, followed from a place on it.
 
 use super::corrector::{Corrector, norm};
-use super::node::{Node, between, difference, in_units, largest_swing, units};
+use super::node::{Node, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{SpecialPoint, Stretch};
@@ -18,7 +18,9 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// In the same order.
     pub special: Vec<SpecialPoint>,
-    /// Why it ends.
+    /// Why it does not go on before the first point.
+    pub beginning: Ending,
+    /// And behind the last.
     pub ending: Ending,
 }
 
@@ -34,7 +36,7 @@ pub enum Origin {
     PeriodDoubling,
 }
 
-/// Why a branch ends.
+/// Why a branch goes on no farther.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Ending {
@@ -44,9 +46,12 @@ pub enum Ending {
     Closed,
     /// It ends in another branch, of which it is one side.
     BranchPoint,
+    /// It ends at a Hopf point, in a state of rest.
+    Rest,
     /// It has as many points as were allowed.
     PointLimit,
-    /// The period of the drive grows beyond a hundred times its least: the branch goes on to the frequency zero.
+    /// The period of the drive grows beyond a hundred times its least, or without a drive that of the motion beyond a hundred times its first:
+    /// the branch goes on to the frequency zero.
     SlowDrive,
     /// Its motions can be followed no farther: no step is short enough.
     Lost,
@@ -86,6 +91,8 @@ pub(super) struct Walk<'a> {
     last: f64,
     /// Where it meets the branch it is a side of.
     meeting: Option<f64>,
+    /// The Hopf point in which it ends.
+    hopf: Option<SpecialPoint>,
 }
 
 /// A followed branch, with the nodes of its singular points.
@@ -98,21 +105,25 @@ pub(super) struct Walked {
 }
 
 impl Walked {
+    /// The same, of a branch of which nothing is found before the first point.
+    pub(super) fn beginning_lost(mut self) -> Self {
+        self.branch.beginning = Ending::Lost;
+        self
+    }
+
     /// This one backwards, and then another one that begins at the same point.
     pub(super) fn turned_into(mut self, onward: &Self) -> Self {
         let all = self.branch.points.len();
-        let turned = |(special, node): (SpecialPoint, Node)| {
-            (SpecialPoint { before: all - special.before, ..special }, node)
-        };
-        let later = |(special, node): &(SpecialPoint, Node)| {
-            (SpecialPoint { before: special.before + all - 1, ..special.clone() }, node.clone())
-        };
-        self.specials =
-            self.specials.into_iter().rev().map(turned).chain(onward.specials.iter().map(later)).collect();
-        self.branch.special = self.specials.iter().map(|(special, _)| special.clone()).collect();
+        let turned = |special: SpecialPoint| SpecialPoint { before: all - special.before, ..special };
+        let later = |special: SpecialPoint| SpecialPoint { before: special.before + all - 1, ..special };
+        let first = self.branch.special.into_iter().rev().map(turned);
+        self.branch.special = first.chain(onward.branch.special.iter().cloned().map(later)).collect();
+        let first = self.specials.into_iter().rev().map(|(special, node)| (turned(special), node));
+        let then = onward.specials.iter().cloned().map(|(special, node)| (later(special), node));
+        self.specials = first.chain(then).collect();
         self.branch.points.reverse();
         self.branch.points.extend_from_slice(&onward.branch.points[1..]);
-        self.branch.ending = onward.branch.ending;
+        (self.branch.beginning, self.branch.ending) = (self.branch.ending, onward.branch.ending);
         self.meeting = self.meeting.or(onward.meeting);
         self
     }
@@ -121,14 +132,29 @@ impl Walked {
 impl<'a> Walk<'a> {
     pub(super) fn new(corrector: Corrector<'a>, limits: Limits, start: Node) -> Self {
         let largest = largest_swing(&start.point);
-        Self { corrector, limits, largest, nodes: vec![start], special: vec![], last: 0.0, meeting: None }
+        Self {
+            corrector,
+            limits,
+            largest,
+            nodes: vec![start],
+            special: vec![],
+            last: 0.0,
+            meeting: None,
+            hopf: None,
+        }
     }
 
     pub(super) fn walked(mut self, origin: Origin) -> Walked {
         let ending = self.followed();
-        let points = self.nodes.into_iter().map(|node| node.point).collect();
-        let special = self.special.iter().map(|(special, _)| special.clone()).collect();
-        let branch = Branch { origin, space: self.corrector.space, points, special, ending };
+        let nodes = self.nodes.into_iter().map(|node| node.point);
+        let points = nodes.chain(self.hopf.iter().map(|hopf| hopf.point.clone())).collect();
+        let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
+        let beginning = match origin {
+            _ if ending == Ending::Closed => Ending::Closed,
+            Origin::Primary => Ending::RangeEnd,
+            Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
+        };
+        let branch = Branch { origin, space: self.corrector.space, points, special, beginning, ending };
         Walked { branch, specials: self.special, meeting: self.meeting }
     }
 
@@ -151,7 +177,7 @@ impl<'a> Walk<'a> {
     /// One step, or a shorter one next; why there is none.
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
-        let units = units(&self.corrector.family.layout, &self.at().point, self.largest, width);
+        let units = self.corrector.family.units(&self.at().point, self.largest, width);
         let next = self.next(&units, *length).filter(|(next, ..)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
             *length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_hide_folds())
@@ -248,11 +274,15 @@ impl<'a> Walk<'a> {
     /// Takes a node in, and the singular points on the way to it; an ending where the branch meets the one it came from.
     fn accept(&mut self, next: Node, units: &[f64]) -> Option<Ending> {
         let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units };
-        if stretch.may_meet_other_branch()
-            && let Some(parameter) = stretch.meeting()
-        {
-            self.meeting = Some(parameter);
-            return Some(Ending::BranchPoint);
+        if stretch.may_meet_other_branch() {
+            if let Some(hopf) = stretch.hopf() {
+                self.hopf = Some(SpecialPoint { before: self.nodes.len(), ..hopf });
+                return Some(Ending::Rest);
+            }
+            if let Some(parameter) = stretch.meeting() {
+                self.meeting = Some(parameter);
+                return Some(Ending::BranchPoint);
+            }
         }
         let found = stretch.specials();
         let before = self.nodes.len();

@@ -206,7 +206,7 @@ impl Survey<'_> {
             rest: Some(self.start),
         };
         let image = singular.image(&crossing.place, TOLERANCES[0])?;
-        let point = self.family.point(self.space(), self.start, &crossing.place, &image.map, 0.0)?;
+        let point = self.family.point(self.space(), self.start, &crossing.place, &image, 0.0)?;
         let kind = match crossing.test {
             Test::Flip => SpecialKind::PeriodDoubling,
             Test::Torus if point.is_torus() => SpecialKind::NeimarkSacker,
@@ -334,6 +334,6 @@ fn test_of(kind: SpecialKind) -> Option<Test> {
         SpecialKind::Fold => Some(Test::Branching),
         SpecialKind::SymmetryBreaking | SpecialKind::PeriodDoubling => Some(Test::Flip),
         SpecialKind::NeimarkSacker => Some(Test::Torus),
-        SpecialKind::NeutralSaddle | SpecialKind::BranchPoint => None,
+        SpecialKind::NeutralSaddle | SpecialKind::BranchPoint | SpecialKind::Hopf => None,
     }
 }

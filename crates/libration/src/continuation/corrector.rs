@@ -8,7 +8,7 @@ use crate::linear::solve;
 /// A state and the parameter behind it, with what the motion makes of them.
 #[derive(Clone, Debug)]
 pub(super) struct Corrected {
-    /// Numbers of the state, then the parameter.
+    /// The unknowns of the motion, then the parameter.
     pub(super) place: Vec<f64>,
     pub(super) image: Image,
     /// How far the first guess was off, in units.

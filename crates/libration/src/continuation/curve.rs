@@ -3,7 +3,7 @@
 use super::branch::Ending;
 use super::corrector::norm;
 use super::family::TOLERANCES;
-use super::node::{largest_swing, units};
+use super::node::largest_swing;
 use super::point::BranchPoint;
 use super::singular::Singular;
 use super::space::Space;
@@ -239,7 +239,7 @@ impl<'a> Trace<'a> {
         let Singular { family, space, .. } = self.singular;
         let image = self.singular.image(&place, TOLERANCES[0])?;
         let (state, parameters) = self.singular.parts(&place);
-        let point = family.point(space, state, parameters, &image.map, error)?;
+        let point = family.point(space, state, parameters, &image, error)?;
         let second = parameters[1];
         Some(Spot { tangent, point: CurvePoint { point, second }, place })
     }
@@ -263,7 +263,7 @@ impl<'a> Trace<'a> {
         if self.singular.rest.is_some() {
             return widths.to_vec();
         }
-        let sizes = units(&self.singular.family.layout, point, self.largest, widths[0]);
+        let sizes = self.singular.family.units(point, self.largest, widths[0]);
         sizes.into_iter().chain([widths[1]]).collect()
     }
 

@@ -19,6 +19,11 @@ pub enum NoBranch {
         "the equations have no drive with a known period: the time may stand in sines and cosines only, in simple proportions"
     )]
     NotDriven,
+    /// Free motions that are not isolated.
+    #[error(
+        "at one value of the parameter there is a family of periodic motions, as where energy is conserved: follow it in the amplitude instead"
+    )]
+    Family,
     /// A range without a width, or with ends that are not finite.
     #[error("the range from {from:?} to {to:?} has no width: give two different finite numbers")]
     Range {

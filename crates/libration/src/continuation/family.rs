@@ -1,22 +1,33 @@
-//! A driven system over its open parameters: how the end of a motion depends on its start and on them.
+//! A system over its open parameters: how the end of a motion depends on its start and on them.
 
 use super::drive_law::DriveLaw;
 use super::error::NoBranch;
+use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
 use super::symmetry::symmetry;
 use crate::algebra::Doubles;
 use crate::expression::{Equation, Jet, Symbol, Tape};
+use crate::orbit::depends_on_time;
 use crate::taylor::{
     Effort, IntegrationError, Moment, OwnedStep, StateLayout, System, Trajectory, with_sensitivities,
 };
 use crate::watch::Watch;
 
-/// A system whose drive has a period at each value of its open parameters.
+/// What sets the period of a motion.
+#[derive(Debug)]
+enum Beat {
+    /// The drive, at each value of the open parameters.
+    Drive(DriveLaw),
+    /// The motion itself: its period is one more unknown, and it begins where the first coordinate turns back.
+    Own(Field),
+}
+
+/// A system over its open parameters. The unknowns of a motion are the numbers of its state, followed by its period where no drive sets it.
 #[derive(Debug)]
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
-    law: DriveLaw,
+    beat: Beat,
     plain: System,
     /// Followed by the derivatives by each parameter and by each number of the start.
     with_derivatives: System,
@@ -27,12 +38,41 @@ pub(super) struct Family<'w> {
 /// Where a motion leads in the time of its space, its mirror image where the space has one.
 #[derive(Clone, Debug)]
 pub(super) struct Image {
-    /// What its end misses of the start.
+    /// What its end misses of the start; then, where no drive sets the period, what the start misses of its phase.
     pub(super) defect: Vec<f64>,
-    /// How the end depends on the start, by rows.
+    /// How the end depends on the start, by rows: the derivative of the defect by the unknowns, plus one.
     pub(super) map: Vec<Vec<f64>>,
+    /// How the return to the phase depends on the start, where no drive sets the period.
+    returned: Option<Vec<Vec<f64>>>,
     /// And on each parameter, of which the time is a function.
     pub(super) by_parameters: Vec<Vec<f64>>,
+}
+
+impl Image {
+    /// Where the time depends on the parameters with some slopes.
+    fn in_time_of_drive(mut self, rate: &[f64], slopes: &[f64]) -> Self {
+        for (by_parameter, slope) in self.by_parameters.iter_mut().zip(slopes) {
+            by_parameter.iter_mut().zip(rate).for_each(|(x, rate)| *x += slope * rate);
+        }
+        self
+    }
+
+    /// Where the period, a share of which is the time, is an unknown, and that the first coordinate turns back at the start an equation.
+    fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates) -> Option<Self> {
+        let (phase, slopes) = (start.rates[0], &start.slopes[0]);
+        let (by_state, by_parameters) = slopes.split_at(self.map.len());
+        self.returned = Some(returned(&self.map, rate, by_state)?);
+        self.map.iter_mut().zip(rate).for_each(|(row, rate)| row.push(share * rate));
+        self.map.push(by_state.iter().copied().chain([1.0]).collect());
+        self.defect.push(phase);
+        self.by_parameters.iter_mut().zip(by_parameters).for_each(|(all, slope)| all.push(*slope));
+        Some(self)
+    }
+
+    /// The map whose eigenvalues are the multipliers; without a drive the 1 of a deviation along the motion is a 0 there.
+    pub(super) fn return_map(&self) -> &[Vec<f64>] {
+        self.returned.as_ref().unwrap_or(&self.map)
+    }
 }
 
 /// The tolerance of steps from which places are computed, and another one that makes other errors.
@@ -41,39 +81,97 @@ pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
 const MOST_STEPS: usize = 100_000;
 
 impl<'w> Family<'w> {
+    /// Of a driven system.
     pub(super) fn new(
         equation: &Equation,
         parameters: &[&str],
         ranges: &[[f64; 2]],
         watch: &'w Watch<'w>,
     ) -> Result<Self, NoBranch> {
-        let layout = StateLayout::new(equation);
         let law = DriveLaw::new(equation, parameters)?;
+        Self::with_beat(equation, parameters, ranges, Beat::Drive(law), watch)
+    }
+
+    /// Of one that nothing drives, where the time does not stand in the equations.
+    pub(super) fn free_or_driven(
+        equation: &Equation,
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
+        if depends_on_time(equation) {
+            return Self::new(equation, parameters, ranges, watch);
+        }
+        let field = Field::new(equation, parameters)?;
+        Self::with_beat(equation, parameters, ranges, Beat::Own(field), watch)
+    }
+
+    fn with_beat(
+        equation: &Equation,
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
+        beat: Beat,
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
+        let layout = StateLayout::new(equation);
         let plain = System::with_parameters(equation, parameters)?.for_many_steps();
         let derivatives = with_sensitivities(equation, parameters, layout.numbers());
         let with_derivatives = System::with_parameters(&derivatives, parameters)?.for_many_steps();
         let mut inputs = layout.symbols(equation.variables());
         inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
         let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        let symmetry = symmetry(&layout, &rates, &law, ranges);
-        Ok(Self { layout, symmetry, law, plain, with_derivatives, rates, watch })
+        let law = match &beat {
+            Beat::Drive(law) => Some(law),
+            Beat::Own(_) => None,
+        };
+        let symmetry = symmetry(&layout, &rates, law, ranges);
+        Ok(Self { layout, symmetry, beat, plain, with_derivatives, rates, watch })
+    }
+
+    pub(super) fn is_driven(&self) -> bool {
+        self.field().is_none()
+    }
+
+    /// The rates of change, where no drive sets the period.
+    pub(super) fn field(&self) -> Option<&Field> {
+        match &self.beat {
+            Beat::Drive(_) => None,
+            Beat::Own(field) => Some(field),
+        }
+    }
+
+    /// The state among the unknowns.
+    pub(super) fn state<'u>(&self, unknowns: &'u [f64]) -> &'u [f64] {
+        &unknowns[..self.layout.numbers()]
     }
 
     /// The time of a space.
-    pub(super) fn duration(&self, space: Space, parameters: &[f64]) -> Option<f64> {
-        self.law.period(parameters).map(|(period, _)| 0.5 * f64::from(space.half_periods) * period)
+    pub(super) fn duration(&self, space: Space, unknowns: &[f64], parameters: &[f64]) -> Option<f64> {
+        let period = match &self.beat {
+            Beat::Drive(law) => law.period(parameters)?.0,
+            Beat::Own(_) => *unknowns.last()?,
+        };
+        (period > 0.0).then(|| 0.5 * f64::from(space.half_periods) * period)
     }
 
-    /// The image of a state with its derivatives; `None` where the motion cannot be followed.
+    /// The period of the drive, if there is one.
+    pub(super) fn drive_period(&self, parameters: &[f64]) -> Option<f64> {
+        match &self.beat {
+            Beat::Drive(law) => law.period(parameters).map(|(period, _)| period),
+            Beat::Own(_) => None,
+        }
+    }
+
+    /// The image of a motion with its derivatives; `None` where the motion cannot be followed.
     pub(super) fn image(
         &self,
         space: Space,
-        state: &[f64],
+        unknowns: &[f64],
         parameters: &[f64],
         tolerance: f64,
     ) -> Option<Image> {
-        let (period, slopes) = self.law.period(parameters)?;
-        let share = 0.5 * f64::from(space.half_periods);
+        let state = self.state(unknowns);
+        let duration = self.duration(space, unknowns, parameters)?;
         let (numbers, by) = (self.layout.numbers(), parameters.len());
         let place = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, by + numbers);
         let mut start = vec![0.0; numbers * (1 + by + numbers)];
@@ -81,20 +179,52 @@ impl<'w> Family<'w> {
             start[place(number, 0)] = *value;
             start[place(number, 1 + by + number)] = 1.0;
         }
-        let end = self.end(&self.with_derivatives, start, parameters, share * period, tolerance)?;
+        let end = self.end(&self.with_derivatives, start, parameters, duration, tolerance)?;
         let own: Vec<f64> = (0..numbers).map(|number| end[place(number, 0)]).collect();
-        let rate = self.rate(&own, share * period, parameters)?;
         let sign = space.sign();
+        let rate: Vec<f64> = self.rate(&own, duration, parameters)?.iter().map(|x| sign * x).collect();
         let row =
             |number: usize| (0..numbers).map(|start| sign * end[place(number, 1 + by + start)]).collect();
-        let by_parameter = |(number, slope): (usize, f64)| {
-            (0..numbers).map(|it| sign * (end[place(it, 1 + number)] + share * slope * rate[it])).collect()
-        };
-        Some(Image {
+        let by_parameter =
+            |number: usize| (0..numbers).map(|it| sign * end[place(it, 1 + number)]).collect::<Vec<f64>>();
+        let image = Image {
             defect: own.iter().zip(state).map(|(end, start)| sign * end - start).collect(),
             map: (0..numbers).map(row).collect(),
-            by_parameters: slopes.into_iter().enumerate().map(by_parameter).collect(),
-        })
+            returned: None,
+            by_parameters: (0..by).map(by_parameter).collect(),
+        };
+        let share = 0.5 * f64::from(space.half_periods);
+        match &self.beat {
+            Beat::Drive(law) => {
+                let (_, slopes) = law.period(parameters)?;
+                Some(
+                    image.in_time_of_drive(
+                        &rate,
+                        &slopes.iter().map(|slope| share * slope).collect::<Vec<_>>(),
+                    ),
+                )
+            }
+            Beat::Own(field) => image.beginning_at_turn(&rate, share, field.at(state, parameters)?),
+        }
+    }
+
+    /// A start that is not at rest: one that is goes aside a little.
+    pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
+        const REST: f64 = 1e-9;
+        const ASIDE: f64 = 0.1;
+        let rates = self.field().and_then(|field| field.at(&state, &[value]));
+        if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST)) {
+            state[0] += ASIDE * state[0].abs().max(1.0);
+        }
+        state
+    }
+
+    /// How often the first coordinate turns back in a period from a turn on.
+    pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
+        let (steps, _) = self.motion(state, &[value], period, TOLERANCES[1]).ok()?;
+        let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
+        let begins_to = |own: &&OwnedStep| !rises(own, own.step().start()) && rises(own, own.step().end());
+        u32::try_from(steps.iter().filter(begins_to).count().max(1)).ok()
     }
 
     fn end(

@@ -30,10 +30,9 @@ pub(super) fn jumps<'a>(
         let neighbours = [points.get(fold.before.checked_sub(1)?)?, points.get(fold.before)?];
         let left = neighbours.into_iter().find(|point| point.stable)?;
         let value = fold.point.parameter;
-        let pairs = branches.iter().enumerate().flat_map(|(other, branch)| {
-            let own = (other == number).then_some(fold.before);
-            stable_stretches(branch, value, own).map(|pair| (branch.space, pair))
-        });
+        let pairs = branches
+            .iter()
+            .flat_map(|branch| stable_stretches(branch, value).map(|pair| (branch.space, pair)));
         let to = pairs.map(|(space, pair)| landing(&corrector(space), pair, value, width));
         Some(Jump {
             rising: left.parameter < value,
@@ -48,23 +47,17 @@ pub(super) fn jumps<'a>(
     folds.filter_map(|(number, fold)| jump(number, fold)).collect()
 }
 
-/// Neighbours on stable stretches of a branch with a value between them, except on both sides of a fold.
-fn stable_stretches(
-    branch: &Branch,
-    value: f64,
-    fold: Option<usize>,
-) -> impl Iterator<Item = [&BranchPoint; 2]> {
-    let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).enumerate();
-    let away = pairs.filter(move |(number, _)| fold.is_none_or(|fold| number + 1 != fold));
-    away.map(|(_, (a, b))| [a, b])
-        .filter(move |[a, b]| a.stable && b.stable && (a.parameter < value) != (b.parameter < value))
+/// Neighbours on stable stretches of a branch with a value between them.
+fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&BranchPoint; 2]> {
+    let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
+    pairs.filter(move |[a, b]| a.stable && b.stable && (a.parameter < value) != (b.parameter < value))
 }
 
 /// The motion at a value between two points; the nearer of them, with their distance as its error, where none is found between them.
 fn landing(corrector: &Corrector<'_>, [a, b]: [&BranchPoint; 2], value: f64, width: f64) -> BranchPoint {
     let part = (value - a.parameter) / (b.parameter - a.parameter);
-    let place: Vec<f64> =
-        a.state.iter().zip(&b.state).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
+    let [from, to] = [a, b].map(|point| corrector.unknowns(point));
+    let place: Vec<f64> = from.iter().zip(&to).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
     let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
     let nearer = if part < 0.5 { a } else { b };
     let apart = distance(a, b);

@@ -1,4 +1,4 @@
-//! Branches of periodic motions of driven systems over a parameter, through their folds, with stability and errors.
+//! Branches of periodic motions of driven and self-excited systems over a parameter, through their folds, with stability and errors.
 //!
 //! ```
 //! use libration::continuation::{Response, ResponseOptions, SpecialKind};
@@ -19,6 +19,7 @@
 mod error;
 
 mod drive_law;
+mod field;
 mod space;
 
 mod symmetry;
@@ -32,6 +33,8 @@ mod point;
 mod node;
 
 mod special;
+
+mod hopf;
 
 mod backbone;
 mod branch;

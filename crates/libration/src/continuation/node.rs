@@ -1,11 +1,10 @@
 //! A place on a branch, with its direction and what tells singular points.
 
 use super::corrector::{Corrected, Corrector, norm};
-use super::family::Image;
+use super::family::{Family, Image};
 use super::point::BranchPoint;
 use crate::algebra::Complex;
 use crate::linear::eigenvalues;
-use crate::taylor::StateLayout;
 use std::f64::consts::TAU;
 
 /// A place on a branch.
@@ -62,7 +61,7 @@ impl Node {
         for _ in 0..2 {
             let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
             let found = Self::new(corrector, corrected, along, &sizes)?;
-            sizes = units(&corrector.family.layout, &found.point, largest_swing(&found.point), width);
+            sizes = corrector.family.units(&found.point, largest_swing(&found.point), width);
             node = Some(found);
         }
         node
@@ -75,7 +74,7 @@ impl Node {
 
 impl Tests {
     pub(super) fn new(image: &Image, fold: f64) -> Option<Self> {
-        let own = eigenvalues(&image.map)?;
+        let own = eigenvalues(image.return_map())?;
         let one = Complex::from(1.0);
         let product = |factors: &mut dyn Iterator<Item = Complex>| factors.fold(one, |a, b| a * b).re;
         // The product of a large multiplier and its inverse is as inexact as the square of the large one.
@@ -104,17 +103,20 @@ pub(super) fn largest_swing(point: &BranchPoint) -> f64 {
     if largest > 1e-9 { largest } else { 1.0 }
 }
 
-/// The sizes of the numbers of a state, then that of the parameter: half of what a coordinate goes, and its share of the velocity. What
-/// hardly moves beside the largest swing is measured by a part of this.
-pub(super) fn units(layout: &StateLayout, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {
-    const HARDLY: f64 = 0.02;
-    let swing = |coordinate: usize| {
-        let [low, high] = point.ranges[coordinate];
-        (0.5 * (high - low)).max(HARDLY * largest)
-    };
-    let places = (0..layout.coordinates()).map(swing);
-    let sizes = layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
-    sizes.into_iter().chain([width]).collect()
+impl Family<'_> {
+    /// The sizes of the unknowns, then that of the parameter: half of what a coordinate goes, its share of the velocity, and the period where
+    /// it is unknown. What hardly moves beside the largest swing is measured by a part of this.
+    pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {
+        const HARDLY: f64 = 0.02;
+        let swing = |coordinate: usize| {
+            let [low, high] = point.ranges[coordinate];
+            (0.5 * (high - low)).max(HARDLY * largest)
+        };
+        let places = (0..self.layout.coordinates()).map(swing);
+        let sizes = self.layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
+        let period = (!self.is_driven()).then_some(point.period);
+        sizes.into_iter().chain(period).chain([width]).collect()
+    }
 }
 
 /// The cubic through two places with their directions: Hermite's, from 0 to 1.

@@ -1,7 +1,7 @@
 //! A periodic motion at one value of the parameter.
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
-use super::family::{Family, TOLERANCES};
+use super::family::{Family, Image, TOLERANCES};
 use super::space::Space;
 use crate::algebra::{Complex, Doubles};
 use crate::linear::{eigenvalues, solve};
@@ -15,13 +15,14 @@ use std::f64::consts::TAU;
 pub struct BranchPoint {
     /// The value of the parameter.
     pub parameter: f64,
-    /// The state when the phase of the drive is zero: coordinates, then velocities.
+    /// The state when the phase of the drive is zero: coordinates, then velocities. Without a drive the first coordinate turns back there.
     pub state: Vec<f64>,
     /// After which the motion repeats itself.
     pub period: f64,
     /// The least and the greatest value of each coordinate.
     pub ranges: Vec<[f64; 2]>,
-    /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding.
+    /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
+    /// one of them is exactly 1, that of a deviation along the motion.
     pub multipliers: Vec<Complex>,
     /// Whether all deviations die out, or none grows where energy is conserved.
     pub stable: bool,
@@ -52,15 +53,22 @@ impl BranchPoint {
 }
 
 impl Corrector<'_> {
+    /// The unknowns of a motion of the space.
+    pub(super) fn unknowns(&self, point: &BranchPoint) -> Vec<f64> {
+        let period = (!self.family.is_driven()).then(|| point.period / f64::from(self.space.drive_periods()));
+        point.state.iter().copied().chain(period).collect()
+    }
+
     /// What there is to say about a motion; `None` where it cannot be followed.
     pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
-        let (&parameter, state) = corrected.place.split_last()?;
+        let (&parameter, unknowns) = corrected.place.split_last()?;
+        let state = self.family.state(unknowns);
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
-        let duration = self.family.duration(self.space, &[parameter])?;
+        let duration = self.family.duration(self.space, unknowns, &[parameter])?;
         let (steps, end) = self.family.motion(state, &[parameter], duration, other).ok()?;
         let sign = self.space.sign();
         let defect: Vec<f64> = end.iter().zip(state).map(|(end, start)| sign * end - start).collect();
-        let point = self.family.described(self.space, state, &[parameter], &corrected.image.map, &steps)?;
+        let point = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &steps)?;
         // Where branches cross the state is not determined.
         let error = error(corrected, &defect, tangent, units).unwrap_or(f64::INFINITY);
         Some(BranchPoint { error, ..point })
@@ -72,32 +80,38 @@ impl Family<'_> {
     pub(super) fn point(
         &self,
         space: Space,
-        state: &[f64],
+        unknowns: &[f64],
         parameters: &[f64],
-        map: &[Vec<f64>],
+        image: &Image,
         error: f64,
     ) -> Option<BranchPoint> {
-        let duration = self.duration(space, parameters)?;
-        let (steps, _) = self.motion(state, parameters, duration, TOLERANCES[1]).ok()?;
-        Some(BranchPoint { error, ..self.described(space, state, parameters, map, &steps)? })
+        let duration = self.duration(space, unknowns, parameters)?;
+        let (steps, _) = self.motion(self.state(unknowns), parameters, duration, TOLERANCES[1]).ok()?;
+        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &steps)? })
     }
 
     fn described(
         &self,
         space: Space,
-        state: &[f64],
+        unknowns: &[f64],
         parameters: &[f64],
-        map: &[Vec<f64>],
+        image: &Image,
         steps: &[OwnedStep],
     ) -> Option<BranchPoint> {
-        let duration = self.duration(space, parameters)?;
-        let own = eigenvalues(map)?;
+        let duration = self.duration(space, unknowns, parameters)?;
+        let mut own = eigenvalues(image.return_map())?;
+        if !self.is_driven() {
+            // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
+            own.pop();
+            let before = own.iter().take_while(|it| it.abs() > 1.0).count();
+            own.insert(before, Complex::from(1.0));
+        }
         // Of a mirrored motion the whole period is twice the time of its map.
         let multipliers: Vec<Complex> =
             if space.mirrored { own.into_iter().map(|it| it * it).collect() } else { own };
         Some(BranchPoint {
             parameter: *parameters.first()?,
-            state: state.to_vec(),
+            state: self.state(unknowns).to_vec(),
             period: if space.mirrored { 2.0 * duration } else { duration },
             ranges: ranges(&self.layout, steps, space.mirrored),
             stable: is_stable(&multipliers),
@@ -117,13 +131,13 @@ fn error(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -
     let matrix = bordered(&corrected.image, tangent, units);
     let numbers = other.len();
     let rounding: Vec<f64> = corrected.place[..numbers].iter().map(|x| f64::EPSILON * x.abs()).collect();
-    let missed: Vec<f64> = (0..numbers)
-        .map(|i| (corrected.image.defect[i].abs() + other[i].abs() + rounding[i]) / units[i])
-        .chain([0.0])
-        .collect();
+    let closing =
+        (0..numbers).map(|i| (corrected.image.defect[i].abs() + other[i].abs() + rounding[i]) / units[i]);
+    let mut missed: Vec<f64> = closing.collect();
+    missed.resize(matrix.len(), 0.0);
     let change = solve(&Doubles, |x| x.abs(), &matrix, &missed)?;
     let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
-    Some(4.0 * unit * norm(&change))
+    Some(4.0 * unit * norm(&change[..numbers]))
 }
 
 /// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins.

@@ -3,7 +3,7 @@
 use super::corrector::norm;
 use super::error::NoBranch;
 use super::family::{Family, TOLERANCES};
-use super::node::{largest_swing, units};
+use super::node::largest_swing;
 use super::precise_flow::{PreciseFlow, PreciseImage};
 use super::singular::Singular;
 use super::space::Space;
@@ -11,6 +11,7 @@ use super::special::{SpecialKind, SpecialPoint, Test};
 use crate::algebra::{BigFloat, Doubles, Floats, Ring};
 use crate::expression::Equation;
 use crate::linear::{eigenvalues, solve};
+use crate::orbit::depends_on_time;
 use crate::watch::Watch;
 
 /// A singular point in floats of many bits.
@@ -33,7 +34,7 @@ impl SpecialPoint {
     /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the parameter, to so many
     /// digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision.
     /// `None` for neutral saddles and for more than two numbers of the state at Neimark–Sacker points, for branch points of motions that are not
-    /// at rest at zero, and where the motion cannot be followed.
+    /// at rest at zero, where nothing drives, and where the motion cannot be followed.
     ///
     /// # Accuracy
     /// As its error says, below the last of the digits.
@@ -77,6 +78,9 @@ impl SpecialPoint {
     ) -> Result<Option<PreciseSpecial>, NoBranch> {
         let value = self.point.parameter;
         let width = value.abs().max(f64::MIN_POSITIVE);
+        if !depends_on_time(equation) {
+            return Ok(None);
+        }
         let family = Family::new(equation, &[parameter], &[[value - width, value + width]], watch)?;
         let flow = PreciseFlow::new(equation, parameter, watch)?;
         let is_zero = self.point.state.iter().all(|x| *x == 0.0);
@@ -90,7 +94,7 @@ impl SpecialPoint {
         };
         let rest = is_rest.then_some(&self.point.state[..]);
         let singular = Singular { family: &family, space, test, rest };
-        let units = units(&family.layout, &self.point, largest_swing(&self.point), width);
+        let units = family.units(&self.point, largest_swing(&self.point), width);
         let bits = usize::try_from(digits).unwrap_or(usize::MAX / 8) * 10 / 3 + SPARE;
         let root = Root { singular, flow, units, ring: Floats { precision: bits }, digits };
         Ok(root.found(self))

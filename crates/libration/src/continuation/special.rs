@@ -2,10 +2,12 @@
 
 use super::corrector::{Corrected, Corrector, norm};
 use super::family::TOLERANCES;
+use super::hopf::hopf;
 use super::node::{Node, Tests, between, difference, in_units};
 use super::point::BranchPoint;
 use super::space::Space;
 use crate::roots::{Tolerance, zero_between};
+use std::f64::consts::TAU;
 
 /// What happens at a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +25,24 @@ pub enum SpecialKind {
     NeutralSaddle,
     /// Another branch of the same period crosses this one.
     BranchPoint,
+    /// A limit cycle shrinks to a state of rest, where two complex eigenvalues cross the imaginary axis.
+    Hopf,
+}
+
+impl SpecialKind {
+    /// The name that machines read.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::SymmetryBreaking => "symmetry_breaking",
+            Self::PeriodDoubling => "period_doubling",
+            Self::NeimarkSacker => "neimark_sacker",
+            Self::NeutralSaddle => "neutral_saddle",
+            Self::BranchPoint => "branch_point",
+            Self::Hopf => "hopf",
+        }
+    }
 }
 
 impl std::fmt::Display for SpecialKind {
@@ -34,6 +54,7 @@ impl std::fmt::Display for SpecialKind {
             Self::NeimarkSacker => "Neimark–Sacker",
             Self::NeutralSaddle => "neutral saddle",
             Self::BranchPoint => "branch point",
+            Self::Hopf => "Hopf point",
         })
     }
 }
@@ -86,6 +107,9 @@ impl Test {
     }
 }
 
+/// What moves less is at rest, in units that are themselves a fiftieth of the largest swing or more.
+const REST: f64 = 0.05;
+
 /// A stretch of a branch between two places.
 pub(super) struct Stretch<'s> {
     pub(super) corrector: &'s Corrector<'s>,
@@ -104,9 +128,11 @@ impl Stretch<'_> {
     pub(super) fn may_meet_other_branch(&self) -> bool {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
-        turns
-            && (!space.within(family.symmetry).is_empty()
-                || (space.mirrored && self.size(self.ends[1].place()) < 1.0))
+        let may_be_rest = match family.is_driven() {
+            true => space.mirrored && self.size(self.ends[1].place()) < 1.0,
+            false => self.speed(self.ends[1].place()).is_some_and(|speed| speed < 1.0),
+        };
+        turns && (may_be_rest || !space.within(family.symmetry).is_empty())
     }
 
     /// Whether the parameter seems to turn back and forth again on the way, as the directions at both ends tell: two folds near a cusp.
@@ -124,8 +150,35 @@ impl Stretch<'_> {
 
     /// The size of a state in units.
     fn size(&self, place: &[f64]) -> f64 {
-        let state = place.iter().zip(self.units).take(place.len() - 1);
+        let state = self.corrector.family.state(place).iter().zip(self.units);
         norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
+    }
+
+    /// The size in units of how far a state moves in the time in which a phase goes by one radian, where no drive sets the period.
+    fn speed(&self, place: &[f64]) -> Option<f64> {
+        let (parameter, unknowns) = place.split_last()?;
+        let Corrector { family, .. } = self.corrector;
+        let rates = family.field()?.at(family.state(unknowns), &[*parameter])?.rates;
+        let radian = unknowns.last()? / TAU;
+        Some(norm(&rates.iter().zip(self.units).map(|(x, unit)| radian * x / unit).collect::<Vec<_>>()))
+    }
+
+    /// The place where the branch turns, as far as the interpolation shows it.
+    fn turn(&self) -> Vec<f64> {
+        let [a, b] = self.ends.map(|node| node.tests.fold);
+        between(self.ends[0], self.ends[1], self.units, a / (a - b))
+    }
+
+    /// The Hopf point where the branch turns, if its motion is at rest there and no drive sets the period.
+    pub(super) fn hopf(&self) -> Option<SpecialPoint> {
+        let place = self.turn();
+        let [unknowns @ .., parameter] = &place[..] else { return None };
+        let Corrector { family, .. } = self.corrector;
+        let is_rest = self.speed(&place).is_some_and(|speed| speed < REST);
+        let (period, width) = (*unknowns.last()?, *self.units.last()?);
+        let field = family.field().filter(|_| is_rest)?;
+        let point = hopf(field, family.state(unknowns), [period, *parameter], width)?;
+        Some(SpecialPoint { kind: SpecialKind::Hopf, error: point.error, point, before: 0 })
     }
 
     /// The value of the parameter where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is
@@ -133,16 +186,13 @@ impl Stretch<'_> {
     pub(super) fn meeting(&self) -> Option<f64> {
         /// Of the size of the motion: on a short stretch the interpolation misses much less.
         const SAME: f64 = 1e-3;
-        let [a, b] = self.ends.map(|node| node.tests.fold);
-        let place = between(self.ends[0], self.ends[1], self.units, a / (a - b));
+        let place = self.turn();
         let (parameter, state) = place.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
         let misses = |smaller: Space| {
             let image = family.image(smaller, state, &[*parameter], *tolerance)?;
             Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
         };
-        /// Of units that are themselves a fiftieth of the largest swing or more.
-        const REST: f64 = 0.05;
         if space.mirrored {
             return (self.size(&place) < REST).then_some(*parameter);
         }

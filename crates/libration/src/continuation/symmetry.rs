@@ -15,11 +15,13 @@ const SAME: f64 = 1e-11;
 pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
-    law: &DriveLaw,
+    law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
 ) -> Option<Symmetry> {
-    [(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)]
+    let shifts = [(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)];
+    shifts
         .into_iter()
+        .skip(usize::from(law.is_none()))
         .find(|(_, shift)| {
             (0..TRIALS)
                 .all(|trial| holds(layout, rates, law, ranges, [*shift, f64::from(trial)]).unwrap_or(true))
@@ -34,7 +36,7 @@ pub(super) fn symmetry(
 fn holds(
     layout: &StateLayout,
     rates: &Tape,
-    law: &DriveLaw,
+    law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
     [shift, trial]: [f64; 2],
 ) -> Option<bool> {
@@ -42,7 +44,8 @@ fn holds(
     let drawn = |k: u32| 2.0 * ((7.0 * trial + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0;
     let within = |(k, [low, high]): (u32, &[f64; 2])| low + 0.5 * (drawn(k) + 1.0) * (high - low);
     let parameters: Vec<f64> = (1..).zip(ranges).map(within).collect();
-    let (period, _) = law.period(&parameters)?;
+    // Without a drive all times are alike.
+    let period = law.map_or(Some(1.0), |law| law.period(&parameters).map(|(period, _)| period))?;
     let time = period * 0.5 * (drawn(0) + 1.0);
     let state: Vec<f64> = (10..).map(drawn).take(layout.numbers()).collect();
     let values = |sign: f64, time: f64| -> Option<Vec<f64>> {

@@ -49,4 +49,5 @@ pub use harmonics::{Harmonic, Harmonics};
 pub use near::OrbitGuess;
 pub use periodic::Orbit;
 pub(crate) use place::ReleasePlace;
+pub(crate) use released::depends_on_time;
 pub use search::{OrbitKind, OrbitSearch};

@@ -292,7 +292,7 @@ fn why_lost(error: IntegrationError) -> Lost {
 }
 
 /// Whether the time stands in one of the accelerations.
-pub(super) fn depends_on_time(equation: &Equation) -> bool {
+pub(crate) fn depends_on_time(equation: &Equation) -> bool {
     let time = Symbol::plain("t");
     equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))
 }

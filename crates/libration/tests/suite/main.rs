@@ -48,6 +48,7 @@ mod pendulum_chain;
 mod period;
 mod period_formulas;
 mod quantity;
+mod self_excited_branches;
 mod sensitivities;
 #[cfg(feature = "serde")]
 mod serialize;

@@ -6,7 +6,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::{at_most, short};
 use libration::algebra::Complex;
-use libration::continuation::{Branch, BranchPoint, Ending, Jump, Origin, SpecialKind, SpecialPoint};
+use libration::continuation::{Branch, BranchPoint, Ending, Jump, Origin, SpecialPoint};
 use serde_json::Value;
 
 /// A branch of an answer, with its number from 1.
@@ -174,15 +174,21 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value("symmetric", "", "whether the mirror image half a period later is the same motion", |it| {
             it.branch.space.mirrored.into()
         }),
-        Of::value("drive_periods", "1", "periods of the drive in one of the answer", |it| {
-            it.branch.space.drive_periods().into()
-        }),
+        Of::value(
+            "drive_periods",
+            "1",
+            "periods of the drive in one of the answer; without a drive, turns of the first coordinate",
+            |it| it.branch.space.drive_periods().into(),
+        ),
         Of::value(
             "ending",
             "",
-            "why it ends: range_end, closed, branch_point, slow_drive, point_limit, lost or interrupted",
+            "why it ends: range_end, closed, branch_point, rest, slow_drive, point_limit, lost or interrupted",
             |it| ending(it.branch.ending)[0].into(),
         ),
+        Of::value("beginning", "", "why it does not go on before its first point, in the same words", |it| {
+            ending(it.branch.beginning)[0].into()
+        }),
         Of::nested("points[].", &of_place(), |it| {
             json::records(it.points().map(|place| of_place().record(&place)))
         }),
@@ -218,9 +224,12 @@ fn of_place<'a>() -> Fields<Place<'a>> {
             "the state may be wrong by so much: what another tolerance and rounding change",
             |it| it.point.error,
         ),
-        Of::value("start[]", "", "state at the phase zero of the drive, in the order of the names", |it| {
-            json::numbers(&it.point.state)
-        }),
+        Of::value(
+            "start[]",
+            "",
+            "state at the phase zero of the drive, in the order of the names; without a drive at a turn of the first coordinate",
+            |it| json::numbers(&it.point.state),
+        ),
     ])
 }
 
@@ -231,8 +240,8 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
         Of::value(
             "kind",
             "",
-            "fold, symmetry_breaking, period_doubling, neimark_sacker, neutral_saddle or branch_point",
-            |it| it.special.map(|special| kind(special.kind)).into(),
+            "fold, symmetry_breaking, period_doubling, neimark_sacker, neutral_saddle, branch_point or hopf",
+            |it| it.special.map(|special| special.kind.key()).into(),
         )
         .words("special point", |it| it.special.map_or_else(String::new, |special| special.kind.to_string())),
         Of::value("branch", "1", "number of its branch, from 1", |it| it.of.number.into())
@@ -270,7 +279,7 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1", |it| it.of.number.into()),
         Of::value("special", "", "kind of special point, empty for other points", |it| {
-            it.special.map_or("", |special| kind(special.kind)).into()
+            it.special.map_or("", |special| special.kind.key()).into()
         }),
         Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
         Of::number(
@@ -301,23 +310,13 @@ pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
     }
 }
 
-fn kind(kind: SpecialKind) -> &'static str {
-    match kind {
-        SpecialKind::Fold => "fold",
-        SpecialKind::SymmetryBreaking => "symmetry_breaking",
-        SpecialKind::PeriodDoubling => "period_doubling",
-        SpecialKind::NeimarkSacker => "neimark_sacker",
-        SpecialKind::NeutralSaddle => "neutral_saddle",
-        SpecialKind::BranchPoint => "branch_point",
-    }
-}
-
 pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
     match ending {
         Ending::RangeEnd => ["range_end", "leaves the range"],
         Ending::Closed => ["closed", "is a closed curve"],
         Ending::BranchPoint => ["branch_point", "ends in another branch"],
-        Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero of the drive"],
+        Ending::Rest => ["rest", "ends in a state of rest"],
+        Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero"],
         Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
         Ending::Lost => ["lost", "cannot be followed farther"],
         Ending::Interrupted => ["interrupted", "is interrupted"],

@@ -1,4 +1,4 @@
-//! `libration response`: the periodic answers of a driven system over a parameter.
+//! `libration response`: the periodic answers of a driven system, or the limit cycles of a self-excited one, over a parameter.
 
 mod fields;
 mod write;
@@ -29,7 +29,7 @@ const MOST_DIGITS: usize = 100;
 /// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
 const MOST_GENERATIONS: usize = 6;
 
-/// The periodic answers of a driven system over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings
+/// The periodic answers of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings
 ///
 /// Branches begin with the answers that are found at both ends of the range, and are followed through their folds; those that branch off are
 /// followed too. Every point has an error, special points are exact to their last digits.
@@ -42,10 +42,14 @@ const MOST_GENERATIONS: usize = 6;
     --over w=0.5:1.6 --json
   libration response \"x'' + 0.05 x' + x + x^3 = 5 cos(w t)\" --over w=8:12 \\
     --drive-periods 3 --initial x=3 --generations 0
+  libration response van_der_pol --over mu=0.1:10
+  libration response \"x' = -y - z; y' = x + 0.2 y; z' = 0.2 + z (x - c)\" \\
+    --over c=2:4 --generations 1
 
 The parameter is a number in the equations or the frequency of the drive. Other
 answers than those at the ends of the range, such as subharmonic ones, need
---initial near them. Ctrl-C stops early and keeps what is done.")]
+--initial near them. Without a drive the answers are limit cycles, to which the
+motion from --initial settles. Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct ResponseQuestion {
     #[command(flatten)]
     system: SystemOptions,
@@ -218,6 +222,7 @@ impl Answer {
             let ratio = turns(point) / first;
             (ratio - ratio.round()).abs() < 1e-9 || (1.0 / ratio - (1.0 / ratio).round()).abs() < 1e-9
         });
+        let is_frequency = is_frequency && self.response.driven;
         let Some(equation) = is_frequency.then(|| self.at_middle()).flatten() else { return vec![] };
         let largest = points().map(|point| point.amplitude(0, self.is_angle())).fold(0.0, f64::max);
         let largest = if self.is_angle() { largest.min(0.999 * PI) } else { largest };
@@ -250,6 +255,9 @@ fn failure(error: NoBranch) -> Failure {
         ),
         NoBranch::Range { .. } => Failure::usage("--over", error),
         NoBranch::Outside { .. } => Failure::usage("--at", error),
+        NoBranch::Family => {
+            Failure::no_answer("SYSTEM|EQUATION", format!("{error}, as `libration backbone` does"))
+        }
         NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
         _ => Failure::no_answer("response", error),
     }

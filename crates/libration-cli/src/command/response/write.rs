@@ -4,7 +4,7 @@ use super::Answer;
 use super::fields::{Jumping, Numbered, ending, of_answer, of_branch, of_row, of_special, origin};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::Ending;
+use libration::continuation::{Ending, Origin};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
@@ -93,9 +93,11 @@ fn summary(branch: &Numbered<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
     let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
     let stable = points.iter().filter(|point| point.stable).count();
-    let periods = match branch.branch.space.drive_periods() {
-        1 => "period of the drive".to_owned(),
-        more => format!("{more} periods of the drive"),
+    let periods = match (answer.response.driven, branch.branch.space.drive_periods()) {
+        (true, 1) => "period of the drive".to_owned(),
+        (true, more) => format!("{more} periods of the drive"),
+        (false, 1) => "limit cycle".to_owned(),
+        (false, more) => format!("limit cycle of {more} turns"),
     };
     let symmetric = if branch.branch.space.mirrored { "symmetric, " } else { "" };
     let over_the_top = match answer.is_angle() && largest > PI {
@@ -110,8 +112,13 @@ fn summary(branch: &Numbered<'_>) -> String {
             answer.amplitude_text(answer.amplitude(point))
         )
     });
+    let before = match (branch.branch.origin, branch.branch.beginning) {
+        (Origin::Primary, Ending::RangeEnd | Ending::Closed)
+        | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
+        (Origin::Primary, other) => format!("; backwards it {}", ending(other)[1]),
+    };
     format!(
-        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}; {}{at}",
+        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}; {}{at}{before}",
         origin(branch.branch.origin)[1],
         points.len(),
         answer.amplitude_text(largest),

@@ -6,7 +6,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::short;
 use libration::algebra::Complex;
-use libration::continuation::{CurvePoint, Ending, SpecialCurve, SpecialKind};
+use libration::continuation::{CurvePoint, Ending, SpecialCurve};
 use serde_json::Value;
 
 /// A curve of an answer, with its number from 1.
@@ -110,7 +110,7 @@ pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
             "kind",
             "",
             "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other answers leave rest",
-            |it| kind(it.curve.kind).into(),
+            |it| it.curve.kind.key().into(),
         ),
         Of::value("at_rest", "", "whether it is an edge of a state of rest", |it| it.curve.at_rest.into()),
         Of::value("closed", "", "whether it comes back to its beginning", |it| {
@@ -177,24 +177,13 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
 
 impl Place<'_> {
     fn kind(&self) -> &'static str {
-        if self.is_cusp { "cusp" } else { kind(self.of.curve.kind) }
+        if self.is_cusp { "cusp" } else { self.of.curve.kind.key() }
     }
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
     let json = [of_answer().described(""), of_curve().described("curves[].")].concat();
     vec![Answers { command: "stability", option: "", json, csv: of_row().described_in_csv() }]
-}
-
-fn kind(kind: SpecialKind) -> &'static str {
-    match kind {
-        SpecialKind::Fold => "fold",
-        SpecialKind::SymmetryBreaking => "symmetry_breaking",
-        SpecialKind::PeriodDoubling => "period_doubling",
-        SpecialKind::NeimarkSacker => "neimark_sacker",
-        SpecialKind::NeutralSaddle => "neutral_saddle",
-        SpecialKind::BranchPoint => "branch_point",
-    }
 }
 
 fn pair(number: &Complex) -> Value {

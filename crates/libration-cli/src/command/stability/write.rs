@@ -120,7 +120,7 @@ fn said(ending: Ending) -> &'static str {
     match ending {
         Ending::RangeEnd | Ending::Closed => "",
         Ending::BranchPoint => " (it ends in another curve)",
-        Ending::SlowDrive | Ending::Lost => " (it cannot be followed farther)",
+        Ending::Rest | Ending::SlowDrive | Ending::Lost => " (it cannot be followed farther)",
         Ending::PointLimit => " (the largest number of points)",
         Ending::Interrupted => " (interrupted)",
     }

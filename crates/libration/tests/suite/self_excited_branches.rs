@@ -1,0 +1,140 @@
+//! Limit cycles over a parameter, beside closed forms and shooting by another integrator.
+
+use libration::continuation::{Branch, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind};
+use libration::expression::Equation;
+use libration::watch::{Progress, Watch};
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+fn over(equation: &str, parameter: &str, range: [f64; 2], options: &ResponseOptions) -> Response {
+    Response::over(&equation.parse().unwrap(), parameter, range, options).unwrap()
+}
+
+fn special(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
+    branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+}
+
+#[test]
+fn van_der_pols_cycle_has_its_period_from_weak_to_strong_excitation() {
+    let response = over("x'' = mu*(1 - x^2)*x' - x", "mu", [1.0, 10.0], &ResponseOptions::default());
+    assert_eq!(response.branches.len(), 1);
+    let branch = &response.branches[0];
+    assert!(branch.space.mirrored && branch.special.is_empty() && branch.ending == Ending::RangeEnd);
+    // By Taylor series with 25 digits (mpmath).
+    for (point, period) in
+        [(&branch.points[0], 6.6632868593231301897), (branch.points.last().unwrap(), 19.078369566939014070)]
+    {
+        assert!((point.period - period).abs() < 1e-13 * period, "{:?} {period:?}", point.period);
+        assert!(point.error < 1e-11 && point.stable, "{point:?}");
+    }
+    for point in &branch.points {
+        let own: Vec<f64> = point.multipliers.iter().map(|it| it.re).collect();
+        assert!(own[0].to_bits() == 1.0_f64.to_bits() && (0.0..1e-3).contains(&own[1].abs()), "{own:?}");
+    }
+}
+
+/// r′ = mr + r³ − r⁵, φ′ = 1.
+const CIRCLES: &str =
+    "x' = m*x - y + x*(x^2 + y^2) - x*(x^2 + y^2)^2; y' = x + m*y + y*(x^2 + y^2) - y*(x^2 + y^2)^2";
+
+#[test]
+fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
+    let response = over(CIRCLES, "m", [-0.4, 0.5], &ResponseOptions::default());
+    assert_eq!(response.branches.len(), 1);
+    let branch = &response.branches[0];
+    let (rest, cycles) = branch.points.split_last().unwrap();
+    for point in cycles {
+        let (radius, m) = (point.amplitude(0, false), point.parameter);
+        let r2 = radius * radius;
+        assert!((m + r2 - r2 * r2).abs() < 1e-12 && (point.period - TAU).abs() < 1e-11, "{point:?}");
+        let multiplier = libm::exp(TAU * (m + 3.0 * r2 - 5.0 * r2 * r2));
+        let found = point.multipliers.iter().find(|it| it.re.to_bits() != 1.0_f64.to_bits()).unwrap();
+        assert!((found.re - multiplier).abs() < 1e-10 * multiplier.max(1.0), "{point:?} {multiplier}");
+        assert_eq!(point.stable, r2 > 0.5, "{point:?}");
+    }
+    let folds = special(branch, SpecialKind::Fold);
+    assert!(folds.len() == 1 && (folds[0] + 0.25).abs() < 1e-14, "{folds:?}");
+    let begins = special(branch, SpecialKind::Hopf);
+    assert!(begins.len() == 1 && begins[0].abs() < 1e-14 && branch.ending == Ending::Rest, "{begins:?}");
+    assert!(
+        rest.parameter.abs() < 1e-14 && rest.amplitude(0, false) < 1e-14 && (rest.period - TAU).abs() < 1e-14
+    );
+    // Downwards the cycle is left at the fold, for no other cycle.
+    let [jump] = &response.jumps[..] else { panic!("{:?}", response.jumps) };
+    assert!(!jump.rising && jump.to.is_empty());
+}
+
+#[test]
+fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
+    let neuron = "v' = v - v^3/3 - w + q; w' = 0.5*(v + 0.7 - 0.8*w)";
+    let at_ends = Response::over(&neuron.parse().unwrap(), "q", [0.2, 1.6], &ResponseOptions::default());
+    assert!(matches!(at_ends, Err(NoBranch::NoStart(_))), "{at_ends:?}");
+    let options = ResponseOptions { at: Some(0.8), ..ResponseOptions::default() };
+    let response = over(neuron, "q", [0.2, 1.6], &options);
+    let branch = &response.branches[0];
+    // The trace 1 − v² − 0.4 is zero there.
+    let v = 0.6_f64.sqrt();
+    let expected = [-v, v].map(|v| (v + 0.7) / 0.8 - (v - v * v * v / 3.0));
+    let mut found = special(branch, SpecialKind::Hopf);
+    found.sort_by(f64::total_cmp);
+    assert!(
+        found.len() == 2 && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14),
+        "{found:?} {expected:?}"
+    );
+    assert_eq!([branch.beginning, branch.ending], [Ending::Rest; 2]);
+    let ends = [&branch.points[0], branch.points.last().unwrap()];
+    assert!(
+        ends.iter().all(|it| it.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits())),
+        "{ends:?}"
+    );
+}
+
+#[test]
+fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
+    let roessler = "x' = -y - z; y' = x + 0.2*y; z' = 0.2 + z*(x - c)";
+    let response = over(roessler, "c", [2.0, 3.9], &ResponseOptions::default());
+    let doubled = response
+        .branches
+        .iter()
+        .find(|it| it.origin == Origin::PeriodDoubling && it.space.drive_periods() == 2)
+        .unwrap();
+    // By shooting with SciPy's DOP853 at 2e-14 and the equations of small deviations.
+    for (branch, expected, period) in [
+        (&response.branches[0], 2.83244502786254, 5.769820016506563),
+        (doubled, 3.83735816841005, 11.572688804465812),
+    ] {
+        let found: Vec<_> =
+            branch.special.iter().filter(|it| it.kind == SpecialKind::PeriodDoubling).collect();
+        assert_eq!(found.len(), 1);
+        assert!((found[0].point.parameter - expected).abs() < 1e-11, "{:?}", found[0].point.parameter);
+        assert!((found[0].point.period - period).abs() < 1e-10, "{:?}", found[0].point.period);
+    }
+    // Of a doubled cycle the period is twice that of the cycle it comes from, where they part.
+    assert!((doubled.points[0].period - 2.0 * 5.769820016506563).abs() < 1e-10);
+    // The cycle of four turns to which the motion settles at the end belongs to the second doubling, and is followed once.
+    let four: Vec<&Branch> = response.branches.iter().filter(|it| it.space.drive_periods() == 4).collect();
+    assert!(four.len() == 1 && four[0].ending == Ending::BranchPoint, "{four:?}");
+}
+
+#[test]
+fn what_has_no_cycle_says_why() {
+    let refused = |equation: &str, options: &ResponseOptions| {
+        Response::over(&equation.parse::<Equation>().unwrap(), "k", [1.0, 2.0], options).unwrap_err()
+    };
+    let once = ResponseOptions::default();
+    assert_eq!(refused("x'' = -k*x - x^3", &once), NoBranch::Family);
+    assert!(matches!(refused("x'' = -k*x - x'", &once), NoBranch::NoStart(_)));
+    let twice = ResponseOptions { drive_periods: 2, ..once };
+    assert_eq!(refused("x'' = k*(1 - x^2)*x' - x", &twice), NoBranch::NotDriven);
+}
+
+#[test]
+fn a_branch_of_cycles_that_is_stopped_has_what_was_done() {
+    let ask = |now: Progress| if now.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let equation = CIRCLES.parse().unwrap();
+    let watch = Watch::new(&ask);
+    let response =
+        Response::over_watched(&equation, "m", [-0.4, 0.5], &ResponseOptions::default(), &watch).unwrap();
+    assert!(response.interrupted && response.branches[0].ending == Ending::Interrupted);
+    assert!(response.branches[0].points.len() == 5, "{}", response.branches[0].points.len());
+}
