@@ -14,7 +14,7 @@ sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
 from goals import Line, finish  # noqa: E402
 
-PARTS = ("run", "motion", "series")
+PARTS = ("run", "motion", "series", "continuation")
 BROKEN = 125
 
 
