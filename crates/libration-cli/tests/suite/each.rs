@@ -46,6 +46,30 @@ fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[
     assert!(expected.len() > rows.len(), "{question:?}");
 }
 
+fn question_of_derivatives(times: &str) -> [&str; 6] {
+    ["x'' = -k*x", times, "--columns", "e=k*x^2+x'^2", "--sensitivity", "x',k"]
+}
+
+/// Their energy is that of the motion alone; a picture, which does not draw them, is refused.
+#[test]
+fn derivatives_by_parameters_and_starts_are_columns_of_each_motion() {
+    let question = question_of_derivatives("--times=0:50:10");
+    let answer = json(&asked("derivatives-json", "k,x\n4,1\n9,2\n", &[&question[..], &["--json"]].concat()));
+    crate::fields::assert_described("simulate --each", &answer);
+    assert_eq!(answer["columns"], serde_json::json!(["e", "dx/dx'(0)", "dx'/dx'(0)", "dx/dk", "dx'/dk"]));
+    for (motion, (frequency, start)) in
+        answer["motions"].as_array().unwrap().iter().zip([(2.0, 1.0), (3.0, 2.0)])
+    {
+        assert!(motion["energy_drift"].as_f64().unwrap() < 1e-13, "{motion}");
+        let last = motion["samples"].as_array().unwrap().last().unwrap();
+        assert_eq!(last["state"].as_array().unwrap().len(), 2);
+        let by_k = -50.0 * start * f64::sin(50.0 * frequency) / (2.0 * frequency);
+        assert!((last["columns"][3].as_f64().unwrap() - by_k).abs() < 1e-9, "{last}, {by_k}");
+    }
+    let drawn = asked("derivatives-svg", "k,x\n4,1\n", &[&question[..], &["--figure", "a.svg"]].concat());
+    assert!(message(&drawn).contains("--figure: it does not draw the derivatives"), "{}", message(&drawn));
+}
+
 #[test]
 fn each_motion_is_bit_for_bit_that_of_its_own_run() {
     let starts: Vec<String> = (1..=19).map(|n| format!("theta1={}deg,theta2'=0.{n}", 9 * n)).collect();
@@ -67,6 +91,9 @@ fn each_motion_is_bit_for_bit_that_of_its_own_run() {
         let question = ["x'' = -k*x - x^3", times, "--tolerance", "1e-15", "--events", "turning,x-0.1"];
         are_those_of_single_runs("times", &question, "k,x", &rows);
     }
+    let question = [&question_of_derivatives("--times=0:5:1")[..], &["--events", "turning"]].concat();
+    are_those_of_single_runs("derivatives", &question, "k,x", &rows);
+    are_those_of_single_runs("both", &question_of_derivatives("--times=-3:3:1"), "k,x", &rows);
     let rows = [["", "x=1"], ["", "x=0.2"]];
     let question = ["x'' = -x", "--times", "0:9:1", "--until", "x = -0.1", "--direction", "falling"];
     are_those_of_single_runs("until", &question, "x", &rows);

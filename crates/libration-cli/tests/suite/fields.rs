@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 45] = [
+const FURTHER: [&str; 46] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -234,6 +234,7 @@ const FURTHER: [&str; 45] = [
     "simulate|x''=-1/x^2|--initial|x=1|--times|0:10:1",
     "simulate|pendulum|--each|examples/starts.csv|--times|0,1|--events|turning|--columns|e=theta'^2",
     "simulate|pendulum|--each|examples/starts.csv|--times|0,9|--until|theta=0",
+    "simulate|pendulum|--each|examples/starts.csv|--times|0,1|--sensitivity|theta,omega0",
     "simulate|pendulum|--initial|theta=1|--times|0,1|--columns|e=theta'^2|--sensitivity|theta,omega0",
     "simulate|x''=-x;y''=-9*y|--initial|x=1|--times|0,1|--tolerance|y=1e-6",
     "paper",

@@ -470,7 +470,6 @@ fn what_does_not_go_with_derivatives_of_the_motion_is_refused() {
     for (options, reason) in [
         (&["k", "--figure", "a.svg"][..], "--figure: it does not draw the derivatives of --sensitivity"),
         (&["k", "--resume", "a.json"], "--resume: states are kept without the derivatives"),
-        (&["k", "--each", "a.csv"], "--sensitivity: it goes with one motion"),
         (&["q"], "--sensitivity: the system has no parameter or state variable `q`: it has k, x, x'"),
         (&["k,x,k"], "--sensitivity: k is given twice"),
         (&["k", "--tolerance", "q=1e-9"], "the system has no coordinate `q`: it has x"),

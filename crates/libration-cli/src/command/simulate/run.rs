@@ -2,22 +2,23 @@
 
 use super::csv::Csv;
 use super::ending::{Ending, EventEnding};
+use super::events::Watched;
 use super::json::Json;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::{Keeper, State};
 use super::sheet::Sheet;
 use super::watch::Watch;
-use crate::arguments::Times;
+use crate::arguments::{Times, Tolerances};
 use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
-use libration::systems::{Energy, EnergyBalance};
+use libration::systems::{Energy, EnergyBalance, Model};
 use libration::taylor::{
-    Cause, IntegrationError, Moment, Solution, Start, System, ending_error, integrate_from,
+    Cause, IntegrationError, Moment, Sensitivities, Solution, Start, System, ending_error, integrate_from,
 };
 use std::io::Write;
 use std::path::Path;
@@ -87,19 +88,8 @@ impl SimulatedMotion<'_> {
         if self.goes_both_ways() { self.check_both_ways(is_drawn) } else { check_order(self.times) }
     }
 
-    /// The system with its events.
     fn system(&self) -> Result<System, Failure> {
-        let system = self.model.system().map_err(|error| Failure::usage("--set", error))?;
-        // Names of coordinates are those of the motion alone.
-        let plain = self.tolerances.put_on(system)?;
-        let system = match self.sensitivities {
-            Some(it) => {
-                let system = System::new(it.equation()).map_err(|error| Failure::usage("--set", error))?;
-                self.tolerances.put_on(system)?
-            }
-            None => plain,
-        };
-        system.with_events(&self.watched.events()).map_err(|error| Failure::usage("--events", error))
+        system_of(self.model, self.sensitivities, self.tolerances, self.watched, "--set")
     }
 
     /// Whether the event came that should end the motion, and where.
@@ -151,6 +141,26 @@ impl SimulatedMotion<'_> {
         };
         Ok((ending, solution.steps))
     }
+}
+
+/// A system with its derivatives and events; the option is that which gives its parameters.
+pub(super) fn system_of(
+    model: &Model,
+    sensitivities: Option<&Sensitivities>,
+    tolerances: &Tolerances,
+    watched: &Watched,
+    option: &'static str,
+) -> Result<System, Failure> {
+    // Names of coordinates are those of the motion alone.
+    let plain = tolerances.put_on(model.system().map_err(|error| Failure::usage(option, error))?)?;
+    let system = match sensitivities {
+        Some(it) => {
+            let system = System::new(it.equation()).map_err(|error| Failure::usage(option, error))?;
+            tolerances.put_on(system)?
+        }
+        None => plain,
+    };
+    system.with_events(&watched.events()).map_err(|error| Failure::usage("--events", error))
 }
 
 /// The report in this form; a table lists the samples only if that is wanted.

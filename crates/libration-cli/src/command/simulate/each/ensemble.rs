@@ -27,6 +27,9 @@ impl Simulate {
         if !settings[0].watched.is_empty() {
             return Err(usage("--events", "no events are looked for in motions that go on together"));
         }
+        if !self.sensitivity.is_empty() {
+            return Err(usage("--sensitivity", "no derivatives are followed of motions that go on together"));
+        }
         let listed = list::listed(self, path, &table, &places, &settings)?;
         let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();
         let (effort, setting) = (self.tolerance.effort(), &settings[0]);

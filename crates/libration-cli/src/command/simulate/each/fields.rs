@@ -27,10 +27,15 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             |it| it.model.equation().to_string().into(),
         ),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::present_value("columns[]", "", "names of the formulas of --columns, else left out", |it| {
-            let columns = it.column_names();
-            (!columns.is_empty()).then(|| json::list(columns))
-        }),
+        Of::present_value(
+            "columns[]",
+            "",
+            "names of the formulas of --columns and of the derivatives of --sensitivity, else left out",
+            |it| {
+                let columns = it.column_names();
+                (!columns.is_empty()).then(|| json::list(columns))
+            },
+        ),
     ])
 }
 
@@ -71,7 +76,8 @@ pub(super) fn of_summary() -> Fields<Summary> {
 }
 
 pub(crate) fn answers() -> Answers {
-    const NUMBER: Row = ("NAME", "", "state variable of this name, then formula of --columns");
+    const NUMBER: Row =
+        ("NAME", "", "state variable of this name, formula of --columns, then derivative of --sensitivity");
     const MOTION: &str = "motions[].";
     let json = [
         of_answer().described(""),

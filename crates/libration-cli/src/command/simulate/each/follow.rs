@@ -1,6 +1,7 @@
 //! The motions of a table on all cores, as many side by side as there are lanes.
 
 use super::super::ending::Ending;
+use super::super::motion::SimulatedMotion;
 use super::super::run::ended;
 use super::list::Listed;
 use super::setting::Setting;
@@ -86,7 +87,7 @@ impl<'a> Piece<'_, 'a> {
         let starts = self.motions.iter().map(|(_, listed)| listed.motion.beginning());
         let trajectories: Vec<Trajectory<'_>> =
             starts.map(|start| Trajectory { start, parameters: vec![], times: &times }).collect();
-        let mut accounts: Vec<Account<'a>> =
+        let mut accounts: Vec<Account<'_, 'a>> =
             self.motions.iter().map(|(_, listed)| Account::new(listed, drawn)).collect();
         let watch = |number: usize, step: &Step<'_>| accounts[number].follow(step, progress);
         let outcomes = integrate_many_watched(&self.setting.system, &trajectories, &first.effort(), watch);
@@ -96,25 +97,29 @@ impl<'a> Piece<'_, 'a> {
 }
 
 /// What is noted of a motion on its way.
-struct Account<'a> {
+struct Account<'m, 'a> {
+    motion: &'m SimulatedMotion<'a>,
     balance: Option<EnergyBalance<'a>>,
     trace: Option<Trace<'a>>,
     /// Of its progress, in thousandths.
     told: u64,
 }
 
-impl<'a> Account<'a> {
-    fn new(listed: &Listed<'a>, drawn: bool) -> Self {
+impl<'m, 'a> Account<'m, 'a> {
+    fn new(listed: &'m Listed<'a>, drawn: bool) -> Self {
         let setting = listed.setting;
-        let balance = setting.energy.as_ref().ok().map(|energy| energy.balance(&listed.motion.beginning()));
-        let last = listed.motion.times.last();
+        let motion = &listed.motion;
+        let own = motion.own(&motion.beginning());
+        let balance = setting.energy.as_ref().ok().map(|energy| energy.balance(&own));
+        let last = motion.times.last();
         let trace = drawn.then(|| Trace::new(&setting.model, setting.observables.as_ref(), last));
-        Self { balance, trace, told: 0 }
+        Self { motion, balance, trace, told: 0 }
     }
 
     fn follow(&mut self, step: &Step<'_>, progress: &Progress) -> ControlFlow<()> {
         if let Some(balance) = &mut self.balance {
-            balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
+            let end = Moment { time: step.end(), state: step.state_at(step.end()) };
+            balance.record(&self.motion.own(&end));
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step, step.end());

@@ -37,7 +37,7 @@ pub(super) fn listed<'a>(
             tolerances: &question.tolerance,
             watched: &setting.watched,
             observables: setting.observables.as_ref(),
-            sensitivities: None,
+            sensitivities: setting.sensitivities.as_ref(),
             earlier: None,
         };
         if number == 1 {

@@ -113,11 +113,7 @@ impl Simulate {
                 "--animate",
                 "it shows the bodies of one motion, and --each asks for many: give one of them",
             ),
-            () if !self.sensitivity.is_empty() => refused(
-                "--sensitivity",
-                "it goes with one motion, and --each asks for many: give one of them",
-            ),
-            () => Ok(()),
+            () => self.refuse_beside_sensitivities(),
         }
     }
 

@@ -2,19 +2,21 @@
 
 use super::super::Simulate;
 use super::super::events::Watched;
+use super::super::run::system_of;
 use crate::arguments::{self, GivenSystem, Meaning, MotionTable, at_line};
 use crate::failure::Failure;
 use libration::expression::Expression;
 use libration::systems::{Energy, Model, Observables};
-use libration::taylor::System;
+use libration::taylor::{Sensitivities, System};
 use std::collections::HashMap;
 use std::path::Path;
 
 /// A system with values for all parameters, and what is looked at in its motions.
 pub(super) struct Setting {
     pub(super) model: Model,
-    /// With its events.
+    /// With its derivatives and events.
     pub(super) system: System,
+    pub(super) sensitivities: Option<Sensitivities>,
     pub(super) watched: Watched,
     pub(super) observables: Option<Observables>,
     /// That which is conserved, or why there is none.
@@ -38,7 +40,7 @@ pub(super) fn places(
             Some(place) => *place,
             None => {
                 let model = model(system, &cells).map_err(|reason| at_line(path, row.line, &reason))?;
-                settings.push(Setting::new(question, model)?);
+                settings.push(Setting::new(question, system, model)?);
                 known.insert(texts, settings.len() - 1);
                 settings.len() - 1
             }
@@ -58,16 +60,14 @@ fn model(system: &GivenSystem<'_>, cells: &[(&str, &str)]) -> Result<Model, Stri
 }
 
 impl Setting {
-    fn new(question: &Simulate, model: Model) -> Result<Self, Failure> {
+    fn new(question: &Simulate, given: &GivenSystem<'_>, model: Model) -> Result<Self, Failure> {
         let watched = Watched::read(&question.events, &question.until, &model)?;
         let observables = question.columns.as_deref();
         let observables =
             observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
-        let system = model.system().map_err(|error| Failure::usage("--each", error))?;
-        let system = question.tolerance.put_on(system)?;
-        let system =
-            system.with_events(&watched.events()).map_err(|error| Failure::usage("--events", error))?;
+        let sensitivities = arguments::sensitivities(&question.sensitivity, given, &model)?;
+        let system = system_of(&model, sensitivities.as_ref(), &question.tolerance, &watched, "--each")?;
         let energy = model.energy().map_err(|reason| reason.to_string());
-        Ok(Self { model, system, watched, observables, energy })
+        Ok(Self { model, system, sensitivities, watched, observables, energy })
     }
 }
