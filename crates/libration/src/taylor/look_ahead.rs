@@ -152,7 +152,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// Whether the accelerations behind a time are those of the series as well, as where a singularity is removable.
     ///
-    /// Up to a quarter of a step beyond its end series of the most terms, 39, err by 1.25³⁹·39·2⁻¹⁴ = 14 tolerances: seven times as many.
+    /// Up to a quarter of a step beyond its end series err by 39·2⁻¹⁴·1.25³⁹ = 14 tolerances at the highest order.
     fn goes_on_behind(&mut self, lane: usize, time: f64, length: f64) -> bool {
         const PARTS: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
         const TOLERANCES: f64 = 100.0;
