@@ -1,10 +1,10 @@
 //! A branch of periodic motions, followed from a place on it.
 
-use super::corrector::{Corrector, norm};
-use super::node::{Node, between, difference, in_units, largest_swing};
+use super::corrector::{Corrected, Corrector, norm};
+use super::node::{Node, Tests, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
 use super::space::Space;
-use super::special::{SpecialPoint, Stretch};
+use super::special::{SpecialKind, SpecialPoint, Stretch};
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +76,8 @@ const FIRST: f64 = 0.02;
 const SHORT: f64 = 0.01;
 /// A step whose guess is farther off than this part of it may have come to another branch.
 const FAR: f64 = 0.2;
+/// A product of all multipliers less one that is no more than this is that of a crossing at the end of the range.
+const CROSSES: f64 = 1e-6;
 /// The largest angle between the directions at both ends, and the one that is meant.
 const TURNS: [f64; 2] = [0.35, 0.14];
 
@@ -180,7 +182,10 @@ impl<'a> Walk<'a> {
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
         let next = self.next(&units, *length).filter(|(next, ..)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
-            *length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_hide_folds())
+            *length <= SHORT
+                || !(stretch.may_meet_other_branch()
+                    || stretch.may_hide_folds()
+                    || stretch.may_cross_other_branch())
         });
         let Some((next, turn, off)) = next else {
             *length *= 0.5;
@@ -197,7 +202,10 @@ impl<'a> Walk<'a> {
         if !(low..=high).contains(&parameter) {
             let boundary = if parameter < low { low } else { high };
             let Some(end) = self.at_parameter(&next, &units, boundary) else { return Some(Ending::Lost) };
-            return Some(self.accept(end, &units).unwrap_or(Ending::RangeEnd));
+            let crossing = self.crossing_at_end(&end);
+            let ending = self.accept(end, &units).unwrap_or(Ending::RangeEnd);
+            self.special.extend(crossing);
+            return Some(ending);
         }
         if let Some(end) = self.closing(&next, &units) {
             return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
@@ -242,9 +250,31 @@ impl<'a> Walk<'a> {
         *guess.last_mut()? = value;
         let mut across = vec![0.0; guess.len()];
         *across.last_mut()? = 1.0;
-        let mut corrected = self.corrector.corrected(&guess, &across, units)?;
+        let image = self.corrector.image(&guess)?;
+        let mut corrected = match self.comes_to_crossing(&Tests::new(&image, 0.0)?) {
+            // The corrections have no bound.
+            true => Corrected { image, place: guess, first: 0.0 },
+            false => self.corrector.corrected(&guess, &across, units)?,
+        };
         *corrected.place.last_mut()? = value;
         Node::new(&self.corrector, corrected, &self.at().direction, units)
+    }
+
+    /// Whether a multiplier comes to +1 where these tests are, which it has not been all along.
+    fn comes_to_crossing(&self, tests: &Tests) -> bool {
+        self.at().tests.branching.abs() > CROSSES && tests.branching.abs() <= CROSSES
+    }
+
+    /// The place where another branch crosses this one at the end of the range, where no test changes its sign any more.
+    fn crossing_at_end(&self, end: &Node) -> Option<(SpecialPoint, Node)> {
+        if !self.comes_to_crossing(&end.tests) {
+            return None;
+        }
+        let [before, at] = [self.at(), end].map(|node| node.tests.branching);
+        let way = (end.point.parameter - self.at().point.parameter).abs();
+        let error = way * (at / before).abs() + 4.0 * f64::EPSILON * end.point.parameter.abs();
+        let (kind, before) = (SpecialKind::BranchPoint, self.nodes.len());
+        Some((SpecialPoint { kind, point: end.point.clone(), error, before }, end.clone()))
     }
 
     /// The start, if the stretch to a node goes through it in the same direction.

@@ -60,14 +60,9 @@ fn landing(corrector: &Corrector<'_>, [a, b]: [&BranchPoint; 2], value: f64, wid
     let place: Vec<f64> = from.iter().zip(&to).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
     let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
     let nearer = if part < 0.5 { a } else { b };
-    let apart = distance(a, b);
-    let node = Node::near(corrector, &place, [&along, &along], width);
-    match node.map(|node| node.point).filter(|point| distance(point, nearer) <= apart) {
-        Some(point) => BranchPoint { parameter: value, ..point },
-        None => BranchPoint { error: apart.max(nearer.error), ..nearer.clone() },
-    }
-}
-
-fn distance(a: &BranchPoint, b: &BranchPoint) -> f64 {
-    norm(&a.state.iter().zip(&b.state).map(|(x, y)| x - y).collect::<Vec<_>>())
+    let Some(node) = Node::near(corrector, &place, [&along, &along], width) else {
+        let apart = norm(&a.state.iter().zip(&b.state).map(|(x, y)| x - y).collect::<Vec<_>>());
+        return BranchPoint { error: apart.max(nearer.error), ..nearer.clone() };
+    };
+    BranchPoint { parameter: value, ..node.point }
 }

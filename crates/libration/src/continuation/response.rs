@@ -154,7 +154,14 @@ impl Search<'_> {
             match self.start(value) {
                 Ok(start) if self.is_known(&branches, value, &start) => {}
                 Ok(start) => {
-                    let Some(walked) = self.through(value, &start, into)? else { continue };
+                    let walked = match self.through(value, &start, into) {
+                        Ok(Some(walked)) => walked,
+                        Ok(None) => continue,
+                        Err(error) => {
+                            missing = Some(error);
+                            continue;
+                        }
+                    };
                     left.extend(self.leaving(&walked, 0));
                     met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
                     branches.push(walked.branch);
@@ -162,11 +169,11 @@ impl Search<'_> {
                 Err(NoOrbit::Interrupted(interrupted)) if branches.is_empty() => {
                     return Err(interrupted.into());
                 }
-                Err(error) => missing = Some(error),
+                Err(error) => missing = Some(NoBranch::NoStart(error)),
             }
         }
         if let (true, Some(error)) = (branches.is_empty(), missing) {
-            return Err(NoBranch::NoStart(error));
+            return Err(error);
         }
         while let Some((generation, start)) = left.pop() {
             if self.family.watch.is_stopped() {
@@ -324,15 +331,7 @@ impl Search<'_> {
         };
         let space = walked.branch.space.doubled();
         let leaving = |(special, node): &(SpecialPoint, Node)| {
-            Some((
-                generation + 1,
-                Leaving {
-                    origin: origin(special.kind)?,
-                    parent: walked.branch.space,
-                    space,
-                    node: node.clone(),
-                },
-            ))
+            Some((generation + 1, Leaving { origin: origin(special.kind)?, space, node: node.clone() }))
         };
         walked.specials.iter().filter_map(leaving).collect()
     }
@@ -356,9 +355,6 @@ impl Search<'_> {
         let start = Node::near(&self.corrector(leaving.space), &place, [&aside, &aside], self.width())?;
         let (value, unknowns) = start.place().split_last()?;
         let space = self.smallest(leaving.space, unknowns, *value);
-        if space == leaving.parent {
-            return None;
-        }
         let corrector = self.corrector(space);
         let start = Node::near(&corrector, start.place(), [&aside, &aside], self.width())?;
         let limits = self.limits(&start);
@@ -377,7 +373,6 @@ struct Start {
 /// A branch that leaves another one.
 struct Leaving {
     origin: Origin,
-    parent: Space,
     space: Space,
     node: Node,
 }

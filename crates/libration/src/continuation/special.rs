@@ -135,6 +135,13 @@ impl Stretch<'_> {
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
     }
 
+    /// Whether the branch turns back on the way where no multiplier of its map seems to go through +1, as it does at each fold: at a crossing
+    /// with another branch, or at a fold with a crossing beside it.
+    pub(super) fn may_cross_other_branch(&self) -> bool {
+        let [a, b] = self.ends;
+        Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
+    }
+
     /// Whether the parameter seems to turn back and forth again on the way, as the directions at both ends tell: two folds near a cusp.
     pub(super) fn may_hide_folds(&self) -> bool {
         const NEARLY: f64 = 0.3;
@@ -218,6 +225,39 @@ impl Stretch<'_> {
     }
 
     fn located(&self, test: Test) -> Option<(f64, Located)> {
+        let crosses = test == Test::Branching || (test == Test::Fold && self.may_cross_other_branch());
+        let found = if test == Test::Fold && crosses { None } else { self.located_exactly(test) };
+        found.or_else(|| self.crossing(test).filter(|_| crosses))
+    }
+
+    /// Where branches cross, as far as motions can be corrected beside it: there several directions are as good, and corrections have no bound.
+    fn crossing(&self, test: Test) -> Option<(f64, Located)> {
+        /// Nearer to the crossing nothing is told apart.
+        const NEAR: f64 = 1e-9;
+        /// The first part of the stretch that is left out on both sides, and how often it is doubled.
+        const BESIDE: f64 = 1e-4;
+        const DOUBLINGS: i32 = 10;
+        let value = |s: f64| self.tests_at(self.corrector, test, s).map_or(0.0, |tests| test.of(&tests));
+        let ends = [0.0, 1.0].map(|s| (s, value(s)));
+        let s = zero_between(ends, Tolerance::absolute(NEAR), value)?;
+        let mut bracket = (0..DOUBLINGS).filter_map(|doublings| {
+            let aside = BESIDE * libm::exp2(f64::from(doublings));
+            let [a, b] = [s - aside, s + aside].map(|s| self.node_at(self.corrector, s));
+            Some([a?, b?]).filter(|[a, b]| test.changes(a, b))
+        });
+        let [a, b] = bracket.next()?;
+        let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
+        let place = between(&a, &b, self.units, from / (from - to));
+        let corrected = Corrected { image: self.corrector.image(&place)?, place, first: 0.0 };
+        let node = Node::new(self.corrector, corrected, &a.direction, self.units)?;
+        let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
+        let error = 4.0 * off(&a).max(off(&b)) + 4.0 * f64::EPSILON * node.point.parameter.abs();
+        let special =
+            SpecialPoint { kind: SpecialKind::BranchPoint, point: node.point.clone(), error, before: 0 };
+        Some((s, Located { special, node }))
+    }
+
+    fn located_exactly(&self, test: Test) -> Option<(f64, Located)> {
         let precise = Corrector { stale: 0.0, ..self.corrector.clone() };
         let s = self.zero(&precise, test, [0.0, 1.0])?;
         let node = self.node_at(&precise, s)?;

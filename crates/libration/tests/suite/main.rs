@@ -22,6 +22,7 @@ mod chaos;
 mod checkpoints;
 mod coming_to_rest;
 mod conservative;
+mod crossings;
 mod decay;
 mod elliptic;
 mod elliptic_batches;

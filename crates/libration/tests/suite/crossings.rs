@@ -1,0 +1,85 @@
+//! Where branches of periodic motions cross, and what looks like it; beside closed forms and integrations by other programs.
+
+use libration::continuation::{Branch, Ending, NoBranch, Response, ResponseOptions, SpecialKind};
+use std::f64::consts::PI;
+
+fn over(equation: &str, parameter: &str, range: [f64; 2], options: ResponseOptions) -> Response {
+    let options = ResponseOptions { generations: 0, ..options };
+    Response::over(&equation.parse().unwrap(), parameter, range, &options).unwrap()
+}
+
+fn specials(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
+    branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+}
+
+#[test]
+fn a_crossing_at_a_rest_that_is_known_to_rounding_only_is_exact() {
+    // The sine of the nearest number to π is 1.2e-16. By Hill's matrix and Taylor series, both in floats of 130 bits.
+    let upright = "theta'' = -0.1*theta' - (1 - 100*a*cos(10*t))*sin(theta)";
+    let options = ResponseOptions { start: Some(vec![PI, 0.0]), ..ResponseOptions::default() };
+    let response = over(upright, "a", [0.1, 0.6], options);
+    let crossings = specials(&response.branches[0], SpecialKind::BranchPoint);
+    assert!(
+        crossings.len() == 1 && (crossings[0] - 0.142045148229182661499441).abs() < 1e-14,
+        "{crossings:?}"
+    );
+}
+
+#[test]
+fn two_folds_within_one_step_are_found() {
+    // By shooting with SciPy's DOP853 at 2.3e-14 and the equations of small deviations; a cusp is nearby.
+    let duffing = "x'' = -0.1*x' - x - 0.1*x^3 + 0.1625*cos(w*t)";
+    let response = over(duffing, "w", [0.5, 1.6], ResponseOptions::default());
+    let folds = specials(&response.branches[0], SpecialKind::Fold);
+    let expected = [1.0901589521540422, 1.0901580480331612];
+    assert!(folds.len() == 2 && folds.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-13), "{folds:?}");
+}
+
+#[test]
+fn a_second_oscillator_that_comes_back_with_the_drive_adds_no_singular_point() {
+    // Its multipliers are −1 and −1, or 1 and 1, at each frequency.
+    for times in ["12.25", "16"] {
+        let pair = format!("x'' = -0.1*x' - sin(x) + 0.2*cos(w*t) + 0.1*sin(w*t)^2; y'' = -{times}*w^2*y");
+        let response = over(&pair, "w", [1.05, 2.1], ResponseOptions::default());
+        let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+        assert!(branch.ending == Ending::RangeEnd && branch.special.is_empty(), "{:?}", branch.special);
+    }
+}
+
+#[test]
+fn a_branch_that_turns_back_where_it_crosses_another_one_has_no_fold_there() {
+    // y is zero on one branch; with x = 10·F·sin t the other one leaves it where y″ + y′/50 + (1 − 10·F·sin t)·y = 0 has the multiplier 1: by
+    // Taylor series in 30 digits (mpmath).
+    let pair = "x'' = -0.1*x' - x + F*cos(t); y'' = -0.02*y' - (1 - x)*y + y^3";
+    let options = ResponseOptions { start: Some(vec![0.0, 0.5, 0.0, 0.0]), ..ResponseOptions::default() };
+    let response = over(pair, "F", [0.001, 0.3], options);
+    assert_eq!(response.branches.len(), 2);
+    for branch in &response.branches {
+        let crossings: Vec<_> =
+            branch.special.iter().filter(|it| it.kind == SpecialKind::BranchPoint).collect();
+        assert_eq!((crossings.len(), specials(branch, SpecialKind::Fold)), (1, vec![]));
+        let off = (crossings[0].point.parameter - 0.0328535739955020294313792134768).abs();
+        assert!(off < 1e-12 && off <= crossings[0].error, "{off:e} {:e}", crossings[0].error);
+    }
+}
+
+#[test]
+fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
+    let cycle = "x'' = mu*(1 - x^2)*x' - x";
+    let through = over(cycle, "mu", [-1.0, 3.0], ResponseOptions::default());
+    let up_to = over(cycle, "mu", [0.0, 3.0], ResponseOptions::default());
+    for (response, off_by) in [(through, 1e-7), (up_to, 1e-10)] {
+        let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+        assert_eq!(branch.ending, Ending::RangeEnd);
+        let [crossing] = &branch.special[..] else { panic!("{:?}", branch.special) };
+        assert_eq!(crossing.kind, SpecialKind::BranchPoint);
+        let off = crossing.point.parameter.abs();
+        assert!(off <= crossing.error && off < off_by, "{off:e} {:e}", crossing.error);
+        // The circle of radius 2 is the one that is left of the cycle.
+        assert!((crossing.point.amplitude(0, false) - 2.0).abs() < 1e-4, "{:?}", crossing.point);
+        assert!(branch.points.iter().all(|it| (2.0 - 1e-4..2.1).contains(&it.amplitude(0, false))));
+    }
+    let circles = "x'' = -x + mu*0".parse().unwrap();
+    let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default());
+    assert_eq!(none.unwrap_err(), NoBranch::Family);
+}
