@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use encoding_rs::{Encoding as Coding, UTF_16BE, UTF_16LE, WINDOWS_1252};
-
 use super::MeasurementError;
 
 /// How the letters of a file are written as bytes.
@@ -34,10 +32,12 @@ impl fmt::Display for Encoding {
 /// The text, without its byte order mark and with bare carriage returns as line ends.
 pub(super) fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), MeasurementError> {
     let (text, encoding) = match bytes {
-        [0xff, 0xfe, rest @ ..] => (utf16(UTF_16LE, rest)?, Encoding::Utf16LittleEndian),
-        [0xfe, 0xff, rest @ ..] => (utf16(UTF_16BE, rest)?, Encoding::Utf16BigEndian),
-        [first, 0, _, 0, ..] if *first != 0 => (utf16(UTF_16LE, bytes)?, Encoding::Utf16LittleEndian),
-        [0, first, 0, _, ..] if *first != 0 => (utf16(UTF_16BE, bytes)?, Encoding::Utf16BigEndian),
+        [0xff, 0xfe, rest @ ..] => (utf16(u16::from_le_bytes, rest)?, Encoding::Utf16LittleEndian),
+        [0xfe, 0xff, rest @ ..] => (utf16(u16::from_be_bytes, rest)?, Encoding::Utf16BigEndian),
+        [first, 0, _, 0, ..] if *first != 0 => {
+            (utf16(u16::from_le_bytes, bytes)?, Encoding::Utf16LittleEndian)
+        }
+        [0, first, 0, _, ..] if *first != 0 => (utf16(u16::from_be_bytes, bytes)?, Encoding::Utf16BigEndian),
         _ => utf8_or_windows(bytes)?,
     };
     if let Some(letter) =
@@ -50,9 +50,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measureme
     Ok((with_line_feeds(text), encoding))
 }
 
-fn utf16<'a>(coding: &'static Coding, bytes: &'a [u8]) -> Result<Cow<'a, str>, MeasurementError> {
-    let text = coding.decode_without_bom_handling_and_without_replacement(bytes);
-    text.ok_or(MeasurementError::NotText("broken UTF-16"))
+fn utf16(unit: fn([u8; 2]) -> u16, bytes: &[u8]) -> Result<Cow<'static, str>, MeasurementError> {
+    let (pairs, odd) = bytes.as_chunks();
+    let text: Result<String, _> = char::decode_utf16(pairs.iter().copied().map(unit)).collect();
+    text.ok().filter(|_| odd.is_empty()).map(Cow::Owned).ok_or(MeasurementError::NotText("broken UTF-16"))
 }
 
 /// A file with letters of UTF-8 and bytes that are none is broken, not of another encoding.
@@ -62,13 +63,23 @@ fn utf8_or_windows(bytes: &[u8]) -> Result<(Cow<'_, str>, Encoding), Measurement
         return Ok((text.into(), Encoding::Utf8));
     }
     let has_letters = bytes.utf8_chunks().any(|chunk| !chunk.valid().is_ascii());
-    // These five bytes mean nothing in Windows-1252.
-    let means_nothing = |byte: &u8| [0x81, 0x8d, 0x8f, 0x90, 0x9d].contains(byte);
-    if has_letters || bytes.iter().any(means_nothing) {
-        return Err(MeasurementError::NotText("broken UTF-8, or in an unknown encoding"));
+    let text: Option<String> = bytes.iter().map(|&byte| windows_1252(byte)).collect();
+    match text.filter(|_| !has_letters) {
+        Some(text) => Ok((text.into(), Encoding::Windows1252)),
+        None => Err(MeasurementError::NotText("broken UTF-8, or in an unknown encoding")),
     }
-    let (text, _) = WINDOWS_1252.decode_without_bom_handling(bytes);
-    Ok((text, Encoding::Windows1252))
+}
+
+/// The letter of a byte in Windows-1252, in which five bytes mean nothing. Table: Unicode Consortium, `CP1252.TXT`, version 2.01.
+fn windows_1252(byte: u8) -> Option<char> {
+    const FROM_0X80: [char; 32] = [
+        '€', '\0', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\0', 'Ž', '\0', '\0', '‘', '’',
+        '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\0', 'ž', 'Ÿ',
+    ];
+    match byte {
+        0x80..=0x9f => Some(FROM_0X80[usize::from(byte - 0x80)]).filter(|&letter| letter != '\0'),
+        _ => Some(char::from(byte)),
+    }
 }
 
 /// Every line end as one line feed, or a carriage return before it.

@@ -8,23 +8,17 @@ use zip::result::ZipError;
 
 use super::super::MeasurementError;
 use super::super::text::decode;
-use super::{Format, Page, attributes, xlsx};
+use super::part::Part;
+use super::{Format, Page, xlsx};
 
 /// More files than any export has.
 const MOST_FILES: usize = 1000;
-
-/// A file of the archive.
-struct Part {
-    name: String,
-    bytes: Vec<u8>,
-}
 
 pub(super) fn pages(bytes: &[u8], limit: usize) -> Result<(Format, Vec<Page<'_>>), MeasurementError> {
     let parts = parts(bytes, limit)?;
     let has = |name: &str| parts.iter().any(|part| part.name == name);
     if has("xl/workbook.xml") {
-        parts.iter().try_for_each(|part| attributes::refuse_beyond_reason(&part.name, &part.bytes))?;
-        return Ok((Format::Xlsx, xlsx::pages(bytes, limit)?));
+        return Ok((Format::Xlsx, xlsx::pages(&parts, limit)?));
     }
     if has("content.xml") {
         return Err(MeasurementError::NotText("an OpenDocument spreadsheet"));

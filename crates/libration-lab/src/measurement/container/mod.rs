@@ -1,8 +1,9 @@
 //! Files that hold several tables: Excel workbooks and archives of text files, each table as a text.
 
 mod archive;
-mod attributes;
+mod date_formats;
 mod grid;
+mod part;
 mod xls;
 mod xlsx;
 

@@ -33,11 +33,12 @@ fn csv() -> String {
     format!("\"Time (s)\",\"Angle (rad)\"\n{}", rows.collect::<String>())
 }
 
-/// The smallest workbook there can be, with these rows of cells as XML.
-fn workbook(rows: &str) -> Vec<u8> {
-    const SPACE: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
-    const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
-    const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+const SPACE: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
+const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+
+/// A workbook whose one worksheet has these rows of cells as XML, with these parts beside it.
+fn workbook_with(rows: &str, parts: &[(&str, &[u8])]) -> Vec<u8> {
     let types = "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
                  <Default Extension=\"xml\" ContentType=\"application/xml\"/></Types>";
     let book = format!(
@@ -49,18 +50,23 @@ fn workbook(rows: &str) -> Vec<u8> {
     let relations = format!(
         "<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"rId1\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
     );
-    let styles = format!(
-        "<styleSheet xmlns=\"{SPACE}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>"
-    );
     let sheet = format!("<worksheet xmlns=\"{SPACE}\"><sheetData>{rows}</sheetData></worksheet>");
-    archive(&[
+    let own: [(&str, &[u8]); 5] = [
         ("[Content_Types].xml", types.as_bytes()),
         ("_rels/.rels", office.as_bytes()),
         ("xl/workbook.xml", book.as_bytes()),
         ("xl/_rels/workbook.xml.rels", relations.as_bytes()),
-        ("xl/styles.xml", styles.as_bytes()),
         ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
-    ])
+    ];
+    archive(&[&own, parts].concat())
+}
+
+/// The same with two styles: numbers, and times of day.
+fn workbook(rows: &str) -> Vec<u8> {
+    let styles = format!(
+        "<styleSheet xmlns=\"{SPACE}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>"
+    );
+    workbook_with(rows, &[("xl/styles.xml", styles.as_bytes())])
 }
 
 /// The rows of the truth as XML, each cell as `cell` writes it from its address and number.
@@ -147,25 +153,75 @@ fn workbooks() -> Vec<Case> {
         false => number(address, value),
     };
     let far = rows(number) + "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>";
+    let beyond = rows(number) + "<row r=\"20\"><c r=\"XFE20\"><v>1</v></c></row>";
     let words =
         |address: &str, value: f64| format!("<c r=\"{address}\" t=\"inlineStr\"><is><t>{value}</t></is></c>");
     let broken = |address: &str, value: f64| match address {
         "B5" => "<c r=\"B5\" t=\"e\"><v>#DIV/0!</v></c>".to_owned(),
         _ => number(address, value),
     };
-    let strings = b"<sst uniqueCount = \"99999999999999\"><si><t>a</t></si></sst>";
     let book = b"<workbook/>".as_slice();
     vec![
         Case::refused("times as times of day", workbook(&rows(times_as_dates)), &["line 2", "date"]),
         Case::refused("a cell far away", workbook(&far), &["limit"]),
+        Case::refused("a cell beyond any worksheet", workbook(&beyond), &["XFE20"]),
         Case::refused("an error in a cell", workbook(&rows(broken)), &["line 5", "#DIV/0!"]),
         Case::read("numbers as words", workbook(&rows(words)), truth()),
         Case::refused("no sheets", workbook(""), &["no rows"]),
-        Case::refused(
-            "strings without end",
-            archive(&[("xl/workbook.xml", book), ("xl/sharedStrings.xml", strings)]),
-            &["99999999999999"],
-        ),
         Case::refused("not a workbook within", archive(&[("xl/workbook.xml", b"<<<")]), &["workbook"]),
+        Case::refused("a workbook of nothing", archive(&[("xl/workbook.xml", book)]), &[]),
+        Case::refused(
+            "cut off within",
+            workbook(&(rows(number) + "<row>").replace("</row>", "")),
+            &["workbook"],
+        ),
     ]
+    .into_iter()
+    .chain(other_writers())
+    .collect()
+}
+
+/// What other programs write: strings beside the cells, prefixes, cells that do not say where they are, formulas.
+fn other_writers() -> Vec<Case> {
+    // The count is wrong, and a string is in two letterings, with an entity and how to pronounce it.
+    let strings = "<sst uniqueCount=\"99999999999999\"><si><r><t>Angle (</t></r><rPh sb=\"0\" eb=\"1\"><t>m</t></rPh>\
+                   <r><t xml:space=\"preserve\">&#114;ad)</t></r></si><si><t>Time_x0020_(s)</t></si></sst>";
+    let plain = rows(number);
+    let data = &plain[plain.find("<row r=\"2\"").unwrap()..];
+    let with_strings = |time: usize| {
+        let cell = |column, string| format!("<c r=\"{column}1\" t=\"s\"><v>{string}</v></c>");
+        let header = format!("<row r=\"1\">{}{}</row>", cell("A", time), cell("B", 0));
+        workbook_with(&(header + data), &[("xl/sharedStrings.xml", strings.as_bytes())])
+    };
+    let cut_strings = workbook_with(&plain, &[("xl/sharedStrings.xml", b"<sst><si><t>Time</t></si>")]);
+    let formula = |address: &str, value: f64| format!("<c r=\"{address}\"><f>2*7</f><v>{value:e}</v></c>");
+    let prefixed = rows(formula).replace('<', "<x:").replace("<x:/", "</x:");
+    let nowhere = (1..=13).fold(plain.clone(), |rows, line| {
+        rows.replace(&format!(" r=\"A{line}\""), "").replace(&format!(" r=\"B{line}\""), "")
+    });
+    vec![
+        Case::read("strings beside the cells", with_strings(1), truth()),
+        Case::refused("a string that is not there", with_strings(2), &["string 2"]),
+        Case::read("names with prefixes", workbook(&prefixed), truth()),
+        Case::read("cells that do not say where they are", workbook(&nowhere), truth()),
+        Case::read("nor a row", workbook(&nowhere.replace("<row r=\"9\">", "<row>")), truth()),
+        Case::refused("an unknown entity", workbook(&plain.replacen("Time", "&time;", 1)), &["&time;"]),
+        Case::refused("a string that is cut off", cut_strings, &["sharedStrings.xml is cut off"]),
+        Case::refused("a format of hours", with_formats([0, 164]), &["date"]),
+        Case::read("hours in styles that no cell has", with_formats([0, 0]), truth()),
+    ]
+}
+
+/// Angles in the first of two styles of cells and times in the second, which have these formats; 164 shows hours.
+fn with_formats([first, second]: [u8; 2]) -> Vec<u8> {
+    let styles = format!(
+        "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"[h]:mm\"/></numFmts>\
+         <cellStyleXfs><xf numFmtId=\"164\"/></cellStyleXfs>\
+         <cellXfs><xf numFmtId=\"{first}\"/><xf numFmtId=\"{second}\"/></cellXfs></styleSheet>"
+    );
+    let cell = |address: &str, value: f64| {
+        let style = u8::from(address.starts_with('A'));
+        format!("<c r=\"{address}\" s=\"{style}\"><v>{value}</v></c>")
+    };
+    workbook_with(&rows(cell), &[("xl/styles.xml", styles.as_bytes())])
 }

@@ -1,19 +1,16 @@
 //! Excel workbooks of before 2007 (BIFF8), as older versions of phyphox write them: their numbers and words.
 //!
-//! An own reader, because the one for newer workbooks panics on damaged older ones and makes room for sizes they announce.
-//!
 //! # References
 //! Microsoft Open Specifications MS-CFB (the compound file) and MS-XLS (the records in it).
 
 mod compound_file;
-mod dates;
 mod records;
 mod strings;
 
 use super::super::MeasurementError;
 use super::Page;
+use super::date_formats::DateFormats;
 use super::grid::Grid;
-use dates::Formats;
 use records::{Record, Records};
 
 /// A worksheet: where its records begin, and its name.
@@ -27,7 +24,7 @@ struct Worksheet {
 struct Workbook {
     worksheets: Vec<Worksheet>,
     strings: Vec<String>,
-    formats: Formats,
+    formats: DateFormats,
 }
 
 /// The worksheets as text.
@@ -57,13 +54,20 @@ impl Workbook {
                 Record::PASSWORD => return Err(damaged("it is protected by a password")),
                 Record::WORKSHEET => workbook.worksheets.extend(worksheet(&record)),
                 Record::STRINGS => workbook.strings = strings::table(&record),
-                Record::FORMAT => workbook.formats.add_format(&record),
-                Record::CELL_STYLE => workbook.formats.add_style(&record),
+                Record::FORMAT => workbook.add_format(&record),
+                Record::CELL_STYLE => workbook.formats.add_style(record.u16(2).unwrap_or(0)),
                 Record::END => break,
                 _ => {}
             }
         }
         Ok(workbook)
+    }
+
+    fn add_format(&mut self, record: &Record<'_>) {
+        let text = record.data.get(2..).and_then(strings::long);
+        if let (Some(number), Some(text)) = (record.u16(0), text) {
+            self.formats.add_format(number, &text);
+        }
     }
 
     /// The cells of the worksheet whose records begin here.

@@ -2,28 +2,27 @@
 
 use std::collections::BTreeSet;
 
-use super::records::Record;
-use super::strings;
-
-/// The styles of a workbook in order, and the formats of dates.
+/// The formats of numbers that the styles of a workbook have, in order, and which of them show dates.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Formats {
+pub(super) struct DateFormats {
     styles: Vec<u16>,
     dates: BTreeSet<u16>,
 }
 
-impl Formats {
-    pub(super) fn add_format(&mut self, record: &Record<'_>) {
-        let text = record.data.get(2..).and_then(strings::long);
-        if let (Some(number), true) = (record.u16(0), text.is_some_and(|text| shows_date(&text))) {
+impl DateFormats {
+    /// A format with its number, as the file writes it: `dd.mm.yyyy`.
+    pub(super) fn add_format(&mut self, number: u16, format: &str) {
+        if shows_date(format) {
             self.dates.insert(number);
         }
     }
 
-    pub(super) fn add_style(&mut self, record: &Record<'_>) {
-        self.styles.push(record.u16(2).unwrap_or(0));
+    /// The next style, with the number of its format.
+    pub(super) fn add_style(&mut self, format: u16) {
+        self.styles.push(format);
     }
 
+    /// Whether cells of this style show dates or times of day.
     pub(super) fn is_date(&self, style: u16) -> bool {
         let format = self.styles.get(usize::from(style)).copied().unwrap_or(0);
         // The formats that need not be written in the file.

@@ -1,0 +1,151 @@
+//! The cells of a worksheet.
+
+use super::super::super::MeasurementError;
+use super::super::grid::Grid;
+use super::super::part::Part;
+use super::contents::{Contents, Words};
+use super::damaged;
+use super::elements::{Element, Onward, Piece, walk};
+
+/// The last cell of the largest worksheet is `XFD1048576`.
+const MOST_ROWS: u32 = 1_048_576;
+const MOST_COLUMNS: u32 = 16_384;
+
+/// The cells as text.
+pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result<String, MeasurementError> {
+    let mut cells = Cells { contents, grid: Grid::new(limit), next: (0, 0), cell: None };
+    walk(part, |piece| cells.take(&piece))?;
+    cells.grid.into_text()
+}
+
+/// What has been read of a worksheet.
+struct Cells<'a> {
+    contents: &'a Contents<'a>,
+    grid: Grid,
+    /// Row and column of a cell that does not say where it is.
+    next: (u32, u32),
+    cell: Option<Cell>,
+}
+
+/// A cell that has begun.
+struct Cell {
+    place: (u32, u32),
+    kind: String,
+    style: u16,
+    /// Its value as the file has it, which for shared strings is a number, and whether this is being read.
+    value: String,
+    is_value: bool,
+    words: Words,
+}
+
+impl Cells<'_> {
+    fn take(&mut self, piece: &Piece<'_>) -> Result<Onward, MeasurementError> {
+        match (piece, &mut self.cell) {
+            (Piece::Start(element), None) if element.name() == "row" => {
+                if let Some(number) = element.attribute("r")? {
+                    self.next = (row(&number).ok_or_else(|| beyond(&number))?, 0);
+                }
+            }
+            (Piece::End(name), None) if name == "row" => self.next = (self.next.0 + 1, 0),
+            (Piece::Start(element), None) if element.name() == "c" => self.cell = Some(self.begun(element)?),
+            (Piece::End(name), Some(_)) if name == "c" => self.end_cell()?,
+            (Piece::End(name), None) if name == "sheetData" => return Ok(Onward::Enough),
+            (piece, Some(cell)) => cell.take(piece),
+            _ => {}
+        }
+        Ok(Onward::More)
+    }
+
+    fn begun(&self, element: &Element<'_>) -> Result<Cell, MeasurementError> {
+        let place = match element.attribute("r")? {
+            Some(address) => place(&address).ok_or_else(|| beyond(&address))?,
+            None => self.next,
+        };
+        Ok(Cell {
+            place,
+            kind: element.attribute("t")?.unwrap_or_default(),
+            style: element.number("s")?.unwrap_or(0),
+            value: String::new(),
+            is_value: false,
+            words: Words::default(),
+        })
+    }
+
+    fn end_cell(&mut self) -> Result<(), MeasurementError> {
+        let Some(Cell { place: (row, column), kind, style, value, mut words, .. }) = self.cell.take() else {
+            return Ok(());
+        };
+        self.next = (row, column + 1);
+        let value = value.trim();
+        match kind.as_str() {
+            "inlineStr" => self.grid.text(row, column, &words.finish()),
+            _ if value.is_empty() => Ok(()),
+            "s" => {
+                let string = value.parse().ok().and_then(|index: usize| self.contents.strings.get(index));
+                self.grid.text(
+                    row,
+                    column,
+                    string.ok_or_else(|| damaged(format!("string {value} is not in it")))?,
+                )
+            }
+            "b" => self.grid.text(row, column, if value == "1" { "true" } else { "false" }),
+            "" | "n" => match value.parse::<f64>() {
+                // Dates are counted in days: as plain numbers they would be taken for something else.
+                Ok(number) if self.contents.formats.is_date(style) => {
+                    self.grid.text(row, column, &format!("date {number}"))
+                }
+                Ok(number) => self.grid.number(row, column, number),
+                Err(_) => self.grid.text(row, column, value),
+            },
+            _ => self.grid.text(row, column, value),
+        }
+    }
+}
+
+impl Cell {
+    fn take(&mut self, piece: &Piece<'_>) {
+        match piece {
+            Piece::Start(element) if element.name() == "v" => self.is_value = true,
+            Piece::End(name) if name == "v" => self.is_value = false,
+            Piece::Letters(letters) if self.is_value => self.value.push_str(letters),
+            piece => self.words.take(piece),
+        }
+    }
+}
+
+/// Row and column of an address such as `B7`, from zero, if a worksheet can have them.
+fn place(address: &str) -> Option<(u32, u32)> {
+    let (letters, number) = address.split_at(address.find(|letter: char| letter.is_ascii_digit())?);
+    let column = letters.bytes().try_fold(0_u32, |sum, letter| {
+        let place =
+            letter.is_ascii_alphabetic().then(|| u32::from(letter.to_ascii_uppercase() - b'A') + 1)?;
+        Some(26 * sum + place).filter(|&column| column <= MOST_COLUMNS)
+    })?;
+    Some((row(number)?, column.checked_sub(1)?))
+}
+
+/// The row of this number, from zero.
+fn row(number: &str) -> Option<u32> {
+    number.parse().ok().filter(|number| (1..=MOST_ROWS).contains(number)).map(|number: u32| number - 1)
+}
+
+fn beyond(address: &str) -> MeasurementError {
+    let address = libration::quantity::excerpt(address);
+    damaged(format!("`{address}` in it is beyond what a worksheet can hold"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_are_held_to_what_a_worksheet_can_hold() {
+        assert_eq!(place("A1"), Some((0, 0)));
+        assert_eq!(place("ab10"), Some((9, 27)));
+        assert_eq!(place("XFD1048576"), Some((MOST_ROWS - 1, MOST_COLUMNS - 1)));
+        for bad in ["", "A", "1", "A0", "XFE1", "A1048577", "ZZZZZZZZZ1", "A99999999999", "A-1", "A1B", "µ1"]
+        {
+            assert_eq!(place(bad), None, "{bad}");
+        }
+    }
+}
