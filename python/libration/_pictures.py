@@ -203,6 +203,24 @@ def _fit_gates(answer: "Answer", ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
+    is_angle = answer["amplitude_unit"] == "rad"
+    scale = np.degrees(1.0) if is_angle else 1.0
+    ax = _plot.axes(ax, ("Ω / (rad/s)", "amplitude / °" if is_angle else f"amplitude / {answer['amplitude_unit']}"))
+    ax.plot(answer.measurements.frequency_rad_per_s, scale * answer.measurements.amplitude, linestyle="", marker="o", markersize=4, label="measured")
+    curve = answer.curve
+    for stable, dashes, label in [(True, "-", "stable"), (False, "--", "unstable")]:
+        for branch in dict.fromkeys(curve.branch):
+            own = curve.branch == branch
+            here = curve.stable[own] == stable
+            ax.plot(
+                curve.frequency_rad_per_s[own], np.where(here, scale * curve.amplitude[own], np.nan), dashes,
+                color=_plot.COLOURS[1 if stable else 3], label=label if here.any() else "_",
+            )
+    _plot.legend(ax)
+    return ax
+
+
 PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "period": _period,
     "motion": _motion,
@@ -222,4 +240,5 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "plan": _plan,
     "fit gates": _fit_gates,
     "fit trace": _fit_trace,
+    "fit response": _fit_response,
 }

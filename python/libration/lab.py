@@ -22,11 +22,11 @@ from numpy.typing import ArrayLike, NDArray
 from ._ask import Columns, Given, Path, Table
 from .answer import Answer, answer
 from .fit import Fit, Measured
-from .questions import fit_gates, fit_lengths, fit_periods, fit_trace
+from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
 from .questions import inspect as _inspect
 from .questions import plan
 
-__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_trace", "plan", "read", "recording"]
+__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_response", "fit_trace", "plan", "read", "recording"]
 
 
 class Recording(Answer):

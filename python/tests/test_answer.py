@@ -3,6 +3,7 @@
 import copy
 import json
 import pickle
+from pathlib import Path
 from collections.abc import Mapping
 
 import numpy as np
@@ -79,6 +80,7 @@ DRAWN = {
     "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),
     "lyapunov": lambda: lb.lyapunov("pendulum", initial={"theta": 1}, intervals=30),
     "fit gates": lambda: lb.lab.fit_gates({"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)}, amplitude=0.2, signals="passages"),
+    "fit response": lambda: lb.lab.fit_response(Path(__file__).parents[2] / "examples/response_synthetic.csv", model="pendulum"),
     "fit trace": lambda: lb.lab.fit_trace(lb.lab.recording(t=np.arange(0, 9, 0.05), angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2)), model="undamped"),
 }
 

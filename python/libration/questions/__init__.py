@@ -15,6 +15,7 @@ from ._figure_trajectories import figure_trajectories
 from ._fit_gates import fit_gates
 from ._fit_lengths import fit_lengths
 from ._fit_periods import fit_periods
+from ._fit_response import fit_response
 from ._fit_trace import fit_trace
 from ._formulas import formulas
 from ._fourier import fourier
@@ -54,6 +55,7 @@ __all__ = [
     "fit_gates",
     "fit_lengths",
     "fit_periods",
+    "fit_response",
     "fit_trace",
     "formulas",
     "fourier",

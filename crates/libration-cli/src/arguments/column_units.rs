@@ -36,6 +36,8 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) counts: [f64; N],
     /// What was inferred from the header.
     pub(crate) inferences: Vec<String>,
+    /// What the columns were read in.
+    pub(crate) units: [Unit; N],
 }
 
 impl<const N: usize> ColumnsInSi<N> {
@@ -55,6 +57,7 @@ impl<const N: usize> ColumnsInSi<N> {
             dropped: selection.dropped,
             counts: units.counts,
             inferences: units.inferences,
+            units: units.units,
         })
     }
 }
@@ -75,6 +78,21 @@ impl Wanted {
         Self { role: Role::Angles, option, uncertainties_of: None, counted: None }
     }
 
+    pub(crate) fn frequencies(said: Option<impl Into<Unit>>) -> Self {
+        let option = Some(("--frequency-unit", said.map(Into::into)));
+        Self { role: Role::Frequencies, option, uncertainties_of: None, counted: None }
+    }
+
+    pub(crate) fn displacements(said: Option<impl Into<Unit>>) -> Self {
+        let option = Some(("--amplitude-unit", said.map(Into::into)));
+        Self { role: Role::Displacements, option, uncertainties_of: None, counted: None }
+    }
+
+    pub(crate) fn phases(said: Option<impl Into<Unit>>) -> Self {
+        let option = Some(("--phase-unit", said.map(Into::into)));
+        Self { role: Role::Angles, option, uncertainties_of: None, counted: None }
+    }
+
     /// The uncertainties of what the column at this place holds.
     pub(crate) fn uncertainties(self, of: usize) -> Self {
         Self { uncertainties_of: Some(of), ..self }
@@ -84,7 +102,8 @@ impl Wanted {
         match self.role {
             Role::Times => Unit::Second,
             Role::Lengths => Unit::Metre,
-            Role::Angles => Unit::Radian,
+            Role::Angles | Role::Displacements => Unit::Radian,
+            Role::Frequencies => Unit::RadianPerSecond,
         }
     }
 
@@ -107,6 +126,13 @@ impl Wanted {
             ),
             (Some((_, unit)), _) => (unit, None),
             (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),
+            (None, WrittenUnit::Nothing)
+                if self.role == Role::Frequencies && self.uncertainties_of.is_none() =>
+            {
+                return Err(format!(
+                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: say which with --frequency-unit"
+                ));
+            }
             (None, WrittenUnit::Nothing) => (usual, None),
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {

@@ -58,7 +58,9 @@ pub(crate) use section::{SectionOptions, place_in_state, places_in_state, sectio
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use sweep_options::sweep_options_first;
 pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions};
-pub(crate) use table::{AmplitudeUnit, DialectOptions, LengthUnit, optional_column};
+pub(crate) use table::{
+    AmplitudeUnit, DialectOptions, DisplacementUnit, FrequencyUnit, LengthUnit, optional_column,
+};
 pub(crate) use table_columns::ColumnsOption;
 pub(crate) use text::{
     angle, angular_velocity, count, displacement, finite_time, gravity, length_with_uncertainty,

@@ -96,3 +96,53 @@ impl From<LengthUnit> for Unit {
         }
     }
 }
+
+/// The unit of a column of frequencies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum FrequencyUnit {
+    Hz,
+    #[value(name = "kHz")]
+    Khz,
+    #[value(name = "rad/s")]
+    RadPerS,
+    #[value(name = "deg/s")]
+    DegPerS,
+}
+
+impl From<FrequencyUnit> for Unit {
+    fn from(unit: FrequencyUnit) -> Self {
+        match unit {
+            FrequencyUnit::Hz => Self::Hertz,
+            FrequencyUnit::Khz => Self::Kilohertz,
+            FrequencyUnit::RadPerS => Self::RadianPerSecond,
+            FrequencyUnit::DegPerS => Self::DegreePerSecond,
+        }
+    }
+}
+
+/// The unit of a column of displacements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum DisplacementUnit {
+    Rad,
+    Deg,
+    M,
+    Cm,
+    Mm,
+    In,
+    /// Of a converter, or of anything else: volts, for one
+    Counts,
+}
+
+impl From<DisplacementUnit> for Unit {
+    fn from(unit: DisplacementUnit) -> Self {
+        match unit {
+            DisplacementUnit::Rad => Self::Radian,
+            DisplacementUnit::Deg => Self::Degree,
+            DisplacementUnit::M => Self::Metre,
+            DisplacementUnit::Cm => Self::Centimetre,
+            DisplacementUnit::Mm => Self::Millimetre,
+            DisplacementUnit::In => Self::Inch,
+            DisplacementUnit::Counts => Self::Count,
+        }
+    }
+}

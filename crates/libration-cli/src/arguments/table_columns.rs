@@ -21,8 +21,12 @@ impl ColumnsOption {
         needed: &str,
     ) -> Result<[Option<Column>; N], Failure> {
         let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
-        let columns: Vec<Option<Column>> = match (self.columns.len(), by_header(table), table.width()) {
+        let told = by_header(table).filter(|columns| columns.len() <= N);
+        let columns: Vec<Option<Column>> = match (self.columns.len(), told, table.width()) {
             (0, Some(columns), _) => columns,
+            (0, None, 3) if N == WITH_THIRD && table.names().get(2).is_some_and(|name| is_phase(name)) => {
+                [first(2), vec![None, None, Some(Column::Number(3))]].concat()
+            }
             (0, None, 2) => first(2),
             (0, None, 4..) => first(4),
             (0, None, width) => {
@@ -45,8 +49,27 @@ impl ColumnsOption {
     }
 }
 
-/// Two columns of values, and what the header says are their uncertainties.
+/// Of three quantities and their uncertainties.
+const WITH_THIRD: usize = 6;
+
+fn is_phase(name: &str) -> bool {
+    let name = name.to_lowercase();
+    ["phase", "lag", "phi", "φ"].iter().any(|word| name.starts_with(word))
+}
+
+/// Two columns of values, and what the header says are their uncertainties; then perhaps a third with its own.
 fn by_header(table: &Table) -> Option<Vec<Option<Column>>> {
-    let [first, second] = <[_; 2]>::try_from(table.value_columns()?).ok()?;
-    Some(vec![Some(first.values), Some(second.values), first.uncertainties, second.uncertainties])
+    let columns = table.value_columns()?;
+    let (both, third) = columns.split_at_checked(2)?;
+    let [first, second] = both else { return None };
+    let mut found: Vec<Option<Column>> = [first, second].map(|it| Some(it.values.clone())).to_vec();
+    found.extend([first, second].map(|it| it.uncertainties.clone()));
+    match third {
+        [] => Some(found),
+        [third] => {
+            found.extend([Some(third.values.clone()), third.uncertainties.clone()]);
+            Some(found)
+        }
+        _ => None,
+    }
 }

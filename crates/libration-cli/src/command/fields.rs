@@ -1,9 +1,9 @@
 //! `libration fields`: what the fields of answers mean.
 
 use super::{
-    backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_trace, formulas,
-    fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper, period, plan, resonance,
-    response, section, simulate, stability, sweep, systems,
+    backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_response,
+    fit_trace, formulas, fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper,
+    period, plan, resonance, response, section, simulate, stability, sweep, systems,
 };
 use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -65,6 +65,7 @@ fn catalogue() -> Vec<Answers> {
         plan::answers(),
         fit_periods::answers(),
         fit_lengths::answers(),
+        fit_response::answers(),
         fit_gates::answers(),
         fit_trace::answers(),
         answers(),

@@ -12,6 +12,7 @@ mod figure;
 mod fit_gates;
 mod fit_lengths;
 mod fit_periods;
+mod fit_response;
 mod fit_trace;
 mod formulas;
 mod fourier;
@@ -140,13 +141,14 @@ enum Question {
     Completions(completions::Completions),
 }
 
-/// Fit measured data by the exact law: periods, lengths, gate times or whole swings
+/// Fit measured data by the exact law: periods, lengths, gate times, whole swings or the response to a drive
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit periods examples/period_table_synthetic.csv
   libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg
   libration fit gates examples/gate_synthetic.csv --amplitude 0.9
   libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
+  libration fit response examples/response_synthetic.csv
   libration inspect examples/swing_synthetic.csv   # what a file holds")]
 struct FitQuestion {
     #[command(subcommand)]
@@ -159,6 +161,7 @@ enum Fit {
     Lengths(Box<fit_lengths::FitLengths>),
     Gates(Box<fit_gates::FitGates>),
     Trace(Box<fit_trace::FitTrace>),
+    Response(Box<fit_response::FitResponse>),
 }
 
 impl Libration {
@@ -201,6 +204,7 @@ impl Libration {
             Question::Fit(FitQuestion { fit: Fit::Lengths(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),
             Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
+            Question::Fit(FitQuestion { fit: Fit::Response(question) }) => question.answer(out),
             Question::Fields(question) => question.answer(out),
             Question::Page(question) => question.answer(),
             #[cfg(not(target_family = "wasm"))]

@@ -4,6 +4,7 @@ pub(crate) mod animation;
 pub(crate) mod backbone;
 pub(crate) mod decay;
 pub(crate) mod errors;
+pub(crate) mod fitted_response;
 pub(crate) mod gates;
 pub(crate) mod lengths;
 pub(crate) mod lyapunov;

@@ -101,7 +101,7 @@ fn stretches(curve: &ResponseCurve<'_>, branch: &Branch) -> Vec<(bool, Vec<(f64,
     found
 }
 
-fn look(stable: bool) -> Look {
+pub(super) fn look(stable: bool) -> Look {
     let line = style::curve(0);
     if stable { line } else { Look { mark: Mark::Line(DASHES), width: 1.5, ..line } }
 }

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 46] = [
+const FURTHER: [&str; 47] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -246,6 +246,8 @@ const FURTHER: [&str; 46] = [
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg|--half-periods",
+    "fit|response|examples/response_synthetic.csv|--model|duffing|--amplitude-unit|counts|--columns|1,2",
+    "fit|response|examples/response_synthetic.csv|--columns|1,2,-,3",
     "fit|trace|examples/swing_synthetic.csv|LATER|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
     "fields",
     "sweep|join|SWEEP",

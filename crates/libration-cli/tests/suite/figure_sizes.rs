@@ -144,6 +144,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
             .to_owned(),
         format!("fit periods {examples}/period_table_synthetic.csv"),
         format!("fit lengths {examples}/lengths_synthetic.csv"),
+        format!("fit response {examples}/response_synthetic.csv --model pendulum"),
         format!("fit gates {examples}/gate_synthetic.csv --length 0.958m --diameter 25mm"),
         format!("fit trace {examples}/swing_synthetic.csv --model linear"),
     ];

@@ -27,6 +27,7 @@ mod outliers;
 mod period_table;
 mod periods;
 pub mod plan;
+pub mod response;
 mod scatter;
 mod significance;
 mod small_angle_period;

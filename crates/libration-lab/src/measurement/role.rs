@@ -13,6 +13,10 @@ pub enum Role {
     Lengths,
     /// Angles, such as amplitudes.
     Angles,
+    /// Frequencies, in turns or radians per time.
+    Frequencies,
+    /// Displacements of any kind: angles, lengths, or what an instrument makes of them.
+    Displacements,
 }
 
 /// The unit that is written over a column.
@@ -32,6 +36,8 @@ impl fmt::Display for Role {
             Self::Times => "times",
             Self::Lengths => "lengths",
             Self::Angles => "angles",
+            Self::Frequencies => "frequencies",
+            Self::Displacements => "displacements",
         })
     }
 }
@@ -54,11 +60,14 @@ impl Role {
         match (self, measured) {
             (Self::Times, Measures::Time)
             | (Self::Lengths, Measures::Length)
-            | (Self::Angles, Measures::Angle) => None,
+            | (Self::Angles, Measures::Angle)
+            | (Self::Frequencies, Measures::Frequency | Measures::AngularVelocity)
+            | (Self::Displacements, Measures::Angle | Measures::Length) => None,
             (_, Measures::Time) => Some("times"),
             (_, Measures::Length) => Some("lengths"),
             (_, Measures::Angle) => Some("angles"),
             (_, Measures::AngularVelocity) => Some("angular velocities"),
+            (_, Measures::Frequency) => Some("frequencies"),
         }
     }
 

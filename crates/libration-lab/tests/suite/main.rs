@@ -12,6 +12,7 @@ mod fit_budget;
 mod fit_cycles;
 mod fit_gates;
 mod fit_lengths;
+mod fit_response;
 mod fitted_pivot;
 mod malformed;
 mod measurement;

@@ -233,6 +233,8 @@ mod tests {
             ("T/2", Other, "", None),
             ("Δt (s)", Other, "s", None),
             ("Angle (furlong)", Angle, "", None),
+            ("f (Hz)", Other, "Hz", None),
+            ("Sampling rate / kHz", Other, "kHz", None),
         ] {
             let heading = Heading::read(text, None, None);
             let found = heading.unit.map_or(String::new(), |unit| unit.to_string());

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use libration::quantity::{Dimension, in_si};
 
-/// A unit of time, angle, angular velocity or length.
+/// A unit of time, angle, angular velocity, frequency or length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unit {
@@ -33,6 +33,10 @@ pub enum Unit {
     RadianPerSecond,
     /// °/s
     DegreePerSecond,
+    /// Hz
+    Hertz,
+    /// kHz
+    Kilohertz,
     /// m
     Metre,
     /// cm
@@ -51,11 +55,12 @@ pub(in crate::measurement) enum Measures {
     Time,
     Angle,
     AngularVelocity,
+    Frequency,
     Length,
 }
 
 /// Each unit with the name it is printed by, and its other spellings in lower case without blanks.
-const UNITS: [(Unit, &str, &[&str]); 17] = [
+const UNITS: [(Unit, &str, &[&str]); 19] = [
     (
         Unit::Second,
         "s",
@@ -105,6 +110,8 @@ const UNITS: [(Unit, &str, &[&str]); 17] = [
             "degs^-1",
         ],
     ),
+    (Unit::Hertz, "Hz", &["hz", "hertz", "1/s", "s^-1", "s⁻¹"]),
+    (Unit::Kilohertz, "kHz", &["khz", "kilohertz"]),
     (Unit::Metre, "m", &["meter", "meters", "metre", "metres"]),
     (Unit::Centimetre, "cm", &["centimeter", "centimeters", "centimetre", "centimetres"]),
     (Unit::Millimetre, "mm", &["millimeter", "millimeters", "millimetre", "millimetres"]),
@@ -120,21 +127,28 @@ impl Unit {
             }
             Self::Radian | Self::Milliradian | Self::Degree | Self::Turn | Self::Count => Measures::Angle,
             Self::RadianPerSecond | Self::DegreePerSecond => Measures::AngularVelocity,
+            Self::Hertz | Self::Kilohertz => Measures::Frequency,
             Self::Metre | Self::Centimetre | Self::Millimetre | Self::Inch | Self::Pixel => Measures::Length,
         }
     }
 
     /// A value in seconds, radians, radians per second or metres, the same as of the text on a command line: the decimal with fewest
-    /// digits that reads back as the number, converted exactly and rounded once. Counts and pixels stay as they are.
+    /// digits that reads back as the number, converted exactly and rounded once. Counts and pixels stay as they are; of a frequency it is
+    /// the angular one.
     #[must_use]
     pub fn to_si(self, value: f64) -> f64 {
         let dimension = match self.measures() {
             Measures::Time => Dimension::Time,
             Measures::Angle => Dimension::Angle,
             Measures::AngularVelocity => Dimension::AngularVelocity,
+            Measures::Frequency => return std::f64::consts::TAU * self.in_hertz() * value,
             Measures::Length => Dimension::Length,
         };
         in_si(value, self.name(), dimension).unwrap_or(value)
+    }
+
+    fn in_hertz(self) -> f64 {
+        if self == Self::Kilohertz { 1e3 } else { 1.0 }
     }
 
     fn name(self) -> &'static str {

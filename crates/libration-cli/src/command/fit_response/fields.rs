@@ -1,0 +1,258 @@
+//! What is said of a response, of each model, of each row and of each jump.
+
+use super::input::ResponseFile;
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::warnings::{self, Named};
+use crate::output::{json, number, scatter};
+use libration_lab::fit::Uncertain;
+use libration_lab::fit::response::{
+    FittedAnswer, FittedCurve, FittedCurvePoint, FittedJump, ResponseFit, ResponsesFit,
+};
+use serde_json::Value;
+
+/// What is said about the measurements.
+pub(super) struct Answer<'a> {
+    pub(super) file: &'a ResponseFile,
+    pub(super) fit: &'a ResponsesFit,
+    pub(super) curve: &'a FittedCurve,
+}
+
+/// A parameter of the preferred model.
+pub(super) struct Parameter {
+    name: &'static str,
+    estimate: Uncertain,
+    unit: String,
+}
+
+/// An answer on the curve, with the number of its branch from 1.
+pub(super) struct OnCurve {
+    branch: usize,
+    point: FittedCurvePoint,
+}
+
+/// A row with what the fit says of it.
+pub(super) struct Measurement<'a> {
+    frequency: f64,
+    amplitude: f64,
+    fitted: &'a FittedAnswer,
+}
+
+impl Answer<'_> {
+    pub(super) fn warnings(&self) -> Vec<Named> {
+        self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string())).collect()
+    }
+
+    pub(super) fn weighting(&self) -> &'static str {
+        match self.file.measured.table.is_weighted() {
+            true => "stated uncertainties",
+            false => "none: uncertainties from the scatter",
+        }
+    }
+
+    /// In the order of the covariance.
+    fn parameters(&self) -> Vec<Parameter> {
+        let (best, unit) = (self.fit.best(), self.file.unit);
+        let parameter = |name, estimate, unit: &str| Parameter { name, estimate, unit: unit.to_owned() };
+        let cubic = best.cubic.map(|cubic| parameter("kappa", cubic, &format!("1/(s^2 {unit}^2)")));
+        [parameter("omega0", best.natural_frequency, "rad/s"), parameter("c", best.damping, "1/s")]
+            .into_iter()
+            .chain(cubic)
+            .chain([parameter("A", best.drive, &format!("{unit}/s^2"))])
+            .collect()
+    }
+
+    fn on_curve(&self) -> Vec<OnCurve> {
+        let branches = (1..).zip(&self.curve.branches);
+        branches
+            .flat_map(|(branch, points)| points.iter().map(move |&point| OnCurve { branch, point }))
+            .collect()
+    }
+
+    pub(super) fn measurements(&self) -> Vec<Measurement<'_>> {
+        let measured = &self.file.measured;
+        let rows = measured.frequencies.iter().zip(&measured.amplitudes).zip(&self.fit.best().rows);
+        rows.map(|((&frequency, &amplitude), fitted)| Measurement { frequency, amplitude, fitted }).collect()
+    }
+}
+
+pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
+    type Of<'a> = Field<Answer<'a>>;
+    let before = Fields::from([
+        Of::value("rows", "1", "rows that were fitted", |it| it.file.measured.table.len().into()),
+        Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
+            it.file.dropped.into()
+        }),
+        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+            json::list(it.file.inferences.clone())
+        }),
+        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("amplitude_unit", "", "rad, m or counts: the unit of all amplitudes here", |it| {
+            it.file.unit.into()
+        }),
+        Of::value(
+            "phases_lead",
+            "",
+            "whether the phases of the file are those by which answers lead",
+            |it| it.file.measured.table.leads().into(),
+        ),
+        Of::value("preferred", "", "the simplest model that the rows go with", |it| {
+            it.fit.best().model.name().into()
+        }),
+        Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(&it.parameters())),
+        Of::nested("models[].", &of_model(), |it| of_model().records(&it.fit.fits)),
+        Of::nested("jumps[].", &of_jump(), |it| of_jump().records(&it.curve.jumps)),
+        Of::nested("measurements[].", &of_measurement(), |it| of_measurement().records(&it.measurements())),
+        Of::nested("curve[].", &of_curve(), |it| of_curve().records(&it.on_curve())),
+    ]);
+    before.and(warnings::fields(
+        |it: &Answer<'a>| warnings::texts(it.warnings()),
+        |it| warnings::names(it.warnings()),
+    ))
+}
+
+const COLUMNS: [&str; 10] = ["model", "ω0 / (rad/s)", "±", "c / (1/s)", "±", "A", "±", "κ", "χ²/dof", "AICc"];
+
+pub(super) fn of_model() -> Fields<ResponseFit> {
+    type Of = Field<ResponseFit>;
+    Fields::from([
+        Of::value("model", "", "linear, pendulum or duffing", |it| it.model.name().into())
+            .words(COLUMNS[0], |it| it.model.name().to_owned()),
+        Of::number("omega0_rad_per_s", "rad/s", "frequency ω0 of small free oscillations", |it| {
+            it.natural_frequency.value
+        })
+        .numeral(COLUMNS[1], |it| value(it.natural_frequency)),
+        Of::number("omega0_uncertainty_rad_per_s", "rad/s", "standard uncertainty of ω0", |it| {
+            it.natural_frequency.uncertainty
+        })
+        .numeral(COLUMNS[2], |it| number::rounded(it.natural_frequency.uncertainty, 2)),
+        Of::number("damping_per_s", "1/s", "c of the acceleration −c·x′", |it| it.damping.value)
+            .numeral(COLUMNS[3], |it| value(it.damping)),
+        Of::number("damping_uncertainty_per_s", "1/s", "standard uncertainty of c", |it| {
+            it.damping.uncertainty
+        })
+        .numeral(COLUMNS[4], |it| number::rounded(it.damping.uncertainty, 2)),
+        Of::number("drive", "", "A, the driving acceleration in the unit of the amplitude over s²", |it| {
+            it.drive.value
+        })
+        .numeral(COLUMNS[5], |it| value(it.drive)),
+        Of::number("drive_uncertainty", "", "standard uncertainty of A", |it| it.drive.uncertainty)
+            .numeral(COLUMNS[6], |it| number::rounded(it.drive.uncertainty, 2)),
+        Of::known("cubic", "", CUBIC, |it| it.cubic.map(|cubic| cubic.value).ok_or_else(not_free))
+            .numeral(COLUMNS[7], |it| it.cubic.map_or("–".to_owned(), value))
+            .or_nan_in_csv(),
+        Of::known("cubic_uncertainty", "", "standard uncertainty of κ, or null", |it| {
+            it.cubic.map(|cubic| cubic.uncertainty).ok_or_else(not_free)
+        })
+        .or_nan_in_csv(),
+        Of::number("quality", "1", "ω0/c", |it| it.quality().value),
+        Of::number("quality_uncertainty", "1", "standard uncertainty of ω0/c", |it| {
+            it.quality().uncertainty
+        }),
+        Of::value("covariance[][]", "", "of ω0, c, perhaps κ, and A, in their units", covariance).only_json(),
+        Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
+            it.chi2_per_dof()
+                .ok_or_else(|| "no uncertainties are stated, or there is no row to spare".to_owned())
+        })
+        .rounded(COLUMNS[8], 4)
+        .or("–")
+        .or_nan_in_csv(),
+        Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
+        Of::known(
+            "amplitude_scatter",
+            "",
+            "standard deviation of the amplitudes by their scatter, or null",
+            |it| it.amplitude_scatter.ok_or_else(|| "uncertainties are stated".to_owned()),
+        )
+        .only_json(),
+        Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |it| {
+            it.aicc.ok_or_else(|| "too few rows".to_owned())
+        })
+        .rounded(COLUMNS[9], 5)
+        .or("–")
+        .or_nan_in_csv(),
+        scatter::birge_ratio_field(|it: &ResponseFit| scatter::birge_ratio(it.scatter())),
+        scatter::enlargement_field(|it: &ResponseFit| Some(scatter::enlargement(it.scatter()))),
+    ])
+}
+
+const CUBIC: &str = "κ of the acceleration −κ·x³, in 1/s² over the amplitude's unit squared, or null";
+
+fn covariance(fit: &ResponseFit) -> Value {
+    json::list(fit.covariance.iter().map(|row| json::list(row.iter().map(|&it| json::number(it)))))
+}
+
+fn not_free() -> String {
+    "not free in this model".to_owned()
+}
+
+/// To two digits of the uncertainty.
+fn value(estimate: Uncertain) -> String {
+    let text = estimate.to_string();
+    text.split(" ±").next().unwrap_or_default().to_owned()
+}
+
+fn of_parameter() -> Fields<Parameter> {
+    type Of = Field<Parameter>;
+    Fields::from([
+        Of::value("name", "", "omega0, c, kappa or A, of the preferred model", |it| it.name.into()),
+        Of::number("value", "", "in its unit", |it| it.estimate.value),
+        Of::number("uncertainty", "", "standard uncertainty, in the same unit", |it| it.estimate.uncertainty),
+        Of::value("unit", "", "unit of the parameter", |it| it.unit.clone().into()),
+    ])
+}
+
+fn of_curve() -> Fields<OnCurve> {
+    type Of = Field<OnCurve>;
+    Fields::from([
+        Of::value("branch", "1", "number of the branch, from 1", |it| it.branch.into()),
+        Of::number("frequency_rad_per_s", "rad/s", "frequency of the drive", |it| it.point.frequency),
+        Of::number("amplitude", "", "as it was measured", |it| it.point.amplitude),
+        Of::number("phase_rad", "rad", "by how much the answer lags behind the drive", |it| it.point.phase),
+        Of::value("stable", "", "whether small deviations die out", |it| it.point.stable.into()),
+    ])
+}
+
+pub(super) fn of_jump() -> Fields<FittedJump> {
+    type Of = Field<FittedJump>;
+    Fields::from([
+        Of::value("rising", "", "whether it is met while the frequency rises", |it| it.rising.into()),
+        Of::number("frequency_rad_per_s", "rad/s", "where a slow sweep jumps", |it| it.frequency.value),
+        Of::number("frequency_uncertainty_rad_per_s", "rad/s", "standard uncertainty of that", |it| {
+            it.frequency.uncertainty
+        }),
+        Of::number("amplitude", "", "the largest displacement before the jump", |it| it.amplitude),
+        Of::known("to_amplitude", "", "the largest displacement behind it, or null", |it| {
+            it.to_amplitude.ok_or_else(|| "no stable answer with the period of the drive is there".to_owned())
+        }),
+    ])
+}
+
+pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
+    type Of<'a> = Field<Measurement<'a>>;
+    Fields::from([
+        Of::number("frequency_rad_per_s", "rad/s", "the frequency that was measured", |it| it.frequency),
+        Of::number("amplitude", "", "the amplitude that was measured", |it| it.amplitude),
+        Of::number("fitted_amplitude", "", "what the fit puts in its place, on the same branch", |it| {
+            it.fitted.amplitude
+        }),
+        Of::number("residual", "1", "what is left, in standard deviations", |it| it.fitted.residual),
+        Of::value("stable", "", "whether small deviations from this answer die out", |it| {
+            it.fitted.stable.into()
+        }),
+        Of::value("between_folds", "", "whether it surely is where no answer lasts", |it| {
+            it.fitted.between_folds.into()
+        }),
+        Of::known(
+            "beyond_fold_rad_per_s",
+            "rad/s",
+            "how far it surely is beyond the end of its branch, or null",
+            |it| it.fitted.beyond_fold.ok_or_else(String::new),
+        ),
+    ])
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = of_answer().described("");
+    vec![Answers { command: "fit response", option: "", json, csv: of_model().described_in_csv() }]
+}

@@ -1,0 +1,136 @@
+//! `libration fit response`: measured response curves of a driven oscillator.
+
+mod fields;
+mod input;
+mod write;
+
+use crate::failure::Failure;
+use crate::figure::{self, fitted_response};
+use crate::output::{FormOptions, announce};
+use crate::{interrupt, parallel};
+use fields::Answer;
+use input::{Input, ResponseFile};
+use libration::watch::{Progress, Watch};
+use libration_lab::fit::response::{
+    FittedCurve, MeasuredAmplitude, ResponseFit, ResponseFitError, ResponseModel, ResponsesFit, response,
+};
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) use fields::answers;
+
+/// Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping and drive, through its jumps
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration fit response examples/response_synthetic.csv
+  libration fit response examples/response_synthetic.csv --model pendulum \\
+    --figure response.svg
+  libration fit response examples/response_synthetic.csv --columns 1,2,-,3 \\
+    --amplitude-unit deg --json
+
+x'' = -c x' - ω0² sin x + A cos Ωt, or with ω0² x + κ x³ (duffing), or ω0² x
+(linear), with all harmonics. The drive that an answer of the measured amplitude
+takes is compared with A: it is one number on each branch, so that points of
+sweeps up and down are fitted at once.")]
+pub(crate) struct FitResponse {
+    #[command(flatten)]
+    input: Input,
+    /// The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes are angles]
+    #[arg(long, value_enum)]
+    model: Option<ModelChoice>,
+    /// What was measured as the amplitude
+    #[arg(long, value_enum, default_value = "peak")]
+    measured: Measured,
+    /// Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum ModelChoice {
+    Linear,
+    Pendulum,
+    Duffing,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Measured {
+    /// The largest displacement
+    Peak,
+    /// The harmonic with the frequency of the drive, as of a lock-in amplifier
+    Fundamental,
+}
+
+impl FitResponse {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        let file = self.input.read()?;
+        interrupt::listen()?;
+        let how_far = || "fit of the response".to_owned();
+        let (fit, curve) = parallel::with_progress(how_far, || self.fitted(&file))?;
+        let drawn = match &self.figure {
+            Some(path) => {
+                let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
+                vec![figure::file::write(path, &picture, &self.sizes)?]
+            }
+            None => vec![],
+        };
+        Answer { file: &file, fit: &fit, curve: &curve }.write(out, self.form.form())?;
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+
+    fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), Failure> {
+        let ask = |_: Progress| interrupt::go_on();
+        let watch = Watch::new(&ask);
+        let measured = match self.measured {
+            Measured::Peak => MeasuredAmplitude::Peak,
+            Measured::Fundamental => MeasuredAmplitude::Fundamental,
+        };
+        let fit = response(&file.measured.table, &self.models(file), measured, &watch);
+        let fit = fit.map_err(|error| self.failure(&error))?;
+        let curve = self.curve(fit.best(), file, &watch)?;
+        Ok((fit, curve))
+    }
+
+    fn models(&self, file: &ResponseFile) -> Vec<ResponseModel> {
+        match self.model {
+            Some(ModelChoice::Linear) => vec![ResponseModel::Linear],
+            Some(ModelChoice::Pendulum) => vec![ResponseModel::Pendulum],
+            Some(ModelChoice::Duffing) => vec![ResponseModel::Duffing],
+            None => {
+                let possible = |it: &ResponseModel| file.is_angle() || *it != ResponseModel::Pendulum;
+                ResponseModel::ALL.into_iter().filter(possible).collect()
+            }
+        }
+    }
+
+    /// A little beyond the measured frequencies on both sides; no curve where a motion cannot be followed.
+    fn curve(
+        &self,
+        fit: &ResponseFit,
+        file: &ResponseFile,
+        watch: &Watch<'_>,
+    ) -> Result<FittedCurve, Failure> {
+        const BEYOND: f64 = 0.06;
+        let [low, high] = file.measured.table.frequency_range();
+        let margin = BEYOND * (high - low).max(0.1 * high);
+        let range = [(low - margin).max(0.5 * low), high + margin];
+        let curve = fit.curve(range, watch);
+        match interrupt::go_on().is_break() {
+            true => Err(self.failure(&ResponseFitError::Interrupted)),
+            false => Ok(curve.unwrap_or_default()),
+        }
+    }
+
+    fn failure(&self, error: &ResponseFitError) -> Failure {
+        match error {
+            ResponseFitError::Interrupted => {
+                Failure::Interrupted("interrupted before a fit was found: nothing is written".to_owned())
+            }
+            _ => self.input.no_answer(error),
+        }
+    }
+}

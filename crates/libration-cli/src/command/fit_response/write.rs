@@ -1,0 +1,71 @@
+//! The fit as a sheet with a table of models, as JSON and as CSV.
+
+use super::fields::{self, Answer};
+use crate::failure::Failure;
+use crate::output::table::{sheet, write_text};
+use crate::output::{Form, json, number, scatter};
+use libration_lab::fit::response::FittedJump;
+use std::io::{self, Write};
+
+impl Answer<'_> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+        match form {
+            Form::Json => json::document(out, fields::of_answer().record(self))?,
+            Form::Csv => fields::of_model().write_csv(out, &self.fit.fits)?,
+            Form::Table => self.write_sheet(out)?,
+        }
+        Ok(())
+    }
+
+    fn write_sheet(&self, out: &mut dyn Write) -> io::Result<()> {
+        sheet(out, &self.lines())?;
+        writeln!(out)?;
+        fields::of_model().write_table(out, &self.fit.fits)?;
+        for (_, warning) in self.warnings() {
+            write_text(out, "note: ", &warning)?;
+        }
+        Ok(())
+    }
+
+    fn lines(&self) -> Vec<(&'static str, String)> {
+        let best = self.fit.best();
+        let unit = self.file.unit;
+        let dropped = self.file.dropped;
+        let incomplete =
+            if dropped > 0 { format!(", {dropped} incomplete rows left out") } else { String::new() };
+        let mut lines = vec![("rows", format!("{}{incomplete}", self.file.measured.table.len()))];
+        if !self.file.inferences.is_empty() {
+            lines.push(("units", self.file.inferences.join("; ")));
+        }
+        if self.file.measured.table.leads() {
+            lines.push(("phases", "are those by which the answers lead: their signs are changed".to_owned()));
+        }
+        let of = |it: libration_lab::fit::Uncertain, unit: &str| {
+            number::with_uncertainty(it.value, it.uncertainty, unit)
+        };
+        lines.push(("weights", self.weighting().to_owned()));
+        lines.push(("model", best.model.name().to_owned()));
+        let remark = scatter::remark(best.scatter());
+        lines.push(("ω0", of(best.natural_frequency, "rad/s") + &remark));
+        lines
+            .push(("damping c", format!("{}  (quality ω0/c = {})", of(best.damping, "1/s"), best.quality())));
+        lines.push(("drive A", of(best.drive, &format!("{unit}/s²"))));
+        if let Some(cubic) = best.cubic {
+            lines.push(("cubic κ", of(cubic, &format!("1/(s² {unit}²)"))));
+        }
+        lines.extend(self.curve.jumps.iter().map(|jump| ("jump", self.jump(jump))));
+        lines
+    }
+
+    /// `rising: at 3.2931 ± 0.0012 rad/s from 2.5 m to 0.15 m`.
+    fn jump(&self, jump: &FittedJump) -> String {
+        let amplitude = |value: f64| match self.file.is_angle() {
+            true => format!("{}°", number::rounded(value.to_degrees(), 4)),
+            false => format!("{} {}", number::rounded(value, 4), self.file.unit),
+        };
+        let at = number::with_uncertainty(jump.frequency.value, jump.frequency.uncertainty, "rad/s");
+        let way = if jump.rising { "rising" } else { "falling" };
+        let to = jump.to_amplitude.map_or(String::new(), |to| format!(" to {}", amplitude(to)));
+        format!("{way}: at {at} from {}{to}", amplitude(jump.amplitude))
+    }
+}

@@ -1,0 +1,125 @@
+//! The curve of a fit: all answers over a range of frequencies, and where they jump.
+
+use super::MeasuredAmplitude;
+use super::fitted::ResponseFit;
+use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
+use crate::fit::Uncertain;
+use libration::algebra::Complex;
+use libration::continuation::{BranchPoint, Jump, NoBranch, Response, ResponseOptions};
+use libration::taylor::{Moment, System, Trajectory};
+use libration::watch::Watch;
+use std::f64::consts::{PI, TAU};
+
+/// An answer on the curve of a fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedCurvePoint {
+    /// Of the drive, in rad/s.
+    pub frequency: f64,
+    /// As it was measured.
+    pub amplitude: f64,
+    /// By how much the fundamental of the answer lags behind the drive, in radians.
+    pub phase: f64,
+    /// Whether small deviations die out.
+    pub stable: bool,
+}
+
+/// A frequency at which a slow sweep jumps to another branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedJump {
+    /// In rad/s.
+    pub frequency: Uncertain,
+    /// The largest displacement before the jump.
+    pub amplitude: f64,
+    /// The largest displacement behind it, where the answer that is reached has the period of the drive.
+    pub to_amplitude: Option<f64>,
+    /// Whether it is met while the frequency rises.
+    pub rising: bool,
+}
+
+/// All answers of a fit, and its jumps.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedCurve {
+    /// Branch by branch, in their order along it.
+    pub branches: Vec<Vec<FittedCurvePoint>>,
+    /// By rising frequency.
+    pub jumps: Vec<FittedJump>,
+}
+
+impl ResponseFit {
+    /// The answers with the period of the drive from one frequency to another, in rad/s.
+    ///
+    /// # Errors
+    /// As [`Response::over_watched`].
+    pub fn curve(&self, range: [f64; 2], watch: &Watch<'_>) -> Result<FittedCurve, NoBranch> {
+        let equation = self.model.with_frequency_open(&self.parameters());
+        let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+        let response = Response::over_watched(&equation, "w", range, &options, watch)?;
+        let branches = response.branches.iter().map(|branch| {
+            let special = branch.special.iter().map(|it| (it.before, &it.point));
+            let mut points: Vec<(usize, &BranchPoint)> = special.collect();
+            points.extend(branch.points.iter().enumerate());
+            // A special point stands before the one of its number.
+            points.sort_by_key(|(number, _)| *number);
+            points.into_iter().filter_map(|(_, point)| self.on_curve(point)).collect()
+        });
+        Ok(FittedCurve { branches: branches.collect(), jumps: self.jumps(&response) })
+    }
+
+    fn on_curve(&self, point: &BranchPoint) -> Option<FittedCurvePoint> {
+        let fundamental = self.fundamental(point)?;
+        let amplitude = match self.measured {
+            MeasuredAmplitude::Peak => point.amplitude(0, false),
+            MeasuredAmplitude::Fundamental => fundamental.abs(),
+        };
+        Some(FittedCurvePoint {
+            frequency: point.parameter,
+            amplitude,
+            phase: fundamental.argument(),
+            stable: point.stable,
+        })
+    }
+
+    /// The amplitude of the fundamental, and as argument its lag: the integral of x·e^{iΩt} over a period of the drive.
+    fn fundamental(&self, point: &BranchPoint) -> Option<Complex> {
+        let parameters = self.parameters();
+        let (drive, coefficients) = parameters.split_last()?;
+        let square = point.parameter * point.parameter;
+        let names = self.model.names();
+        let system = System::with_parameters(&self.model.in_phase_of_drive(), names).ok()?;
+        let state = vec![point.state[0], 0.0, 0.0, point.state[1] / point.parameter];
+        let values = scaled(coefficients, point.parameter).chain([drive / square, 0.0]).collect();
+        let start = Moment { time: 0.0, state };
+        let end =
+            Trajectory { start, parameters: values, times: &[TAU] }.integrate(&system, &EFFORT).ok()?.end;
+        Some(Complex::new(end.state[1], end.state[2]).scaled(1.0 / PI))
+    }
+
+    /// At the folds, where the required drive does not change with the amplitude: there dΩ = −(dZ by the parameters)/(∂Z/∂Ω).
+    fn jumps(&self, response: &Response) -> Vec<FittedJump> {
+        let law = AllHarmonics::new(self.model, MeasuredAmplitude::Peak);
+        let jump = |jump: &Jump| {
+            let (value, amplitude) = (jump.from.parameter, jump.from.amplitude(0, false));
+            let uncertainty = self.deviation_of_fold(&law, value, amplitude)?;
+            let frequency = Uncertain { value, uncertainty };
+            let to_amplitude = jump.to.first().map(|to| to.amplitude(0, false));
+            Some(FittedJump { frequency, amplitude, to_amplitude, rising: jump.rising })
+        };
+        let mut jumps: Vec<FittedJump> = response.jumps.iter().filter_map(jump).collect();
+        jumps.sort_by(|a, b| a.frequency.value.total_cmp(&b.frequency.value));
+        jumps
+    }
+
+    fn deviation_of_fold(&self, law: &AllHarmonics, frequency: f64, amplitude: f64) -> Option<f64> {
+        let parameters = self.parameters();
+        let (_, coefficients) = parameters.split_last()?;
+        let asked = Asked { frequency, amplitude };
+        let required = law.required(&[asked], coefficients)?.pop()?;
+        let radial = |change| along(required.drive, change);
+        let mut gradient: Vec<f64> = required.by_coefficients.iter().map(|it| radial(*it)).collect();
+        gradient.push(-1.0);
+        Some(self.deviation(&gradient) / radial(required.by_frequency(&asked, coefficients)).abs())
+    }
+}

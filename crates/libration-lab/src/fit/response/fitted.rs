@@ -1,0 +1,191 @@
+//! What a fit of a response says.
+
+use super::required_drive::{AllHarmonics, Asked, Law, RequiredDrive, along};
+use super::search::{Found, FoundRow};
+use super::table::{ResponseTable, Row};
+use super::{MeasuredAmplitude, ResponseModel};
+use crate::fit::Uncertain;
+use crate::fit::scatter::{self, Scatter};
+use crate::statistics::{akaike, count};
+use nalgebra::{DMatrix, DVector};
+
+/// The parameters of an oscillator under a drive.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ResponseFit {
+    /// The oscillator.
+    pub model: ResponseModel,
+    /// What was taken as the amplitude.
+    pub measured: MeasuredAmplitude,
+    /// ω0, in rad/s: of small free oscillations without damping. All uncertainties are [enlarged](Scatter) where the rows scatter more
+    /// than theirs.
+    pub natural_frequency: Uncertain,
+    /// c of the acceleration −c·x′, in 1/s.
+    pub damping: Uncertain,
+    /// κ of the acceleration −κ·x³, in 1/s² over the square of the unit of the amplitude, for Duffing's oscillator.
+    pub cubic: Option<Uncertain>,
+    /// A, the amplitude of the driving acceleration, in the unit of the amplitude over s².
+    pub drive: Uncertain,
+    /// Of natural frequency, damping, perhaps the cubic coefficient, and drive.
+    pub covariance: Vec<Vec<f64>>,
+    /// The sum of the squared residuals in standard deviations; none without uncertainties.
+    pub chi2: Option<f64>,
+    /// Degrees of freedom: amplitudes and phases less parameters.
+    pub dof: usize,
+    /// The standard deviation of the amplitudes by their scatter, where no uncertainties are stated.
+    pub amplitude_scatter: Option<f64>,
+    /// Akaike's criterion, corrected for few data; none where they are too few.
+    pub aicc: Option<f64>,
+    /// Row by row.
+    pub rows: Vec<FittedAnswer>,
+}
+
+/// A row under a fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FittedAnswer {
+    /// The amplitude that the fit puts in the place of the measured one, on the same branch.
+    pub amplitude: f64,
+    /// What is left, in standard deviations: of the amplitude, or of amplitude and phase together.
+    pub residual: f64,
+    /// Whether small deviations from this answer die out.
+    pub stable: bool,
+    /// Whether it is between the folds, where no answer lasts: by more than three standard deviations of the amplitude.
+    pub between_folds: bool,
+    /// By how many rad/s the frequency is beyond the fold at which its branch ends: by more than three of their uncertainties.
+    pub beyond_fold: Option<f64>,
+}
+
+impl ResponseFit {
+    /// Quality: ω0/c.
+    #[must_use]
+    pub fn quality(&self) -> Uncertain {
+        let (omega, damping) = (self.natural_frequency.value, self.damping.value);
+        let value = omega / damping;
+        let slopes = [1.0 / omega, -1.0 / damping];
+        let variance: f64 = (0..2)
+            .flat_map(|i| (0..2).map(move |k| (i, k)))
+            .map(|(i, k)| slopes[i] * self.covariance[i][k] * slopes[k])
+            .sum();
+        Uncertain { value, uncertainty: value * variance.sqrt() }
+    }
+
+    /// Of two parameters, in the order of the covariance.
+    #[must_use]
+    pub fn correlation(&self, one: usize, other: usize) -> f64 {
+        self.covariance[one][other] / (self.covariance[one][one] * self.covariance[other][other]).sqrt()
+    }
+
+    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn chi2_per_dof(&self) -> Option<f64> {
+        self.scatter().map(Scatter::chi2_per_dof)
+    }
+
+    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    #[must_use]
+    pub fn scatter(&self) -> Option<Scatter> {
+        Scatter::new(self.chi2, self.dof)
+    }
+
+    /// ω0², c, perhaps κ, and A.
+    pub(super) fn parameters(&self) -> Vec<f64> {
+        let omega = self.natural_frequency.value;
+        let cubic = self.cubic.map(|cubic| cubic.value);
+        [omega * omega, self.damping.value].into_iter().chain(cubic).chain([self.drive.value]).collect()
+    }
+
+    /// The standard deviation of a function of ω0², c, perhaps κ, and A with this gradient.
+    pub(super) fn deviation(&self, gradient: &[f64]) -> f64 {
+        let mut slopes = gradient.to_vec();
+        slopes[0] *= 2.0 * self.natural_frequency.value;
+        let pairs = (0..slopes.len()).flat_map(|i| (0..slopes.len()).map(move |k| (i, k)));
+        pairs.map(|(i, k)| slopes[i] * self.covariance[i][k] * slopes[k]).sum::<f64>().max(0.0).sqrt()
+    }
+}
+
+/// What was found with all harmonics; nothing where the rows have no drives any more.
+pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found) -> Option<ResponseFit> {
+    let (model, parameters) = (law.model(), &found.parameters);
+    let dof = table.data() - parameters.len();
+    let chi2 = table.is_weighted().then_some(found.chi2);
+    let enlargement = scatter::enlargement(chi2, dof);
+    let omega = parameters[0].sqrt();
+    // Of ω0 instead of its square, and of a positive c, which without phases counts by its square.
+    let sign = parameters[1].signum();
+    let scales: Vec<f64> =
+        [0.5 / omega, sign].into_iter().chain(std::iter::repeat(1.0)).take(parameters.len()).collect();
+    let covariance: DMatrix<f64> = DMatrix::from_fn(parameters.len(), parameters.len(), |i, k| {
+        enlargement * enlargement * scales[i] * found.covariance[(i, k)] * scales[k]
+    });
+    let uncertain =
+        |place: usize, value: f64| Uncertain { value, uncertainty: covariance[(place, place)].sqrt() };
+    let data = count(table.data());
+    let aicc = match chi2 {
+        Some(chi2) => akaike::of_chi_squared(chi2, data, parameters.len()),
+        None => {
+            let mean_square = found.scatter * found.scatter * found.chi2 / data;
+            akaike::of_scatter(mean_square, data, parameters.len())
+        }
+    };
+    let last = parameters.len() - 1;
+    let mut fit = ResponseFit {
+        model,
+        measured: law.measured(),
+        natural_frequency: uncertain(0, omega),
+        damping: uncertain(1, parameters[1].abs()),
+        cubic: (last > 2).then(|| uncertain(2, parameters[2])),
+        drive: uncertain(last, parameters[last]),
+        covariance: covariance.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        chi2,
+        dof,
+        amplitude_scatter: (!table.is_weighted()).then_some(found.scatter),
+        aicc,
+        rows: vec![],
+    };
+    let asked: Vec<Asked> = table
+        .rows
+        .iter()
+        .zip(&found.rows)
+        .map(|(row, found)| Asked { frequency: row.frequency, amplitude: found.amplitude })
+        .collect();
+    let required = law.required(&asked, &fit.parameters()[..last])?;
+    let rows = table.rows.iter().zip(&found.rows).zip(required);
+    fit.rows = rows.map(|((row, found), required)| answer(&fit, row, found, &required)).collect();
+    Some(fit)
+}
+
+fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> FittedAnswer {
+    let sign = found.residuals[0].signum();
+    FittedAnswer {
+        amplitude: found.amplitude,
+        residual: sign * DVector::from_row_slice(&found.residuals).norm(),
+        stable: required.stable,
+        between_folds: found.slope < -2.0 * FAR * found.bend.abs(),
+        beyond_fold: beyond_fold(fit, row, found, required),
+    }
+}
+
+/// So many standard deviations chance does not make.
+const FAR: f64 = 3.0;
+/// Within so many of its standard deviations from an extremum of the required drive an amplitude tells of the fold there.
+const NEAR: f64 = 4.0;
+
+/// The required drive as a parabola of the amplitude: where it does not reach the drive that acts, the branch has ended. By how much the
+/// frequency is beyond its end.
+fn beyond_fold(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> Option<f64> {
+    let parameters = fit.parameters();
+    let (drive, coefficients) = parameters.split_last()?;
+    let steps = -found.slope / (2.0 * found.bend);
+    let nearest = required.drive.abs() - drive + 0.5 * found.slope * steps;
+    if !(steps.abs() < NEAR && nearest * found.bend > 0.0) {
+        return None;
+    }
+    let radial = |change| along(required.drive, change);
+    let mut gradient: Vec<f64> = required.by_coefficients.iter().map(|it| radial(*it)).collect();
+    gradient.push(-1.0);
+    let asked = Asked { frequency: row.frequency, amplitude: found.amplitude };
+    let by_frequency = radial(required.by_frequency(&asked, coefficients));
+    let uncertainty = libm::hypot(fit.deviation(&gradient), by_frequency * row.frequency_uncertainty);
+    (nearest.abs() > FAR * uncertainty).then(|| (nearest / by_frequency).abs())
+}

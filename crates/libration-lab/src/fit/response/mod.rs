@@ -1,0 +1,158 @@
+//! The response of a driven oscillator → ω0, damping, drive, and what bends the resonance, through its jumps.
+//!
+//! Measured are the amplitude, and perhaps the phase, of the periodic answer at several frequencies of the drive. Where the resonance is
+//! bent over, one frequency has several answers, and which of them was measured depends on what was before: the amplitude is no function
+//! of the frequency. The drive that an answer of a given amplitude takes is one, on stable and unstable branches alike, so that its
+//! difference from the drive that acts is what is made small. It comes from the equation of motion with all harmonics.
+//!
+//! The curve has the period of the drive and is its own mirror image after half of it, as the strong answers of these oscillators are.
+//!
+//! ```
+//! use libration_lab::fit::response::{ResponseColumns, ResponseModel, ResponseTable, MeasuredAmplitude, response};
+//! use libration::watch::Watch;
+//!
+//! // A linear oscillator with ω0 = 2, c = 0.1 and A = 0.5, without errors.
+//! let frequencies: Vec<f64> = (0..21).map(|row| 1.5 + 0.05 * f64::from(row)).collect();
+//! let amplitude = |w: &f64| 0.5 / ((4.0 - w * w).powi(2) + 0.01 * w * w).sqrt();
+//! let amplitudes: Vec<f64> = frequencies.iter().map(amplitude).collect();
+//! let columns = ResponseColumns { frequencies: &frequencies, amplitudes: &amplitudes, ..Default::default() };
+//! let table = ResponseTable::new(&columns)?;
+//! let fit = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none())?;
+//! assert!((fit.best().natural_frequency.value - 2.0).abs() < 1e-9);
+//! assert!((fit.best().damping.value - 0.1).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod model;
+
+mod required_drive;
+mod table;
+
+mod search;
+mod start;
+
+mod fitted;
+
+mod curve;
+mod warning;
+
+pub use curve::{FittedCurve, FittedCurvePoint, FittedJump};
+pub use error::ResponseFitError;
+pub use fitted::{FittedAnswer, ResponseFit};
+pub use model::ResponseModel;
+pub use table::{ResponseColumns, ResponseTable};
+pub use warning::ResponseWarning;
+
+use crate::parallel;
+use libration::watch::Watch;
+use required_drive::{AllHarmonics, OneHarmonic};
+use search::{Found, Search};
+
+/// What is measured as the amplitude of an answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum MeasuredAmplitude {
+    /// The largest displacement.
+    #[default]
+    Peak,
+    /// The amplitude of the harmonic that has the frequency of the drive, as a lock-in amplifier or a fitted sine gives it.
+    Fundamental,
+}
+
+/// What a measured response says under several models.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ResponsesFit {
+    /// Those that could be fitted, in the order of [`ResponseModel::ALL`].
+    pub fits: Vec<ResponseFit>,
+    /// The place of the model that the rows prefer: of those whose criterion is within two of the least one, the simplest.
+    pub preferred: usize,
+    /// What a reader should know of the preferred one.
+    pub warnings: Vec<ResponseWarning>,
+}
+
+impl ResponsesFit {
+    /// The model that the rows prefer.
+    #[must_use]
+    pub fn best(&self) -> &ResponseFit {
+        &self.fits[self.preferred]
+    }
+}
+
+/// Rounds of a search with one harmonic, whose end is a start.
+const ROUGH_ROUNDS: usize = 6;
+/// Rounds of the search; five to ten are usual.
+const MOST_ROUNDS: usize = 40;
+/// Models whose criterion is within this of the least have substantial support (Burnham and Anderson 2002, section 2.6).
+const SUBSTANTIAL: f64 = 2.0;
+
+/// Fits models to a measured response; those that it excludes altogether are left out as long as another one remains.
+///
+/// # Accuracy
+/// Uncertainties are those of least squares with effective variances; where amplitudes have errors of a few per cent they cover the truth as
+/// often as they say, folds and points next to them included.
+///
+/// # Errors
+/// Too few rows, amplitudes of π or more for a pendulum alone, rows that leave parameters open or that no model comes close to, an
+/// interruption.
+pub fn response(
+    table: &ResponseTable,
+    models: &[ResponseModel],
+    measured: MeasuredAmplitude,
+    watch: &Watch<'_>,
+) -> Result<ResponsesFit, ResponseFitError> {
+    let found = parallel::map(models, watch, |model, watch| fitted(table, *model, measured, watch));
+    watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
+    let (fits, errors): (Vec<_>, Vec<_>) = found.into_iter().partition(Result::is_ok);
+    let fits: Vec<ResponseFit> = fits.into_iter().flatten().collect();
+    if fits.is_empty() {
+        let last = errors.into_iter().find_map(Result::err);
+        return Err(last.unwrap_or(ResponseFitError::NoConvergence(ResponseModel::Linear)));
+    }
+    let preferred = preferred(&fits);
+    let mut fit = ResponsesFit { fits, preferred, warnings: vec![] };
+    fit.warnings = warning::warnings(table, &fit);
+    Ok(fit)
+}
+
+fn fitted(
+    table: &ResponseTable,
+    model: ResponseModel,
+    measured: MeasuredAmplitude,
+    watch: &Watch<'_>,
+) -> Result<ResponseFit, ResponseFitError> {
+    table.check_for(model)?;
+    let balance = OneHarmonic(model);
+    let rough = Search { table, model, law: &balance, watch, rounds: ROUGH_ROUNDS };
+    let mut best: Option<Found> = None;
+    let mut refusal = ResponseFitError::NoConvergence(model);
+    for start in start::starts(table, model) {
+        match rough.near(&start) {
+            Ok(found) if best.as_ref().is_none_or(|best| found.misfit() < best.misfit()) => {
+                best = Some(found);
+            }
+            Ok(_) => {}
+            Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
+            Err(error) => refusal = error,
+        }
+    }
+    let start = best.ok_or(refusal)?.with_damping();
+    let law = AllHarmonics::new(model, measured);
+    let found = Search { table, model, law: &law, watch, rounds: MOST_ROUNDS }.near(&start)?;
+    if !found.settled {
+        return Err(ResponseFitError::NoConvergence(model));
+    }
+    fitted::described(table, &law, &found).ok_or(ResponseFitError::NoConvergence(model))
+}
+
+/// Of the fits within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.
+fn preferred(fits: &[ResponseFit]) -> usize {
+    let criterion = |place: usize| fits[place].aicc.unwrap_or(f64::INFINITY);
+    let least = (0..fits.len()).map(criterion).fold(f64::INFINITY, f64::min);
+    let order = |a: &usize, b: &usize| {
+        let parameters = |place: usize| fits[place].covariance.len();
+        parameters(*a).cmp(&parameters(*b)).then_with(|| criterion(*a).total_cmp(&criterion(*b)))
+    };
+    (0..fits.len()).filter(|&place| criterion(place) <= least + SUBSTANTIAL).min_by(order).unwrap_or(0)
+}

@@ -1,0 +1,284 @@
+//! Least squares with errors in amplitude, frequency and phase.
+//!
+//! The amplitude that a row would have without its error is found with the parameters: the required drive is linearised there, and
+//! its difference from the drive that acts is weighted by its effective variance, which at a fold, where the amplitude changes nothing to
+//! first order, is that of the second. Amplitudes and weights hold while the parameters are solved for, and are renewed until nothing
+//! changes (M. Lybanon, Am. J. Phys. 52, 22 (1984), doi:10.1119/1.13822).
+
+use super::ResponseFitError;
+use super::model::ResponseModel;
+use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
+use super::table::{ResponseTable, Row};
+use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+use crate::statistics::{Design, ROUNDING, count};
+use libration::algebra::Complex;
+use libration::watch::Watch;
+use nalgebra::{DMatrix, DVector};
+
+/// Of its uncertainty, a change of a parameter that is none.
+const SETTLED: f64 = 1e-3;
+/// When the rounds are over, where two places next to a fold may take turns: less than the uncertainty, since one round from there is as good as
+/// many to first order.
+const NEARLY_SETTLED: f64 = 1.0;
+/// After so many rounds amplitudes go a part of the way only: next to a fold a whole step may lead to the other side and back.
+const ROUNDS_OF_WHOLE_STEPS: usize = 3;
+/// A relative change of the scatter that is none.
+const SETTLED_SCATTER: f64 = 1e-3;
+/// Of the largest amplitude: less scatter is rounding.
+const LEAST_SCATTER: f64 = 1e-11;
+/// Three points with these distances in standard deviations stand for a normal distribution up to its fifth moment.
+const SPREAD: f64 = 1.732_050_807_568_877_2;
+/// Of the required drive: errors of less are rounding.
+const LEAST_DEVIATION: f64 = 1e-12;
+const EFFORT: Effort = Effort { tolerance: 1e-6, patience: 40 };
+
+/// The best parameters under a law.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    /// ω0², c, perhaps κ, and A.
+    pub(super) parameters: Vec<f64>,
+    /// Of these, where the uncertainties of the rows are right.
+    pub(super) covariance: DMatrix<f64>,
+    pub(super) chi2: f64,
+    /// What uncertainties of the rows are multiplied by: the scatter where none are stated, else one.
+    pub(super) scatter: f64,
+    pub(super) rows: Vec<FoundRow>,
+    /// Whether hardly anything changed in the last round.
+    pub(super) settled: bool,
+}
+
+impl Found {
+    /// What is made least: χ², or the variance of the scatter.
+    pub(super) fn misfit(&self) -> f64 {
+        self.chi2 * self.scatter * self.scatter
+    }
+
+    /// The parameters, with a damping that one more standard deviation of its square allows where that is more: without any, amplitudes
+    /// do not tell in which direction there is more of it.
+    pub(super) fn with_damping(&self) -> Vec<f64> {
+        let mut parameters = self.parameters.clone();
+        let of_square = 2.0 * parameters[1].abs() * self.covariance[(1, 1)].sqrt();
+        parameters[1] = parameters[1].max(of_square.sqrt());
+        parameters
+    }
+}
+
+/// A row under the best parameters.
+#[derive(Clone, Debug)]
+pub(super) struct FoundRow {
+    /// Without its error.
+    pub(super) amplitude: f64,
+    /// What a whole step would make of that.
+    aim: f64,
+    /// How the amplitude of the required drive changes over one standard deviation of that of the answer.
+    pub(super) slope: f64,
+    /// What the curvature adds to it on the average.
+    pub(super) bend: f64,
+    /// In standard deviations: that of the amplitude, and with a phase another.
+    pub(super) residuals: Vec<f64>,
+}
+
+/// A table under a law.
+pub(super) struct Search<'a> {
+    pub(super) table: &'a ResponseTable,
+    pub(super) model: ResponseModel,
+    pub(super) law: &'a dyn Law,
+    pub(super) watch: &'a Watch<'a>,
+    /// In which amplitudes and weights are renewed.
+    pub(super) rounds: usize,
+}
+
+/// A row linearised about an amplitude.
+struct Weighed {
+    amplitude: f64,
+    /// How the misses change over one standard deviation of the amplitude.
+    slope: Vec<f64>,
+    bend: Vec<f64>,
+    /// Of the measured amplitude.
+    deviation: f64,
+    /// L⁻¹ of the covariance L·Lᵀ of the misses.
+    whitening: DMatrix<f64>,
+}
+
+impl Weighed {
+    /// In standard deviations: by how much the measured amplitude is above this.
+    fn excess(&self, row: &Row) -> f64 {
+        (row.amplitude - self.amplitude) / self.deviation
+    }
+}
+
+impl Search<'_> {
+    /// The best parameters next to these.
+    pub(super) fn near(&self, start: &[f64]) -> Result<Found, ResponseFitError> {
+        let failed = || ResponseFitError::NoConvergence(self.model);
+        let largest = self.table.largest_amplitude();
+        let mut parameters = DVector::from_row_slice(start);
+        let mut amplitudes: Vec<f64> = self.table.rows.iter().map(|row| row.amplitude).collect();
+        let mut scatter = if self.table.is_weighted() { 1.0 } else { 0.01 * largest };
+        for round in 1.. {
+            self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
+            let weighed = self.weighed(&parameters, &amplitudes, scatter).ok_or_else(failed)?;
+            let evaluate = |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(NoResiduals::OutOfDomain);
+            let least = minimum(parameters.clone(), EFFORT, evaluate).map_err(|_| failed())?;
+            let design = Design::new(&least.linearised.jacobian, ROUNDING);
+            let covariance = design.map_err(|_| ResponseFitError::Undetermined(self.model))?.covariance();
+            let moved = |place: usize| {
+                (least.parameters[place] - parameters[place]).abs() / covariance[(place, place)].sqrt()
+            };
+            let change = (0..parameters.len()).map(moved).fold(0.0, f64::max);
+            let rows = self.rows(weighed, &least.linearised.residuals);
+            let chi2 = least.linearised.residuals.norm_squared();
+            let before = scatter;
+            scatter = self.renewed(scatter, chi2);
+            parameters = least.parameters;
+            // Without phases it counts by its square.
+            if !self.table.has_phases() && parameters[1] < 0.0 && round < self.rounds {
+                parameters[1] = -parameters[1];
+                amplitudes = self.within_bounds(&rows, scatter);
+                continue;
+            }
+            let settled = change <= SETTLED && (scatter / before - 1.0).abs() <= SETTLED_SCATTER;
+            if settled || round >= self.rounds {
+                let settled = change <= NEARLY_SETTLED;
+                let parameters = parameters.as_slice().to_vec();
+                return Ok(Found { parameters, covariance, chi2, scatter: before, rows, settled });
+            }
+            let part = count(ROUNDS_OF_WHOLE_STEPS) / count(round.max(ROUNDS_OF_WHOLE_STEPS));
+            let aims = self.within_bounds(&rows, scatter);
+            for (amplitude, aim) in amplitudes.iter_mut().zip(aims) {
+                *amplitude += part * (aim - *amplitude);
+            }
+        }
+        Err(failed())
+    }
+
+    /// The scatter of the amplitudes, where no uncertainties are stated.
+    fn renewed(&self, scatter: f64, chi2: f64) -> f64 {
+        if self.table.is_weighted() {
+            return 1.0;
+        }
+        let dof = self.table.data().saturating_sub(self.model.coefficients() + 1);
+        let least = LEAST_SCATTER * self.table.largest_amplitude();
+        (scatter * (chi2 / count(dof.max(1))).sqrt()).max(least)
+    }
+
+    /// Amplitudes without their errors that the model can have.
+    fn within_bounds(&self, rows: &[FoundRow], scatter: f64) -> Vec<f64> {
+        const FARTHEST: f64 = 0.5;
+        let bound = self.model.amplitude_bound();
+        let within = |(row, found): (&Row, &FoundRow)| {
+            let measured = row.amplitude;
+            let farthest = FARTHEST * measured.min(bound - measured);
+            let spread = (6.0 * scatter * row.amplitude_uncertainty).min(farthest);
+            found.aim.clamp(measured - spread, measured + spread)
+        };
+        self.table.rows.iter().zip(rows).map(within).collect()
+    }
+
+    fn required(
+        &self,
+        law: &dyn Law,
+        amplitudes: &[f64],
+        parameters: &DVector<f64>,
+    ) -> Option<Vec<RequiredDrive>> {
+        let rows = self.table.rows.iter().zip(amplitudes);
+        let asked: Vec<Asked> =
+            rows.map(|(row, &amplitude)| Asked { frequency: row.frequency, amplitude }).collect();
+        let possible = parameters[0] > 0.0 && parameters.iter().all(|number| number.is_finite());
+        possible.then(|| law.required(&asked, self.coefficients(parameters)))?
+    }
+
+    fn coefficients<'p>(&self, parameters: &'p DVector<f64>) -> &'p [f64] {
+        &parameters.as_slice()[..self.model.coefficients()]
+    }
+
+    /// The rows linearised about these amplitudes.
+    fn weighed(&self, parameters: &DVector<f64>, amplitudes: &[f64], scatter: f64) -> Option<Vec<Weighed>> {
+        let bound = self.model.amplitude_bound();
+        let deviations = self.table.rows.iter().map(|row| scatter * row.amplitude_uncertainty);
+        let deviations: Vec<f64> = deviations.collect();
+        let steps: Vec<f64> = amplitudes
+            .iter()
+            .zip(&deviations)
+            .map(|(amplitude, deviation)| (SPREAD * deviation).min(0.9 * amplitude.min(bound - amplitude)))
+            .collect();
+        let here = self.required(self.law, amplitudes, parameters)?;
+        // The curvature matters next to folds only, and one harmonic tells enough of it.
+        let balance = OneHarmonic(self.model);
+        let shifted = |sign: f64| -> Option<Vec<RequiredDrive>> {
+            let shifted = amplitudes.iter().zip(&steps).map(|(amplitude, step)| amplitude + sign * step);
+            self.required(&balance, &shifted.collect::<Vec<f64>>(), parameters)
+        };
+        let balanced = [shifted(-1.0)?, shifted(0.0)?, shifted(1.0)?];
+        let of_row = |place: usize| {
+            let row = &self.table.rows[place];
+            let part = deviations[place] / steps[place];
+            let slope = row.components(here[place].drive, here[place].by_amplitude.scaled(deviations[place]));
+            let [below, level, above] = balanced.each_ref().map(|all| row.misses(all[place].drive, 0.0));
+            let bend = |k: usize| 0.5 * part * part * (above[k] + below[k] - 2.0 * level[k]);
+            let bend: Vec<f64> = (0..slope.len()).map(bend).collect();
+            let asked = Asked { frequency: row.frequency, amplitude: amplitudes[place] };
+            let by_frequency = here[place].by_frequency(&asked, self.coefficients(parameters));
+            let drive = here[place].drive;
+            let across = Complex::new(-drive.im, drive.re).scaled(scatter * row.phase_uncertainty);
+            let errors = [
+                slope.clone(),
+                bend.iter().map(|bend| std::f64::consts::SQRT_2 * bend).collect(),
+                row.components(drive, by_frequency.scaled(row.frequency_uncertainty)),
+                row.components(drive, across),
+            ];
+            let whitening = whitening(&errors, LEAST_DEVIATION * drive.abs())?;
+            let (amplitude, deviation) = (amplitudes[place], deviations[place]);
+            Some(Weighed { amplitude, slope, bend, deviation, whitening })
+        };
+        (0..amplitudes.len()).map(of_row).collect()
+    }
+
+    fn linearised(&self, parameters: &DVector<f64>, weighed: &[Weighed]) -> Option<Linearised> {
+        let amplitudes: Vec<f64> = weighed.iter().map(|row| row.amplitude).collect();
+        let required = self.required(self.law, &amplitudes, parameters)?;
+        let drive = parameters[parameters.len() - 1];
+        let (mut residuals, mut jacobian) = (vec![], vec![]);
+        for ((row, weighed), required) in self.table.rows.iter().zip(weighed).zip(required) {
+            let misses = DVector::from_vec(row.misses(required.drive, drive));
+            let shift = DVector::from_row_slice(&weighed.slope) * weighed.excess(row);
+            residuals.extend((&weighed.whitening * (misses + shift)).iter());
+            let by_coefficients =
+                required.by_coefficients.iter().map(|it| row.components(required.drive, *it));
+            let by_drive = std::iter::once(vec![-1.0, 0.0][..weighed.slope.len()].to_vec());
+            let columns: Vec<DVector<f64>> = by_coefficients.chain(by_drive).map(DVector::from_vec).collect();
+            let block = &weighed.whitening * DMatrix::from_columns(&columns);
+            jacobian.extend(block.row_iter().map(|row| row.into_owned()));
+        }
+        Some(Linearised { residuals: DVector::from_vec(residuals), jacobian: DMatrix::from_rows(&jacobian) })
+    }
+
+    /// The rows with their errors taken from the amplitudes.
+    fn rows(&self, weighed: Vec<Weighed>, residuals: &DVector<f64>) -> Vec<FoundRow> {
+        let mut residuals = residuals.iter().copied();
+        let of_row = |(row, weighed): (&Row, Weighed)| {
+            let own: Vec<f64> = residuals.by_ref().take(weighed.slope.len()).collect();
+            let slope = &weighed.whitening * DVector::from_row_slice(&weighed.slope);
+            let excess = slope.dot(&DVector::from_row_slice(&own));
+            FoundRow {
+                amplitude: weighed.amplitude,
+                aim: row.amplitude - excess * weighed.deviation,
+                slope: weighed.slope[0],
+                bend: weighed.bend[0],
+                residuals: own,
+            }
+        };
+        self.table.rows.iter().zip(weighed).map(of_row).collect()
+    }
+}
+
+/// L⁻¹ of the covariance L·Lᵀ of sums of independent errors with these standard deviations, and one more of each alone.
+fn whitening(errors: &[Vec<f64>], least: f64) -> Option<DMatrix<f64>> {
+    let size = errors[0].len();
+    let covariance = DMatrix::from_fn(size, size, |i, k| {
+        let own = if i == k { least * least } else { 0.0 };
+        own + errors.iter().map(|error| error[i] * error[k]).sum::<f64>()
+    });
+    let triangle = covariance.cholesky()?.unpack();
+    triangle.solve_lower_triangular(&DMatrix::identity(size, size))
+}

@@ -1,0 +1,215 @@
+//! A measured response, checked once.
+
+use super::required_drive::along;
+use super::{ResponseFitError, ResponseModel};
+use libration::algebra::Complex;
+
+/// The columns of a measured response.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ResponseColumns<'a> {
+    /// Of the drive, in rad/s, in any order.
+    pub frequencies: &'a [f64],
+    /// Of the answer, in radians, metres or any other unit.
+    pub amplitudes: &'a [f64],
+    /// By how much the answer lags behind the drive, in radians; turns more or less do not matter, and phases that lead are known
+    /// by their sign.
+    pub phases: Option<&'a [f64]>,
+    /// Standard deviations, zero where a frequency is exact.
+    pub frequency_uncertainties: Option<&'a [f64]>,
+    /// Standard deviations; positive.
+    pub amplitude_uncertainties: Option<&'a [f64]>,
+    /// Standard deviations, in radians; positive.
+    pub phase_uncertainties: Option<&'a [f64]>,
+}
+
+/// Rows of frequency, amplitude and perhaps phase that a fit can use.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ResponseTable {
+    pub(super) rows: Vec<Row>,
+    weighted: bool,
+    leads: bool,
+}
+
+/// One measurement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub(super) struct Row {
+    pub(super) frequency: f64,
+    pub(super) amplitude: f64,
+    /// By how much it lags.
+    pub(super) phase: Option<f64>,
+    pub(super) frequency_uncertainty: f64,
+    /// In units of the scatter where no uncertainty is stated.
+    pub(super) amplitude_uncertainty: f64,
+    pub(super) phase_uncertainty: f64,
+}
+
+impl ResponseTable {
+    /// The rows of these columns.
+    ///
+    /// Without uncertainties all amplitudes count alike, and a phase as one of an amplitude of the same row: its standard deviation is that
+    /// of the amplitude over the amplitude, as where both are of one sine through a noisy trace.
+    ///
+    /// # Errors
+    /// Columns of different lengths, a frequency or an amplitude that is not positive, an uncertainty that is not positive (of a frequency:
+    /// negative), anything NaN or infinite; uncertainties of amplitudes without those of phases that are there, or the other way.
+    pub fn new(columns: &ResponseColumns<'_>) -> Result<Self, ResponseFitError> {
+        columns.check()?;
+        let weighted = columns.amplitude_uncertainties.is_some();
+        let rows = (0..columns.frequencies.len()).map(|row| Row::new(columns, row));
+        let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
+        // A drive that does work on what is damped is ahead of it: its power is proportional to the sine of the lag.
+        let power: f64 =
+            rows.iter().filter_map(|row| Some(row.frequency * row.amplitude * libm::sin(row.phase?))).sum();
+        let leads = power < 0.0;
+        if leads {
+            rows.iter_mut().for_each(|row| row.phase = row.phase.map(|phase| -phase));
+        }
+        Ok(Self { rows, weighted, leads })
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Whether the rows count by their uncertainties; else all alike, and their scatter is the uncertainty.
+    #[must_use]
+    pub fn is_weighted(&self) -> bool {
+        self.weighted
+    }
+
+    /// Whether there are phases.
+    #[must_use]
+    pub fn has_phases(&self) -> bool {
+        self.rows.iter().any(|row| row.phase.is_some())
+    }
+
+    /// Whether the phases are those by which answers lead, so that nearly all of them are negative.
+    #[must_use]
+    pub fn leads(&self) -> bool {
+        self.leads
+    }
+
+    /// How many numbers are fitted: amplitudes and phases.
+    pub(super) fn data(&self) -> usize {
+        self.rows.iter().map(|row| 1 + usize::from(row.phase.is_some())).sum()
+    }
+
+    pub(super) fn largest_amplitude(&self) -> f64 {
+        self.rows.iter().map(|row| row.amplitude).fold(0.0, f64::max)
+    }
+
+    /// The least and the greatest frequency.
+    #[must_use]
+    pub fn frequency_range(&self) -> [f64; 2] {
+        let frequencies = || self.rows.iter().map(|row| row.frequency);
+        [frequencies().fold(f64::INFINITY, f64::min), frequencies().fold(0.0, f64::max)]
+    }
+
+    /// Refuses what the model cannot answer with, and too few rows.
+    pub(super) fn check_for(&self, model: ResponseModel) -> Result<(), ResponseFitError> {
+        let bound = model.amplitude_bound();
+        if let Some(row) = self.rows.iter().position(|row| row.amplitude >= bound) {
+            return Err(ResponseFitError::Amplitude { row: row + 1, amplitude: self.rows[row].amplitude });
+        }
+        let parameters = model.coefficients() + 1;
+        let needed = parameters + usize::from(!self.weighted);
+        if self.data() < needed {
+            let needed = if self.has_phases() { needed.div_ceil(2) } else { needed };
+            return Err(ResponseFitError::TooFewRows { found: self.len(), needed, parameters, model });
+        }
+        Ok(())
+    }
+}
+
+impl ResponseColumns<'_> {
+    fn check(&self) -> Result<(), ResponseFitError> {
+        let expected = self.frequencies.len();
+        for (column, values) in [
+            ("amplitudes", Some(self.amplitudes)),
+            ("phases", self.phases),
+            ("uncertainties of the frequencies", self.frequency_uncertainties),
+            ("uncertainties of the amplitudes", self.amplitude_uncertainties),
+            ("uncertainties of the phases", self.phase_uncertainties),
+        ] {
+            let found = values.map_or(expected, <[f64]>::len);
+            if found != expected {
+                return Err(ResponseFitError::LengthMismatch { column, found, expected });
+            }
+        }
+        match (self.amplitude_uncertainties, self.phases.and(self.phase_uncertainties)) {
+            (Some(_), None) if self.phases.is_some() => {
+                Err(ResponseFitError::OneUncertainty { given: "amplitudes", missing: "phases" })
+            }
+            (None, Some(_)) => {
+                Err(ResponseFitError::OneUncertainty { given: "phases", missing: "amplitudes" })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Row {
+    fn new(columns: &ResponseColumns<'_>, index: usize) -> Result<Self, ResponseFitError> {
+        let row = index + 1;
+        let usable = |value: f64| value > 0.0 && value.is_finite();
+        let (frequency, amplitude) = (columns.frequencies[index], columns.amplitudes[index]);
+        for (of, value) in [("frequency", frequency), ("amplitude", amplitude)] {
+            if !usable(value) {
+                return Err(ResponseFitError::NotPositive { row, of, value });
+            }
+        }
+        let phase = columns.phases.map(|column| column[index]);
+        if let Some(phase) = phase.filter(|phase| !phase.is_finite()) {
+            return Err(ResponseFitError::Phase { row, phase });
+        }
+        let frequency_uncertainty = columns.frequency_uncertainties.map_or(0.0, |column| column[index]);
+        if !(0.0..f64::INFINITY).contains(&frequency_uncertainty) {
+            let hint = "give zero or a positive number";
+            let uncertainty = frequency_uncertainty;
+            return Err(ResponseFitError::Uncertainty { row, of: "frequency", uncertainty, hint });
+        }
+        let amplitude_uncertainty = columns.amplitude_uncertainties.map_or(1.0, |column| column[index]);
+        let phase_uncertainty = match columns.phases.and(columns.phase_uncertainties) {
+            Some(column) => column[index],
+            None => 1.0 / amplitude,
+        };
+        for (of, uncertainty) in [("amplitude", amplitude_uncertainty), ("phase", phase_uncertainty)] {
+            if !usable(uncertainty) {
+                let hint = "give a positive number in every row, or none in any";
+                return Err(ResponseFitError::Uncertainty { row, of, uncertainty, hint });
+            }
+        }
+        Ok(Self {
+            frequency,
+            amplitude,
+            phase,
+            frequency_uncertainty,
+            amplitude_uncertainty,
+            phase_uncertainty,
+        })
+    }
+
+    /// What is to vanish when this drive is required and that one acts: the difference of their amplitudes, and that of the phases times
+    /// the amplitude.
+    pub(super) fn misses(&self, required: Complex, drive: f64) -> Vec<f64> {
+        let size = required.abs();
+        let off = |phase: f64| size * (required * Complex::unit(-phase)).argument();
+        [size - drive].into_iter().chain(self.phase.map(off)).collect()
+    }
+
+    /// How that changes with the required drive, where the phases are nearly the same.
+    pub(super) fn components(&self, required: Complex, change: Complex) -> Vec<f64> {
+        let across = Complex::new(-required.im, required.re);
+        [along(required, change)].into_iter().chain(self.phase.map(|_| along(across, change))).collect()
+    }
+}

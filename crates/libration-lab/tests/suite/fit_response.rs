@@ -1,0 +1,264 @@
+//! Fits of driven oscillators against sweeps that scipy integrated, closed forms, and many draws of errors.
+
+use crate::random::Random;
+use libration::watch::Watch;
+use libration_lab::fit::response::{
+    MeasuredAmplitude, ResponseColumns, ResponseFit, ResponseFitError, ResponseModel, ResponseTable,
+    ResponseWarning, response,
+};
+
+/// Frequency, peak, fundamental and lag of a sweep up and down.
+fn sweep(text: &str) -> [Vec<f64>; 4] {
+    let mut columns: [Vec<f64>; 4] = Default::default();
+    for line in text.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit())) {
+        for (column, cell) in columns.iter_mut().zip(line.split(',')) {
+            column.push(cell.parse().unwrap());
+        }
+    }
+    columns
+}
+
+fn pendulum() -> [Vec<f64>; 4] {
+    sweep(include_str!("../data/response_pendulum.csv"))
+}
+
+fn duffing() -> [Vec<f64>; 4] {
+    sweep(include_str!("../data/response_duffing.csv"))
+}
+
+fn fit(columns: &ResponseColumns<'_>, model: ResponseModel, measured: MeasuredAmplitude) -> ResponseFit {
+    let table = ResponseTable::new(columns).unwrap();
+    response(&table, &[model], measured, &Watch::none()).unwrap().best().clone()
+}
+
+/// ω0, c, perhaps κ, and A.
+fn values(fit: &ResponseFit) -> Vec<f64> {
+    let cubic = fit.cubic.map(|it| it.value);
+    [fit.natural_frequency.value, fit.damping.value]
+        .into_iter()
+        .chain(cubic)
+        .chain([fit.drive.value])
+        .collect()
+}
+
+fn assert_near(found: &[f64], truth: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), truth.len());
+    for (found, truth) in found.iter().zip(truth) {
+        assert!((found / truth - 1.0).abs() < tolerance, "{found} {truth}");
+    }
+}
+
+const PENDULUM: [f64; 3] = [3.1, 0.27, 1.35];
+const DUFFING: [f64; 4] = [2.0, 0.12, 1.5, 1.0];
+
+/// The sweeps have eleven decimals.
+#[test]
+fn exact_sweeps_give_their_parameters_back() {
+    for measured in [MeasuredAmplitude::Peak, MeasuredAmplitude::Fundamental] {
+        for with_phases in [false, true] {
+            for (columns, model, truth) in [
+                (pendulum(), ResponseModel::Pendulum, &PENDULUM[..]),
+                (duffing(), ResponseModel::Duffing, &DUFFING[..]),
+            ] {
+                let [frequencies, peaks, fundamentals, lags] = &columns;
+                let amplitudes = if measured == MeasuredAmplitude::Peak { peaks } else { fundamentals };
+                let phases = with_phases.then_some(&lags[..]);
+                let columns = ResponseColumns { frequencies, amplitudes, phases, ..Default::default() };
+                let fit = fit(&columns, model, measured);
+                assert_near(&values(&fit), truth, 1e-8);
+                assert!(
+                    fit.rows.iter().all(|row| row.stable && !row.between_folds && row.beyond_fold.is_none())
+                );
+            }
+        }
+    }
+}
+
+/// The sum of the squares of parameters less the truth, by the covariance: a χ² with as many degrees of freedom.
+fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
+    let off: Vec<f64> = values(fit).iter().zip(truth).map(|(found, truth)| found - truth).collect();
+    let size = off.len();
+    // Gauss's elimination of the covariance beside the differences.
+    let mut rows: Vec<Vec<f64>> = (0..size).map(|i| [&fit.covariance[i][..], &[off[i]]].concat()).collect();
+    for pivot in 0..size {
+        for below in pivot + 1..size {
+            let factor = rows[below][pivot] / rows[pivot][pivot];
+            let (above, rest) = rows.split_at_mut(below);
+            for (entry, upper) in rest[0][pivot..].iter_mut().zip(&above[pivot][pivot..]) {
+                *entry -= factor * upper;
+            }
+        }
+    }
+    // Of a symmetric matrix L·D·Lᵀ the eliminated right side is L⁻¹·off.
+    (0..size).map(|i| rows[i][size] * rows[i][size] / rows[i][i]).sum()
+}
+
+/// Fits of a sweep with errors of a part of the largest amplitude, and of phases that are as uncertain.
+fn draws(
+    columns: [Vec<f64>; 4],
+    model: ResponseModel,
+    part: f64,
+    with_phases: bool,
+) -> impl Iterator<Item = ResponseFit> {
+    let [frequencies, peaks, _, lags] = columns;
+    let mut random = Random::seeded(0x5eed);
+    let largest = peaks.iter().copied().fold(0.0, f64::max);
+    let of_amplitudes: Vec<f64> = peaks.iter().map(|peak| (part * largest).min(0.1 * peak)).collect();
+    let of_phases: Vec<f64> =
+        of_amplitudes.iter().zip(&peaks).map(|(deviation, peak)| deviation / peak).collect();
+    (0..16).map(move |_| {
+        let mut noisy = |values: &[f64], deviations: &[f64]| -> Vec<f64> {
+            let pairs = values.iter().zip(deviations);
+            pairs.map(|(value, deviation)| value + deviation * random.normal()).collect()
+        };
+        let (amplitudes, phases) = (noisy(&peaks, &of_amplitudes), noisy(&lags, &of_phases));
+        let columns = ResponseColumns {
+            frequencies: &frequencies,
+            amplitudes: &amplitudes,
+            phases: with_phases.then_some(&phases),
+            amplitude_uncertainties: Some(&of_amplitudes),
+            phase_uncertainties: with_phases.then_some(&of_phases),
+            ..Default::default()
+        };
+        fit(&columns, model, MeasuredAmplitude::Peak)
+    })
+}
+
+/// Sums of 16 draws of χ² with three degrees of freedom have the mean 48 and the standard deviation √96 = 9.8.
+#[test]
+fn stated_uncertainties_cover_the_truth() {
+    for (with_phases, part) in [(false, 0.003), (false, 0.03), (true, 0.01)] {
+        let fits = draws(pendulum(), ResponseModel::Pendulum, part, with_phases);
+        let distance: f64 = fits
+            .map(|fit| {
+                // Not enlarged where chance makes the rows scatter more than stated.
+                let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
+                distance_squared(&fit, &PENDULUM) * enlargement * enlargement
+            })
+            .sum();
+        assert!((19.0..78.0).contains(&distance), "{with_phases} {part}: {distance}");
+    }
+}
+
+/// Likewise with four: 64 ± 11.3. The top of this resonance was not reached, so that phases tell the damping.
+#[test]
+fn stated_uncertainties_cover_a_cubic_coefficient() {
+    let fits = draws(duffing(), ResponseModel::Duffing, 0.01, true);
+    let distance: f64 = fits
+        .map(|fit| {
+            let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
+            distance_squared(&fit, &DUFFING) * enlargement * enlargement
+        })
+        .sum();
+    assert!((30.0..98.0).contains(&distance), "{distance}");
+}
+
+/// Of 34 rows less three parameters: 16·31 = 496 with a standard deviation of √(2·496) = 31.5.
+#[test]
+fn residuals_are_as_large_as_stated() {
+    let fits = draws(pendulum(), ResponseModel::Pendulum, 0.01, false);
+    let chi2: f64 = fits.filter_map(|fit| fit.chi2).sum();
+    assert!((400.0..592.0).contains(&chi2), "{chi2}");
+}
+
+/// a = A/|ω0² − Ω² + icΩ| and the lag arg(ω0² − Ω² + icΩ), here of a quality of a thousand; phases that lead, turns more, rows in any order.
+#[test]
+fn closed_form_of_the_linear_oscillator() {
+    let (omega, damping, drive) = (100.0_f64, 0.1, 7.0);
+    let frequencies: Vec<f64> = (0..25).map(|row| 99.4 + 0.05 * f64::from((7 * row) % 25)).collect();
+    let answer = |w: &f64| (omega * omega - w * w, damping * w);
+    let amplitudes: Vec<f64> =
+        frequencies.iter().map(answer).map(|(re, im)| drive / libm::hypot(re, im)).collect();
+    let turns = std::f64::consts::TAU;
+    let leads: Vec<f64> =
+        frequencies.iter().map(answer).map(|(re, im)| 3.0 * turns - libm::atan2(im, re)).collect();
+    for phases in [None, Some(&leads[..])] {
+        let columns = ResponseColumns {
+            frequencies: &frequencies,
+            amplitudes: &amplitudes,
+            phases,
+            ..Default::default()
+        };
+        let table = ResponseTable::new(&columns).unwrap();
+        assert_eq!(table.leads(), phases.is_some());
+        let found =
+            response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        assert_near(&values(found.best()), &[omega, damping, drive], 1e-9);
+    }
+}
+
+fn warned(columns: &[Vec<f64>; 4], change: impl Fn(&mut Vec<f64>, &mut Vec<f64>)) -> Vec<ResponseWarning> {
+    let [mut frequencies, mut amplitudes, _, _] = columns.clone();
+    let deviations = vec![2e-3; amplitudes.len() + 1];
+    change(&mut frequencies, &mut amplitudes);
+    let columns = ResponseColumns {
+        frequencies: &frequencies,
+        amplitudes: &amplitudes,
+        amplitude_uncertainties: Some(&deviations[..amplitudes.len()]),
+        ..Default::default()
+    };
+    let table = ResponseTable::new(&columns).unwrap();
+    response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Watch::none()).unwrap().warnings
+}
+
+/// The unstable answer at 2.5 rad/s has the largest angle 0.9 about: between the two stable ones.
+#[test]
+fn a_row_between_the_folds_is_told() {
+    let names =
+        |warnings: Vec<ResponseWarning>| warnings.iter().map(ResponseWarning::name).collect::<Vec<_>>();
+    assert!(!names(warned(&pendulum(), |_, _| {})).contains(&"rows_between_folds"));
+    let with_it = warned(&pendulum(), |frequencies, amplitudes| {
+        frequencies.push(2.5);
+        amplitudes.push(1.25);
+    });
+    assert!(with_it.contains(&ResponseWarning::BetweenFolds(vec![35])), "{with_it:?}");
+}
+
+#[test]
+fn what_cannot_be_fitted_is_refused_with_its_reason() {
+    let refused = |frequencies: &[f64], amplitudes: &[f64], models: &[ResponseModel]| {
+        let columns = ResponseColumns { frequencies, amplitudes, ..Default::default() };
+        let table = match ResponseTable::new(&columns) {
+            Ok(table) => table,
+            Err(error) => return error.to_string(),
+        };
+        let fit = response(&table, models, MeasuredAmplitude::Peak, &Watch::none());
+        fit.map(|fit| format!("{fit:?}")).unwrap_or_else(|error| error.to_string())
+    };
+    let linear = [ResponseModel::Linear];
+    for (frequencies, amplitudes, words) in [
+        (&[][..], &[][..], "0 rows cannot determine the 3 parameters"),
+        (&[1.0], &[0.1], "1 rows cannot determine"),
+        (&[1.0, 2.0], &[0.1], "the amplitudes have 1 rows, the frequencies 2"),
+        (&[1.0, -2.0], &[0.1, 0.1], "row 2: the frequency -2.0 is not a positive number"),
+        (&[1.0, f64::NAN], &[0.1, 0.1], "row 2: the frequency NaN"),
+        (&[1.0, 2.0], &[0.1, 0.0], "row 2: the amplitude 0.0"),
+        (&[1.0, 1.0, 1.0, 1.0], &[0.1, 0.1, 0.1, 0.1], "linear response"),
+    ] {
+        let found = refused(frequencies, amplitudes, &linear);
+        assert!(found.contains(words), "{found}");
+    }
+    let found = refused(&[1.0, 2.0, 3.0, 4.0], &[0.1, 4.0, 0.1, 0.1], &[ResponseModel::Pendulum]);
+    assert!(found.contains("row 2: the amplitude 4.0 rad is not below pi"), "{found}");
+    let columns = ResponseColumns {
+        frequencies: &[1.0, 2.0],
+        amplitudes: &[0.1, 0.2],
+        phases: Some(&[0.1, 0.2]),
+        amplitude_uncertainties: Some(&[0.1, 0.1]),
+        ..Default::default()
+    };
+    let missing = ResponseFitError::OneUncertainty { given: "amplitudes", missing: "phases" };
+    assert_eq!(ResponseTable::new(&columns), Err(missing));
+}
+
+/// The jumps of the sweeps are between neighbouring rows of the file: down from 1.439 on the way down from 2.23 to 2.13 rad/s, up from 2.7 to 2.8.
+#[test]
+fn jumps_are_where_the_sweeps_have_them() {
+    let [frequencies, peaks, ..] = &pendulum();
+    let columns = ResponseColumns { frequencies, amplitudes: peaks, ..Default::default() };
+    let fit = fit(&columns, ResponseModel::Pendulum, MeasuredAmplitude::Peak);
+    let jumps = fit.curve([1.9, 3.7], &Watch::none()).unwrap().jumps;
+    let found: Vec<(bool, f64)> = jumps.iter().map(|jump| (jump.rising, jump.frequency.value)).collect();
+    assert!(found.len() == 2 && !found[0].0 && found[1].0, "{found:?}");
+    assert!((2.13..2.23).contains(&found[0].1) && (2.7..2.8).contains(&found[1].1), "{found:?}");
+}

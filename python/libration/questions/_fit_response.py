@@ -1,0 +1,76 @@
+"""`libration fit response`. Written by scripts/questions."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .._ask import Columns, Given, Path, Say
+from ..answer import answer
+from ..fit import Fit
+
+
+def fit_response(
+    file: Path | Columns,
+    *,
+    columns: Given | None = None,
+    frequency_unit: Literal["hz", "kHz", "rad/s", "deg/s"] | None = None,
+    amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
+    phase_unit: Literal["rad", "deg"] | None = None,
+    delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
+    header: Literal["detect", "present", "absent"] | None = None,
+    model: Literal["linear", "pendulum", "duffing"] | None = None,
+    measured: Literal["peak", "fundamental"] | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
+    progress: Say = False,
+) -> Fit:
+    """Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping and drive, through its jumps.
+
+    Parameters
+    ----------
+    file : str or path or columns
+        A table of drive frequencies and amplitudes, optionally with phases and with uncertainties; - for standard input.
+    columns : number or text, or several, optional
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
+        or 1,2,3,4].
+    frequency_unit : {"hz", "kHz", "rad/s", "deg/s"}, optional
+        Unit of the frequencies and of their uncertainties [default: that of the header].
+    amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
+        Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
+    phase_unit : {"rad", "deg"}, optional
+        Unit of the phases and of their uncertainties [default: that of the header, else rad].
+    delimiter : {"comma", "semicolon", "tab", "space"}, optional
+        What separates the columns [default: detected].
+    header : {"detect", "present", "absent"}, optional
+        Whether the first row names the columns [default: detect].
+    model : {"linear", "pendulum", "duffing"}, optional
+        The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes are angles].
+    measured : {"peak", "fundamental"}, optional
+        What was measured as the amplitude [default: peak].
+    figure : str or path, optional
+        Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : number or text, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : number or text, optional
+        Height of the picture [default: chosen to suit the picture].
+    progress : bool or callable
+        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    UsageError
+        What is given cannot be understood.
+    NoAnswer
+        There is no answer.
+    Interrupted
+        Ctrl-C; its ``partial`` is what there is of the answer.
+    """
+    return answer(Fit, "fit response", locals())
