@@ -378,7 +378,7 @@ fn a_field_without_a_description_would_be_seen() {
 #[test]
 fn a_command_is_named_by_its_words_and_an_unknown_one_refused() {
     let all = json("fields fit")["commands"].as_array().unwrap().len();
-    assert_eq!(all, 4);
+    assert_eq!(all, 5);
     assert!(text("fields fit trace").starts_with("libration fit trace --json\n"));
     let output = libration("fields derive");
     assert_eq!(output.status.code(), Some(2));
