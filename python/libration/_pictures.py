@@ -118,8 +118,9 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, (answer["parameter"], f"largest |{answer['coordinate']}|"))
-    for place, branch in enumerate(answer.branches):
-        colour = _plot.COLOURS[place % len(_plot.COLOURS)]
+    kinds = list(dict.fromkeys(branch["kind"] for branch in answer.branches))
+    for branch in answer.branches:
+        colour = _plot.COLOURS[kinds.index(branch["kind"]) % len(_plot.COLOURS)]
         value, amplitude, stable = (np.array([point[name] for point in branch["points"]]) for name in ("parameter", "amplitude_max", "stable"))
         ax.plot(value, amplitude, linestyle="--", linewidth=0.8, color=colour)
         ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=branch["kind"].replace("_", " "))
@@ -136,8 +137,7 @@ def _stability(answer: "Answer", ax: "Axes | None") -> "Axes":
         place = kinds.index(curve["kind"])
         x, y = np.array([point["parameters"] for point in curve["points"]]).T
         ax.plot(x, y, color=_plot.COLOURS[place % len(_plot.COLOURS)], label=curve["kind"].replace("_", " "))
-    labels = dict(zip(*reversed(ax.get_legend_handles_labels())))
-    _plot.legend(ax, handles=list(labels.values()), labels=list(labels))
+    _plot.legend(ax)
     return ax
 
 
@@ -215,7 +215,7 @@ def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
             here = curve.stable[own] == stable
             ax.plot(
                 curve.frequency_rad_per_s[own], np.where(here, scale * curve.amplitude[own], np.nan), dashes,
-                color=_plot.COLOURS[1 if stable else 3], label=label if here.any() else "_",
+                color=_plot.COLOURS[1], label=label if here.any() else "_",
             )
     _plot.legend(ax)
     return ax

@@ -25,7 +25,9 @@ def axes(ax: "Axes | None", labels: tuple[str, str]) -> "Axes":
     return ax
 
 
-def legend(ax: "Axes", **options: Any) -> None:
-    """A legend above the axes, where it hides no data."""
-    count = len(ax.get_legend_handles_labels()[0])
-    ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=min(count, 4), frameon=False, **options)
+def legend(ax: "Axes") -> None:
+    """A legend above the axes, where it hides no data; each label stands there once."""
+    first: dict[str, Any] = {}
+    for handle, label in zip(*ax.get_legend_handles_labels()):
+        first.setdefault(label, handle)
+    ax.legend(list(first.values()), list(first), loc="lower left", bbox_to_anchor=(0, 1), ncols=min(len(first), 4), frameon=False)

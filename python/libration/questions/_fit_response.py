@@ -13,7 +13,7 @@ def fit_response(
     file: Path | Columns,
     *,
     columns: Given | None = None,
-    frequency_unit: Literal["hz", "kHz", "rad/s", "deg/s"] | None = None,
+    frequency_unit: Literal["Hz", "kHz", "rad/s", "deg/s"] | None = None,
     amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
     phase_unit: Literal["rad", "deg"] | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
@@ -35,7 +35,7 @@ def fit_response(
     columns : number or text, or several, optional
         Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
         or 1,2,3,4].
-    frequency_unit : {"hz", "kHz", "rad/s", "deg/s"}, optional
+    frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].

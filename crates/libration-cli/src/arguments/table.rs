@@ -100,6 +100,7 @@ impl From<LengthUnit> for Unit {
 /// The unit of a column of frequencies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum FrequencyUnit {
+    #[value(name = "Hz")]
     Hz,
     #[value(name = "kHz")]
     Khz,

@@ -187,6 +187,33 @@ fn closed_form_of_the_linear_oscillator() {
     }
 }
 
+/// Far from the resonance amplitudes hardly depend on the damping, here of 0.1: what is said of it is a bound.
+#[test]
+fn a_damping_that_amplitudes_leave_open_is_bounded() {
+    let frequencies = [1.0, 1.1, 1.2, 1.3, 2.8, 2.9, 3.0, 3.1];
+    let amplitudes: Vec<f64> =
+        frequencies.iter().map(|w: &f64| 0.5 / libm::hypot(4.0 - w * w, 0.1 * w)).collect();
+    let deviations: Vec<f64> = amplitudes.iter().map(|amplitude| 0.01 * amplitude).collect();
+    let mut random = Random::seeded(3);
+    let mut open = 0;
+    for _ in 0..10 {
+        let noisy: Vec<f64> = amplitudes.iter().map(|it| it * (1.0 + 0.01 * random.normal())).collect();
+        let columns = ResponseColumns {
+            frequencies: &frequencies,
+            amplitudes: &noisy,
+            amplitude_uncertainties: Some(&deviations),
+            ..Default::default()
+        };
+        let table = ResponseTable::new(&columns).unwrap();
+        let found =
+            response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        let damping = found.best().damping;
+        assert!((0.1..3.0).contains(&(damping.value + 3.0 * damping.uncertainty)), "{damping}");
+        open += usize::from(found.warnings.contains(&ResponseWarning::DampingOpen));
+    }
+    assert!(open > 0);
+}
+
 fn warned(columns: &[Vec<f64>; 4], change: impl Fn(&mut Vec<f64>, &mut Vec<f64>)) -> Vec<ResponseWarning> {
     let [mut frequencies, mut amplitudes, _, _] = columns.clone();
     let deviations = vec![2e-3; amplitudes.len() + 1];

@@ -243,11 +243,11 @@ pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
         Of::value("between_folds", "", "whether it surely is where no answer lasts", |it| {
             it.fitted.between_folds.into()
         }),
-        Of::known(
+        Of::nullable(
             "beyond_fold_rad_per_s",
             "rad/s",
             "how far it surely is beyond the end of its branch, or null",
-            |it| it.fitted.beyond_fold.ok_or_else(String::new),
+            |it| it.fitted.beyond_fold,
         ),
     ])
 }

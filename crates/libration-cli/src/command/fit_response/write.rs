@@ -47,8 +47,11 @@ impl Answer<'_> {
         lines.push(("model", best.model.name().to_owned()));
         let remark = scatter::remark(best.scatter());
         lines.push(("ω0", of(best.natural_frequency, "rad/s") + &remark));
-        lines
-            .push(("damping c", format!("{}  (quality ω0/c = {})", of(best.damping, "1/s"), best.quality())));
+        let damping = of(best.damping, "1/s");
+        lines.push(match best.damping.value > best.damping.uncertainty {
+            true => ("damping c", format!("{damping}  (quality ω0/c = {})", best.quality())),
+            false => ("damping c", damping),
+        });
         lines.push(("drive A", of(best.drive, &format!("{unit}/s²"))));
         if let Some(cubic) = best.cubic {
             lines.push(("cubic κ", of(cubic, &format!("1/(s² {unit}²)"))));

@@ -62,18 +62,8 @@ impl ResponseFit {
     pub fn quality(&self) -> Uncertain {
         let (omega, damping) = (self.natural_frequency.value, self.damping.value);
         let value = omega / damping;
-        let slopes = [1.0 / omega, -1.0 / damping];
-        let variance: f64 = (0..2)
-            .flat_map(|i| (0..2).map(move |k| (i, k)))
-            .map(|(i, k)| slopes[i] * self.covariance[i][k] * slopes[k])
-            .sum();
-        Uncertain { value, uncertainty: value * variance.sqrt() }
-    }
-
-    /// Of two parameters, in the order of the covariance.
-    #[must_use]
-    pub fn correlation(&self, one: usize, other: usize) -> f64 {
-        self.covariance[one][other] / (self.covariance[one][one] * self.covariance[other][other]).sqrt()
+        let uncertainty = self.spread(&[1.0 / damping, -value / damping]);
+        Uncertain { value, uncertainty }
     }
 
     /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
@@ -99,8 +89,14 @@ impl ResponseFit {
     pub(super) fn deviation(&self, gradient: &[f64]) -> f64 {
         let mut slopes = gradient.to_vec();
         slopes[0] *= 2.0 * self.natural_frequency.value;
-        let pairs = (0..slopes.len()).flat_map(|i| (0..slopes.len()).map(move |k| (i, k)));
-        pairs.map(|(i, k)| slopes[i] * self.covariance[i][k] * slopes[k]).sum::<f64>().max(0.0).sqrt()
+        self.spread(&slopes)
+    }
+
+    /// The standard deviation of a function with these slopes, in the order of the covariance.
+    fn spread(&self, slopes: &[f64]) -> f64 {
+        let along = |row: &Vec<f64>| row.iter().zip(slopes).map(|(entry, slope)| entry * slope).sum::<f64>();
+        let variance: f64 = self.covariance.iter().zip(slopes).map(|(row, slope)| slope * along(row)).sum();
+        variance.max(0.0).sqrt()
     }
 }
 
@@ -112,9 +108,17 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
     let enlargement = scatter::enlargement(chi2, dof);
     let omega = parameters[0].sqrt();
     // Of ω0 instead of its square, and of a positive c, which without phases counts by its square.
-    let sign = parameters[1].signum();
-    let scales: Vec<f64> =
-        [0.5 / omega, sign].into_iter().chain(std::iter::repeat(1.0)).take(parameters.len()).collect();
+    let damping = parameters[1].abs();
+    let part = if table.has_phases() {
+        1.0
+    } else {
+        part_by_square(damping, enlargement * found.covariance[(1, 1)].sqrt())
+    };
+    let scales: Vec<f64> = [0.5 / omega, part * parameters[1].signum()]
+        .into_iter()
+        .chain(std::iter::repeat(1.0))
+        .take(parameters.len())
+        .collect();
     let covariance: DMatrix<f64> = DMatrix::from_fn(parameters.len(), parameters.len(), |i, k| {
         enlargement * enlargement * scales[i] * found.covariance[(i, k)] * scales[k]
     });
@@ -133,7 +137,7 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
         model,
         measured: law.measured(),
         natural_frequency: uncertain(0, omega),
-        damping: uncertain(1, parameters[1].abs()),
+        damping: uncertain(1, damping),
         cubic: (last > 2).then(|| uncertain(2, parameters[2])),
         drive: uncertain(last, parameters[last]),
         covariance: covariance.row_iter().map(|row| row.iter().copied().collect()).collect(),
@@ -153,6 +157,13 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
     let rows = table.rows.iter().zip(&found.rows).zip(required);
     fit.rows = rows.map(|((row, found), required)| answer(&fit, row, found, &required)).collect();
     Some(fit)
+}
+
+/// What is left of a standard deviation that is greater than its value, where the square of the value is known as well as both say: the way
+/// to the root of the square and its standard deviation.
+fn part_by_square(value: f64, deviation: f64) -> f64 {
+    let above = (value * (value + 2.0 * deviation)).sqrt() - value;
+    if value < deviation { above / deviation } else { 1.0 }
 }
 
 fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> FittedAnswer {

@@ -17,11 +17,6 @@ use nalgebra::{DMatrix, DVector};
 
 /// Of its uncertainty, a change of a parameter that is none.
 const SETTLED: f64 = 1e-3;
-/// When the rounds are over, where two places next to a fold may take turns: less than the uncertainty, since one round from there is as good as
-/// many to first order.
-const NEARLY_SETTLED: f64 = 1.0;
-/// After so many rounds amplitudes go a part of the way only: next to a fold a whole step may lead to the other side and back.
-const ROUNDS_OF_WHOLE_STEPS: usize = 3;
 /// A relative change of the scatter that is none.
 const SETTLED_SCATTER: f64 = 1e-3;
 /// Of the largest amplitude: less scatter is rounding.
@@ -111,41 +106,39 @@ impl Search<'_> {
     /// The best parameters next to these.
     pub(super) fn near(&self, start: &[f64]) -> Result<Found, ResponseFitError> {
         let failed = || ResponseFitError::NoConvergence(self.model);
-        let largest = self.table.largest_amplitude();
-        let mut parameters = DVector::from_row_slice(start);
+        let mut about = DVector::from_row_slice(start);
         let mut amplitudes: Vec<f64> = self.table.rows.iter().map(|row| row.amplitude).collect();
-        let mut scatter = if self.table.is_weighted() { 1.0 } else { 0.01 * largest };
-        for round in 1.. {
+        let mut scatter = if self.table.is_weighted() { 1.0 } else { 0.01 * self.table.largest_amplitude() };
+        let (mut part, mut last_change) = (1.0, f64::INFINITY);
+        for round in 1..=self.rounds {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
-            let weighed = self.weighed(&parameters, &amplitudes, scatter).ok_or_else(failed)?;
+            let weighed = self.weighed(&about, &amplitudes, scatter).ok_or_else(failed)?;
             let evaluate = |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(NoResiduals::OutOfDomain);
-            let least = minimum(parameters.clone(), EFFORT, evaluate).map_err(|_| failed())?;
+            let least = minimum(about.clone(), EFFORT, evaluate).map_err(|_| failed())?;
             let design = Design::new(&least.linearised.jacobian, ROUNDING);
             let covariance = design.map_err(|_| ResponseFitError::Undetermined(self.model))?.covariance();
-            let moved = |place: usize| {
-                (least.parameters[place] - parameters[place]).abs() / covariance[(place, place)].sqrt()
-            };
-            let change = (0..parameters.len()).map(moved).fold(0.0, f64::max);
+            let step = &least.parameters - &about;
+            let change = step.component_div(&covariance.diagonal().map(f64::sqrt)).amax();
             let rows = self.rows(weighed, &least.linearised.residuals);
             let chi2 = least.linearised.residuals.norm_squared();
             let before = scatter;
             scatter = self.renewed(scatter, chi2);
-            parameters = least.parameters;
-            // Without phases it counts by its square.
-            if !self.table.has_phases() && parameters[1] < 0.0 && round < self.rounds {
-                parameters[1] = -parameters[1];
-                amplitudes = self.within_bounds(&rows, scatter);
-                continue;
-            }
             let settled = change <= SETTLED && (scatter / before - 1.0).abs() <= SETTLED_SCATTER;
-            if settled || round >= self.rounds {
-                let settled = change <= NEARLY_SETTLED;
-                let parameters = parameters.as_slice().to_vec();
+            if settled || round == self.rounds {
+                let parameters = least.parameters.as_slice().to_vec();
                 return Ok(Found { parameters, covariance, chi2, scatter: before, rows, settled });
             }
-            let part = count(ROUNDS_OF_WHOLE_STEPS) / count(round.max(ROUNDS_OF_WHOLE_STEPS));
-            let aims = self.within_bounds(&rows, scatter);
-            for (amplitude, aim) in amplitudes.iter_mut().zip(aims) {
+            // Next to a fold a whole step may lead to the other side, and the next one back.
+            if change >= last_change {
+                part *= 0.5;
+            }
+            last_change = change;
+            about += part * step;
+            // Without phases the damping counts by its square.
+            if !self.table.has_phases() {
+                about[1] = about[1].abs();
+            }
+            for (amplitude, aim) in amplitudes.iter_mut().zip(self.within_bounds(&rows, scatter)) {
                 *amplitude += part * (aim - *amplitude);
             }
         }

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use super::{ResponseFit, ResponseTable, ResponsesFit};
-use crate::fit::scatter::{Scatter, ScatterWarning};
+use super::required_drive::OneHarmonic;
+use super::table::Row;
+use super::{FittedAnswer, ResponseFit, ResponseTable, ResponsesFit};
+use crate::fit::scatter::ScatterWarning;
 
 /// Of a parameter that may as well be zero: less than so many of its uncertainties.
 const SURE: f64 = 2.0;
@@ -76,7 +78,7 @@ fn counted(rows: &[usize]) -> String {
 /// Of the preferred fit.
 pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<ResponseWarning> {
     let best = fit.best();
-    let where_rows = |is_so: &dyn Fn(&super::FittedAnswer) -> bool| -> Option<Vec<usize>> {
+    let where_rows = |is_so: &dyn Fn(&FittedAnswer) -> bool| -> Option<Vec<usize>> {
         let rows: Vec<usize> =
             (1..).zip(&best.rows).filter(|(_, row)| is_so(row)).map(|(row, _)| row).collect();
         (!rows.is_empty()).then_some(rows)
@@ -85,9 +87,7 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
     [
         where_rows(&|row| row.between_folds).map(ResponseWarning::BetweenFolds),
         where_rows(&|row| row.beyond_fold.is_some()).map(ResponseWarning::BeyondFold),
-        best.scatter()
-            .and_then(|scatter: Scatter| scatter.warning("the drive"))
-            .map(ResponseWarning::Scatter),
+        best.scatter().and_then(|scatter| scatter.warning("the drive")).map(ResponseWarning::Scatter),
         (damping.value < SURE * damping.uncertainty).then_some(ResponseWarning::DampingOpen),
         is_one_sided(table, best).then_some(ResponseWarning::OneSided),
     ]
@@ -98,11 +98,11 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
 
 /// Whether all answers are on one side of the phase of a right angle.
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
-    let parameters = fit.parameters();
-    let above = |row: &super::table::Row, amplitude: f64| {
-        let law = super::required_drive::OneHarmonic(fit.model);
-        row.frequency * row.frequency > law.resonance_squared(amplitude, &parameters[..parameters.len() - 1])
+    let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
+    let coefficients = &parameters[..parameters.len() - 1];
+    let above = |(row, found): (&Row, &FittedAnswer)| {
+        row.frequency * row.frequency > law.resonance_squared(found.amplitude, coefficients)
     };
-    let rows = || table.rows.iter().zip(&fit.rows).map(|(row, found)| above(row, found.amplitude));
+    let rows = || table.rows.iter().zip(&fit.rows).map(above);
     rows().all(|above| above) || rows().all(|above| !above)
 }
