@@ -169,9 +169,27 @@ def _lyapunov(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 
 def _modes(answer: "Answer", ax: "Axes | None") -> "Axes":
+    if "points" in answer:
+        return _followed_mode(answer, ax)
     ax = _plot.axes(ax, ("coordinate", "shape"))
     for mode in answer.modes:
         ax.plot(answer["coordinates"], mode["shape"], marker="o", label=f"ω = {mode['frequency']:.6g}")
+    _plot.legend(ax)
+    return ax
+
+
+def _followed_mode(answer: "Answer", ax: "Axes | None") -> "Axes":
+    points = answer.points
+    ax = _plot.axes(ax, (f"amplitude of {answer['coordinate']}", "ω / (rad/s)"))
+    for stable, marker, label in [(True, "o", "stable"), (False, "x", "unstable")]:
+        here = points.stable == stable
+        if here.any():
+            ax.plot(points.amplitude[here], points.frequency[here], linestyle="", marker=marker, markersize=4, label=label)
+    ax.plot(points.amplitude, points.frequency, linewidth=0.8, color="#888888", zorder=1)
+    # The series leaves the frame where it is far off.
+    limits = ax.get_ylim()
+    ax.plot(points.amplitude, np.asarray(points.series_frequency, dtype=float), linestyle=":", color=_plot.COLOURS[2], label="ω + κa²")
+    ax.set_ylim(limits)
     _plot.legend(ax)
     return ax
 

@@ -99,6 +99,15 @@ def test_they_are_drawn(name):
     pyplot.close("all")
 
 
+def test_a_followed_mode_is_drawn_with_its_stability():
+    pytest.importorskip("matplotlib").use("agg")
+    answer = lb.modes("double_pendulum", follow=2, amplitudes=["30deg", "50deg", "60deg"])
+    lines = {line.get_label(): line for line in answer.plot().lines}
+    assert np.degrees(lines["stable"].get_xdata()).round(9).tolist() == [30, 50]
+    assert np.degrees(lines["unstable"].get_xdata()).round(9).tolist() == [60]
+    np.testing.assert_array_equal(lines["ω + κa²"].get_ydata(), answer.points.series_frequency)
+
+
 def test_all_pictures_are_tested():
     from libration._pictures import PICTURES
 

@@ -153,6 +153,24 @@ fn stated_uncertainties_cover_a_cubic_coefficient() {
     assert!((30.0..98.0).contains(&distance), "{distance}");
 }
 
+/// Duffing's oscillator has a parameter more than the pendulum, and the pendulum is no simpler than a linear one.
+#[test]
+fn rows_prefer_the_oscillator_that_they_are_of() {
+    for (columns, model) in [(pendulum(), ResponseModel::Pendulum), (duffing(), ResponseModel::Duffing)] {
+        let [frequencies, amplitudes, ..] = &columns;
+        let deviations = vec![0.01; amplitudes.len()];
+        let columns = ResponseColumns {
+            frequencies,
+            amplitudes,
+            amplitude_uncertainties: Some(&deviations),
+            ..Default::default()
+        };
+        let table = ResponseTable::new(&columns).unwrap();
+        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        assert_eq!(fit.best().model, model);
+    }
+}
+
 /// Of 34 rows less three parameters: 16·31 = 496 with a standard deviation of √(2·496) = 31.5.
 #[test]
 fn residuals_are_as_large_as_stated() {
@@ -267,6 +285,16 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
     }
     let found = refused(&[1.0, 2.0, 3.0, 4.0], &[0.1, 4.0, 0.1, 0.1], &[ResponseModel::Pendulum]);
     assert!(found.contains("row 2: the amplitude 4.0 rad is not below pi"), "{found}");
+    let columns = ResponseColumns {
+        frequencies: &[1.0, 1.9, 2.0, 2.2, 3.0],
+        amplitudes: &[0.9, 4.1, 5.0, 3.0, 0.5],
+        ..Default::default()
+    };
+    let table = ResponseTable::new(&columns).unwrap();
+    let both = [ResponseModel::Linear, ResponseModel::Pendulum];
+    let fit = response(&table, &both, MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+    assert_eq!(fit.best().model, ResponseModel::Linear);
+    assert_eq!(fit.left_out, [ResponseFitError::Amplitude { row: 2, amplitude: 4.1 }]);
     let columns = ResponseColumns {
         frequencies: &[1.0, 2.0],
         amplitudes: &[0.1, 0.2],

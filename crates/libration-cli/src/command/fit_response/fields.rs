@@ -101,6 +101,9 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         }),
         Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(&it.parameters())),
         Of::nested("models[].", &of_model(), |it| of_model().records(&it.fit.fits)),
+        Of::value("left_out[]", "", "why other models could not be fitted", |it| {
+            json::list(it.fit.left_out.iter().map(ToString::to_string))
+        }),
         Of::nested("jumps[].", &of_jump(), |it| of_jump().records(&it.curve.jumps)),
         Of::nested("measurements[].", &of_measurement(), |it| of_measurement().records(&it.measurements())),
         Of::nested("curve[].", &of_curve(), |it| of_curve().records(&it.on_curve())),

@@ -21,6 +21,9 @@ impl Answer<'_> {
         sheet(out, &self.lines())?;
         writeln!(out)?;
         fields::of_model().write_table(out, &self.fit.fits)?;
+        for reason in &self.fit.left_out {
+            write_text(out, "left out: ", &reason.to_string())?;
+        }
         for (_, warning) in self.warnings() {
             write_text(out, "note: ", &warning)?;
         }

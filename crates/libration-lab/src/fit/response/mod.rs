@@ -66,6 +66,8 @@ pub enum MeasuredAmplitude {
 pub struct ResponsesFit {
     /// Those that could be fitted, in the order of [`ResponseModel::ALL`].
     pub fits: Vec<ResponseFit>,
+    /// Why the others could not.
+    pub left_out: Vec<ResponseFitError>,
     /// The place of the model that the rows prefer: of those whose criterion is within two of the least one, the simplest.
     pub preferred: usize,
     /// What a reader should know of the preferred one.
@@ -87,7 +89,7 @@ const MOST_ROUNDS: usize = 40;
 /// Models whose criterion is within this of the least have substantial support (Burnham and Anderson 2002, section 2.6).
 const SUBSTANTIAL: f64 = 2.0;
 
-/// Fits models to a measured response; those that it excludes altogether are left out as long as another one remains.
+/// Fits models to a measured response; those that it excludes altogether are left out, with the reason, as long as another one remains.
 ///
 /// # Accuracy
 /// Uncertainties are those of least squares with effective variances; where amplitudes have errors of a few per cent they cover the truth as
@@ -104,14 +106,19 @@ pub fn response(
 ) -> Result<ResponsesFit, ResponseFitError> {
     let found = parallel::map(models, watch, |model, watch| fitted(table, *model, measured, watch));
     watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
-    let (fits, errors): (Vec<_>, Vec<_>) = found.into_iter().partition(Result::is_ok);
-    let fits: Vec<ResponseFit> = fits.into_iter().flatten().collect();
+    let (mut fits, mut left_out) = (vec![], vec![]);
+    for found in found {
+        match found {
+            Ok(fit) => fits.push(fit),
+            Err(error) => left_out.push(error),
+        }
+    }
     if fits.is_empty() {
-        let last = errors.into_iter().find_map(Result::err);
-        return Err(last.unwrap_or(ResponseFitError::NoConvergence(ResponseModel::Linear)));
+        let first = left_out.into_iter().next();
+        return Err(first.unwrap_or(ResponseFitError::NoConvergence(ResponseModel::Linear)));
     }
     let preferred = preferred(&fits);
-    let mut fit = ResponsesFit { fits, preferred, warnings: vec![] };
+    let mut fit = ResponsesFit { fits, left_out, preferred, warnings: vec![] };
     fit.warnings = warning::warnings(table, &fit);
     Ok(fit)
 }
