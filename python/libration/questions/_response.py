@@ -16,6 +16,7 @@ def response(
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     drive_periods: Given | None = None,
+    orders: Given | None = None,
     at: Given | None = None,
     generations: Given | None = None,
     coordinate: Given | None = None,
@@ -44,6 +45,8 @@ def response(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
         How many periods of the drive an answer takes, for subharmonic answers [default: 1].
+    orders : number or text, or several, optional
+        Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2.
     at : number or text, optional
         The value at which answers are looked for, for curves that close within the range [default: the ends of the range].
     generations : number or text, optional

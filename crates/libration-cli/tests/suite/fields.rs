@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 48] = [
+const FURTHER: [&str; 49] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -223,6 +223,7 @@ const FURTHER: [&str; 48] = [
     "backbone|x''=-x-x^2|--amplitudes|0.1,0.2,3",
     "backbone|x''=-x-x^3|--amplitudes|1",
     "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",
+    "response|x''=-0.5*x'-x-x^3+0.1*cos(w*t)|--over|w=2.5:4|--orders|1/3,1/2|--generations|0",
     "stability|driven_pendulum|--set|c=0.1|--map|omega=0.85:1,A=0.05:0.2|--lines|1",
     "modes|pendulum|--about|theta=180deg",
     "modes|x''=-x-0.1*x'",

@@ -125,6 +125,41 @@ fn a_response_to_the_frequency_zero_and_over_the_top_is_named() {
 }
 
 #[test]
+fn answers_of_an_order_are_found_or_the_reason_is_told() {
+    let ask = |c: &str, forms: &[&str]| {
+        let duffing = format!("x'' = -{c}*x' - x - x^3 + 5*cos(w*t)");
+        let orders = ["--over", "w=3:6", "--orders", "1/3,2/4", "--generations", "0"];
+        let output = run(&[&["response", &duffing], &orders[..], forms].concat());
+        assert!(output.status.success(), "{}", message(&output));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let answer: Value = serde_json::from_str(&ask("0.15", &["--json"])).unwrap();
+    let isola = &answer["branches"][1];
+    assert_eq!(
+        (&isola["kind"], &isola["closed"], &isola["drive_periods"]),
+        (&"free_oscillation".into(), &true.into(), &3.into())
+    );
+    let [third, half] = &answer["orders"].as_array().unwrap()[..] else { panic!("{}", answer["orders"]) };
+    assert_eq!(third, &serde_json::json!({"order": "1/3", "branches": 1, "finding": "found", "share": null}));
+    assert_eq!((&half["order"], &half["finding"]), (&"1/2".into(), &"no_work".into()));
+    let told = ask("0.6", &[]).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        told.contains("order 1/3: the drive gives ") && told.contains(" % of what the damping takes at most"),
+        "{told}"
+    );
+    for (orders, reason) in [("0/3", "two whole numbers from 1 to 100"), ("a", "two whole numbers")] {
+        let refused = libration(&format!("response driven_pendulum --over omega=1:2 --orders {orders}"));
+        assert!(
+            refused.status.code() == Some(2) && message(&refused).contains(reason),
+            "{}",
+            message(&refused)
+        );
+    }
+    let refused = libration("response van_der_pol --over mu=0.5:2 --orders 1/3");
+    assert!(message(&refused).contains("no drive"), "{}", message(&refused));
+}
+
+#[test]
 fn an_orbit_of_each_kind_is_told() {
     let kind = |question: &str| json(question)["kind"].as_str().unwrap().to_owned();
     assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");

@@ -17,13 +17,18 @@ use crate::orbit::Orbit;
 /// ```
 #[must_use]
 pub fn free_oscillations(equation: &Equation, places: &[f64]) -> Vec<(f64, f64)> {
-    let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return vec![] };
+    let Some(free) = undriven(equation) else { return vec![] };
+    let orbit = |place: &f64| Some((Orbit::released(&free, *place).ok()?.frequency(), *place));
+    places.iter().filter_map(orbit).collect()
+}
+
+/// Without velocities in the force and with zero for each sine and cosine of the time; `None` but for one coordinate of the second order.
+pub(super) fn undriven(equation: &Equation) -> Option<Equation> {
+    let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return None };
     let zero = Expression::from(0);
     let velocity = Symbol::plain(variable).with_primes(1);
     let at_rest = without_drive(&equation.derivatives()[0]).substitute(&velocity, &zero).simplified();
-    let free = Equation::of_derivatives(vec![variable.clone()], vec![Order::Second], vec![at_rest]);
-    let orbit = |place: &f64| Some((Orbit::released(&free, *place).ok()?.frequency(), *place));
-    places.iter().filter_map(orbit).collect()
+    Some(Equation::of_derivatives(vec![variable.clone()], vec![Order::Second], vec![at_rest]))
 }
 
 /// The formula with zero for each sine and cosine of the time.

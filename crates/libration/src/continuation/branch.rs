@@ -30,6 +30,8 @@ pub struct Branch {
 pub enum Origin {
     /// A motion at an end of the range.
     Primary,
+    /// A free oscillation whose frequency is a simple part or multiple of that of the drive.
+    FreeOscillation,
     /// A loss of symmetry.
     SymmetryBreaking,
     /// A doubling of the period.
@@ -153,7 +155,7 @@ impl<'a> Walk<'a> {
         let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
         let beginning = match origin {
             _ if ending == Ending::Closed => Ending::Closed,
-            Origin::Primary => Ending::RangeEnd,
+            Origin::Primary | Origin::FreeOscillation => Ending::RangeEnd,
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
         let branch = Branch { origin, space: self.corrector.space, points, special, beginning, ending };

@@ -19,6 +19,11 @@ pub enum NoBranch {
         "the equations have no drive with a known period: the time may stand in sines and cosines only, in simple proportions"
     )]
     NotDriven,
+    /// Free oscillations of anything but one coordinate.
+    #[error(
+        "orders are looked for from the free oscillations of one coordinate with its second derivative: these equations are others"
+    )]
+    NotOneOscillator,
     /// Free motions that are not isolated.
     #[error(
         "at one value of the parameter there is a family of periodic motions, as where energy is conserved: follow it in the amplitude instead"

@@ -259,6 +259,15 @@ impl<'w> Family<'w> {
         Ok((steps, solution.end.state))
     }
 
+    /// Where a state at a phase of the drive leads from one time to another.
+    pub(super) fn moved_on(&self, state: &[f64], value: f64, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+        let start = Moment { time: from, state: state.to_vec() };
+        let trajectory = Trajectory { start, parameters: vec![value], times: &[to] };
+        let solution =
+            trajectory.integrate_watched(&self.plain, &effort(TOLERANCES[1]), |_| self.watch.flow());
+        Some(solution.ok()?.end.state)
+    }
+
     /// The derivative of a state by the time.
     pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
         let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();

@@ -54,7 +54,12 @@ fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&Branc
 }
 
 /// The motion at a value between two points; the nearer of them, with their distance as its error, where none is found between them.
-fn landing(corrector: &Corrector<'_>, [a, b]: [&BranchPoint; 2], value: f64, width: f64) -> BranchPoint {
+pub(super) fn landing(
+    corrector: &Corrector<'_>,
+    [a, b]: [&BranchPoint; 2],
+    value: f64,
+    width: f64,
+) -> BranchPoint {
     let part = (value - a.parameter) / (b.parameter - a.parameter);
     let [from, to] = [a, b].map(|point| corrector.unknowns(point));
     let place: Vec<f64> = from.iter().zip(&to).map(|(x, y)| x + part * (y - x)).chain([value]).collect();

@@ -41,6 +41,17 @@ mod branch;
 
 mod jumps;
 
+mod order;
+
+mod options;
+
+mod search;
+mod switching;
+
+mod energy_balance;
+mod full_strength;
+mod orders;
+
 mod response;
 
 mod curve;
@@ -60,8 +71,11 @@ pub use curve::{CurvePoint, SpecialCurve};
 pub use edges::RestStability;
 pub use error::NoBranch;
 pub use jumps::Jump;
+pub use options::ResponseOptions;
+pub use order::{NoOrder, ResonanceOrder};
+pub use orders::{OrderAnswers, OrderFinding};
 pub use point::BranchPoint;
 pub use precise::PreciseSpecial;
-pub use response::{Response, ResponseOptions};
+pub use response::Response;
 pub use space::Space;
 pub use special::{SpecialKind, SpecialPoint};

@@ -61,6 +61,19 @@ impl Orbit {
         }
         finished(outcome, watch)
     }
+
+    /// The same by Newton's method alone, which leads to what does not attract too.
+    pub(crate) fn driven_near(
+        equation: &Equation,
+        period: f64,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        let rounds = Rounds::new(equation, watch)?;
+        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
+        let guess = OrbitGuess { state: start.to_vec(), period };
+        finished(closed(equation, &rounds, &guess, &unknowns), watch)
+    }
 }
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.

@@ -165,6 +165,7 @@ fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_period
         drive_periods,
         generations: 0,
         most_points: 3,
+        ..ResponseOptions::default()
     };
     let range = [frequency, frequency + 0.01];
     let response = Response::over(equation, "w", range, &options).unwrap();

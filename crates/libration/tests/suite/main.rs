@@ -44,6 +44,7 @@ mod normal_form;
 mod normal_modes;
 mod open_gauge;
 mod orbit;
+mod orders;
 mod passages;
 mod pendulum_chain;
 mod period;

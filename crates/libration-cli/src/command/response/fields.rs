@@ -6,7 +6,9 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::{at_most, short};
 use libration::algebra::Complex;
-use libration::continuation::{Branch, BranchPoint, Ending, Jump, Origin, SpecialPoint};
+use libration::continuation::{
+    Branch, BranchPoint, Ending, Jump, OrderAnswers, OrderFinding, Origin, SpecialPoint,
+};
 use serde_json::Value;
 
 /// A branch of an answer, with its number from 1.
@@ -136,9 +138,40 @@ pub(super) fn of_answer() -> Fields<Answer> {
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.response.interrupted.into()),
+        Of::nested("orders[].", &of_order(), |it| {
+            json::records(it.response.orders.iter().map(|order| of_order().record(order)))
+        }),
         Of::nested("jumps[].", &of_jump(), |it| {
             json::records(it.jumps().map(|jump| of_jump().record(&jump)))
         }),
+    ])
+}
+
+/// What the search for answers of an order came to.
+fn of_order() -> Fields<OrderAnswers> {
+    type Of = Field<OrderAnswers>;
+    Fields::from([
+        Of::value("order", "", "oscillations over periods of the drive, such as 1/3", |it| {
+            it.order.to_string().into()
+        }),
+        Of::value("branches", "1", "how many branches were found from free oscillations", |it| {
+            it.branches.into()
+        }),
+        Of::value(
+            "finding",
+            "",
+            "how far the search came: no_oscillation, no_work, too_weak, not_reached or found",
+            |it| finding(it.finding).into(),
+        ),
+        Of::value(
+            "share",
+            "1",
+            "where too weak: the part of what the damping takes that the drive gives at most, to the first order; else null",
+            |it| match it.finding {
+                OrderFinding::TooWeak(share) => json::number(share),
+                _ => Value::Null,
+            },
+        ),
     ])
 }
 
@@ -165,7 +198,7 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "kind",
             "",
-            "where it comes from: primary, from an end of the range; symmetry_breaking; period_doubling",
+            "where it comes from: primary, from an end of the range; free_oscillation; symmetry_breaking; period_doubling",
             |it| origin(it.branch.origin)[0].into(),
         ),
         Of::value("closed", "", "whether it comes back to its beginning", |it| {
@@ -305,8 +338,19 @@ pub(crate) fn answers() -> Vec<Answers> {
 pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
     match origin {
         Origin::Primary => ["primary", "from an end of the range"],
+        Origin::FreeOscillation => ["free_oscillation", "from a free oscillation"],
         Origin::SymmetryBreaking => ["symmetry_breaking", "from a loss of symmetry"],
         Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
+    }
+}
+
+fn finding(finding: OrderFinding) -> &'static str {
+    match finding {
+        OrderFinding::NoOscillation => "no_oscillation",
+        OrderFinding::NoWork => "no_work",
+        OrderFinding::TooWeak(_) => "too_weak",
+        OrderFinding::NotReached => "not_reached",
+        OrderFinding::Found => "found",
     }
 }
 

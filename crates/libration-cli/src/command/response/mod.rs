@@ -11,7 +11,8 @@ use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{
-    Branch, NoBranch, PreciseSpecial, Response, ResponseOptions, Space, SpecialPoint, free_oscillations,
+    Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Space, SpecialPoint,
+    free_oscillations,
 };
 use libration::systems::Model;
 use libration::watch::{Progress, Watch};
@@ -40,16 +41,17 @@ const MOST_GENERATIONS: usize = 6;
     --figure response.svg
   libration response \"x'' + 0.05 x' + x + 0.1 x^3 = 0.18 cos(w t)\" \\
     --over w=0.5:1.6 --json
-  libration response \"x'' + 0.05 x' + x + x^3 = 5 cos(w t)\" --over w=8:12 \\
-    --drive-periods 3 --initial x=3 --generations 0
+  libration response \"x'' + 0.15 x' + x + x^3 = 5 cos(w t)\" --over w=2.5:6 \\
+    --orders 1/3
   libration response van_der_pol --over mu=0.1:10
   libration response \"x' = -y - z; y' = x + 0.2 y; z' = 0.2 + z (x - c)\" \\
     --over c=2:4 --generations 1
 
 The parameter is a number in the equations or the frequency of the drive. Other
-answers than those at the ends of the range, such as subharmonic ones, need
---initial near them. Without a drive the answers are limit cycles, to which the
-motion from --initial settles. Ctrl-C stops early and keeps what is done.")]
+answers than those at the ends of the range need --initial near them, or
+--orders, which looks for them from the free oscillations that the drive can
+keep up. Without a drive the answers are limit cycles, to which the motion from
+--initial settles. Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct ResponseQuestion {
     #[command(flatten)]
     system: SystemOptions,
@@ -61,6 +63,9 @@ pub(crate) struct ResponseQuestion {
     /// How many periods of the drive an answer takes, for subharmonic answers
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
+    /// Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    orders: Vec<ResonanceOrder>,
     /// The value at which answers are looked for, for curves that close within the range [default: the ends of the range]
     #[arg(long, value_name = "VALUE", value_parser = value)]
     at: Option<f64>,
@@ -147,6 +152,7 @@ impl ResponseQuestion {
             drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),
             generations: self.generations,
             at: self.at,
+            orders: self.orders.clone(),
             ..ResponseOptions::default()
         };
         let points = AtomicUsize::new(0);
@@ -258,6 +264,7 @@ fn failure(error: NoBranch) -> Failure {
         NoBranch::Family => {
             Failure::no_answer("SYSTEM|EQUATION", format!("{error}, as `libration backbone` does"))
         }
+        NoBranch::NotOneOscillator => Failure::usage("--orders", error),
         NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
         _ => Failure::no_answer("response", error),
     }

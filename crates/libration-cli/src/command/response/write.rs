@@ -2,9 +2,10 @@
 
 use super::Answer;
 use super::fields::{Jumping, Numbered, ending, of_answer, of_branch, of_row, of_special, origin};
+use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::{Ending, Origin};
+use libration::continuation::{Ending, OrderAnswers, OrderFinding, Origin};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
@@ -47,6 +48,9 @@ impl Answer {
                 paragraph(&format!("branch {:<3}", branch.number), &summary(&branch), COLUMNS)
             )?;
         }
+        for order in &self.response.orders {
+            writeln!(out, "{}", paragraph("order     ", &sought(order), COLUMNS))?;
+        }
         if listed && self.branches().iter().any(|branch| !branch.special.is_empty()) {
             writeln!(out)?;
             let mut table = Table::new(of_special().columns());
@@ -71,6 +75,35 @@ impl Answer {
         }
         self.jumps().try_for_each(|jump| write_text(out, "", &told(&jump)))
     }
+}
+
+/// What the search for an order came to.
+fn sought(OrderAnswers { order, branches, finding }: &OrderAnswers) -> String {
+    let came_to = match finding {
+        OrderFinding::NoOscillation => {
+            "no free oscillation has this part of the drive's frequency".to_owned()
+        }
+        OrderFinding::NoWork => {
+            "to the first order the drive works on these oscillations alike at all phases: none is followed"
+                .to_owned()
+        }
+        OrderFinding::TooWeak(share) => {
+            let percent = at_most(100.0 * share);
+            format!(
+                "the drive gives {percent} % of what the damping takes at most, to the first order: none is followed"
+            )
+        }
+        OrderFinding::NotReached => {
+            "no free oscillation in balance leads to an answer as drive and damping grow to what they are"
+                .to_owned()
+        }
+        OrderFinding::Found if *branches == 0 => {
+            "its answers are on branches that are followed already".to_owned()
+        }
+        OrderFinding::Found if *branches == 1 => "a branch is found from free oscillations".to_owned(),
+        OrderFinding::Found => format!("{branches} branches are found from free oscillations"),
+    };
+    format!("{order}: {came_to}")
 }
 
 fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
@@ -113,9 +146,9 @@ fn summary(branch: &Numbered<'_>) -> String {
         )
     });
     let before = match (branch.branch.origin, branch.branch.beginning) {
-        (Origin::Primary, Ending::RangeEnd | Ending::Closed)
+        (Origin::Primary | Origin::FreeOscillation, Ending::RangeEnd | Ending::Closed)
         | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
-        (Origin::Primary, other) => format!("; backwards it {}", ending(other)[1]),
+        (Origin::Primary | Origin::FreeOscillation, other) => format!("; backwards it {}", ending(other)[1]),
     };
     format!(
         "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}; {}{at}{before}",

@@ -1,0 +1,66 @@
+//! How often an answer oscillates while the drive does.
+
+/// Most oscillations and most periods of the drive.
+const MOST: u32 = 100;
+
+/// So many oscillations in so many periods of the drive, in lowest terms: 1/3 is the subharmonic answer with a third of the drive's frequency.
+///
+/// # Examples
+/// ```
+/// use libration::continuation::ResonanceOrder;
+/// let third: ResonanceOrder = "2/6".parse()?;
+/// assert_eq!((third.oscillations(), third.drive_periods(), third.to_string().as_str()), (1, 3, "1/3"));
+/// assert!("0/3".parse::<ResonanceOrder>().is_err());
+/// # Ok::<(), libration::continuation::NoOrder>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ResonanceOrder {
+    oscillations: u32,
+    drive_periods: u32,
+}
+
+/// What is no order.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "`{0}` is no order: give two whole numbers from 1 to 100, as 1/3 for a third of the drive's frequency, or one"
+)]
+pub struct NoOrder(String);
+
+impl ResonanceOrder {
+    /// How many oscillations.
+    #[must_use]
+    pub const fn oscillations(self) -> u32 {
+        self.oscillations
+    }
+
+    /// In how many periods of the drive.
+    #[must_use]
+    pub const fn drive_periods(self) -> u32 {
+        self.drive_periods
+    }
+}
+
+impl std::str::FromStr for ResonanceOrder {
+    type Err = NoOrder;
+
+    fn from_str(text: &str) -> Result<Self, NoOrder> {
+        let number = |part: &str| part.trim().parse().ok().filter(|number| (1..=MOST).contains(number));
+        let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+        let (Some(oscillations), Some(drive_periods)) = (number(above), number(below)) else {
+            return Err(NoOrder(text.trim().to_owned()));
+        };
+        let shared = (1..=MOST).rev().find(|it| oscillations % it == 0 && drive_periods % it == 0);
+        let shared = shared.unwrap_or(1);
+        Ok(Self { oscillations: oscillations / shared, drive_periods: drive_periods / shared })
+    }
+}
+
+impl std::fmt::Display for ResonanceOrder {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.drive_periods {
+            1 => write!(f, "{}", self.oscillations),
+            periods => write!(f, "{}/{periods}", self.oscillations),
+        }
+    }
+}
