@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 pub struct Exchange {
     /// After so many seconds the amplitudes are as they were.
     pub period: f64,
-    /// Bound on the error of the period as that of the slow flow.
+    /// The error of the period as that of the slow flow, by what a tenth of the time changes.
     pub error: f64,
     /// The least and the greatest |aⱼ| of each mode on the way.
     pub amplitudes: Vec<[f64; 2]>,
@@ -31,7 +31,7 @@ pub struct Exchange {
 pub struct MeasuredExchange {
     /// 2π over the mean frequency with which the amplitudes go around.
     pub period: f64,
-    /// What half of the time changes.
+    /// Its error, by what a tenth of the time changes.
     pub error: f64,
 }
 
@@ -55,9 +55,11 @@ pub enum NoExchange {
     Integration(#[from] IntegrationError),
 }
 
-/// Exchanges over which frequencies are averaged, and samples in each.
+/// Exchanges over which frequencies are averaged, and samples in each: with half as many, harmonics of the modes pass for slow changes.
 const EXCHANGES: usize = 48;
-const SAMPLES: usize = 48;
+const SAMPLES: usize = 96;
+/// What the tolerance of the integration leaves of a mean frequency, in parts of it.
+const ROUNDING: f64 = 1e-13;
 /// Periods of the slowest mode that are waited for an exchange.
 const LONGEST: usize = 2000;
 
@@ -270,7 +272,9 @@ impl Scale {
     }
 }
 
-/// The mean angular frequency around the middle, and what half of the places changes.
+/// The mean angular frequency around the middle, and its error: the largest change by leaving a tenth of the places out, at either end or half
+/// at each. The mean converges faster than any power of the length, so that nine tenths miss a few times what all miss, and half of them thousands
+/// of times as much. What is left of the tolerance of the integration after all steps is beside it.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
     let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
     let step = |pair: &[f64]| {
@@ -278,9 +282,12 @@ fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
         step - TAU * (step / TAU).round()
     };
     let steps: Vec<f64> = angles.windows(2).map(step).collect();
-    let whole = weighted_mean(&steps) / interval;
-    let half = weighted_mean(&steps[..steps.len() / 2]) / interval;
-    [whole.abs(), (whole - half).abs()]
+    let whole = weighted_mean(&steps);
+    let left_out = steps.len() / 10;
+    let shorter = [0, left_out / 2, left_out].map(|first| &steps[first..first + steps.len() - left_out]);
+    let changes = shorter.map(|steps| (weighted_mean(steps) - whole).abs());
+    let error = changes.into_iter().fold(0.0, f64::max) + ROUNDING * whole.abs();
+    [whole.abs() / interval, error / interval]
 }
 
 /// The mean with the weights e^{−1/t(1−t)}, which converges faster than any power of the length for quasi-periodic values.
