@@ -16,12 +16,29 @@ fn thresholds_are_found_over_a_parameter() {
     let value = |it: &Value| it["value"].as_f64().unwrap();
     assert!(thresholds.iter().all(|it| (value(it) - 0.203_754_851_014_665_07).abs() < 1e-15));
     assert_eq!((&answer["parameter"], value(&answer)), (&"A".into(), value(&thresholds[0])));
+    // Two manifolds in 150-bit floats.
+    let tangency = |name: &str| thresholds[0][name].as_f64().unwrap();
+    assert!((tangency("tangency") - 0.203_712_546_072_548).abs() <= tangency("tangency_error"));
+    assert!(tangency("tangency_error") < 1e-12 && thresholds[0]["no_tangency"].is_null());
+    assert!((tangency("tangency_velocity_rad_s") - 2.0).abs() < 0.01 && tangency("tangency_phase_rad") > 6.0);
     let separatrix = &answer["separatrices"][0];
     assert!((separatrix["mean"].as_f64().unwrap() + 0.8).abs() < 1e-15);
     assert_eq!((&separatrix["simple_zeros"], &answer["closed_form"]), (&Value::Null, &true.into()));
     assert!(
         words("melnikov driven_pendulum --set c=0.1,omega=2/3 --over A=0:0.1")
             .contains("No threshold in the range")
+    );
+}
+
+#[test]
+fn a_tangency_is_told_beside_the_threshold_or_why_none_is_known() {
+    let weak = words("melnikov driven_pendulum --set c=0.05,omega=1 --over A=0:1");
+    assert!(weak.contains("above 0.1597877617496"), "{weak}");
+    let strong = "melnikov driven_pendulum --set c=2,omega=1 --over A=0:100";
+    assert!(words(strong).contains("Not known where they touch: no periodic motion"), "{}", words(strong));
+    let answer = json(strong);
+    assert!(
+        answer["thresholds"][1]["tangency"].is_null() && answer["thresholds"][1]["no_tangency"].is_string()
     );
 }
 

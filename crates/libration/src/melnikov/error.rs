@@ -1,6 +1,7 @@
 //! Why there is no Melnikov function.
 
 use crate::expression::{NotSecondOrder, WithoutValue};
+use crate::taylor::IntegrationError;
 
 /// Why there is no Melnikov function of a pendulum, or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -53,4 +54,35 @@ pub enum NoMelnikov {
         /// What is wrong there.
         reason: String,
     },
+}
+
+/// Why no tangency of the manifolds is known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoTangency {
+    /// No Melnikov function to begin with.
+    #[error(transparent)]
+    NoMelnikov(#[from] NoMelnikov),
+    /// The upright position is no saddle orbit any more.
+    #[error("no periodic motion stays near the upright position: the perturbation is too strong")]
+    NoSaddle,
+    /// A manifold that turns before it comes to the bottom.
+    #[error(
+        "the motions that leave the upright position do not pass the bottom: the perturbation is too strong"
+    )]
+    NoPassage,
+    /// Nothing near the threshold.
+    #[error(
+        "no tangency near the threshold: the perturbation is too strong for its first order to lead there"
+    )]
+    NoConvergence,
+    /// The integration ends.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+}
+
+impl From<WithoutValue> for NoTangency {
+    fn from(error: WithoutValue) -> Self {
+        Self::NoMelnikov(error.into())
+    }
 }

@@ -209,8 +209,12 @@ pub fn thresholds(
 }
 
 fn at_value(equation: &Equation, parameter: &str, value: f64) -> Result<[Melnikov; 2], NoMelnikov> {
+    Ok(Melnikov::both(&PerturbedPendulum::new(&with_value(equation, parameter, value)?)?))
+}
+
+/// The equation with this value of the parameter.
+pub(super) fn with_value(equation: &Equation, parameter: &str, value: f64) -> Result<Equation, NoMelnikov> {
     let failed = |reason: String| NoMelnikov::At { parameter: parameter.to_owned(), value, reason };
     let number = format!("{value:?}").parse().map_err(|_| failed("no number".to_owned()))?;
-    let equation = equation.with(&[(parameter, number)]).map_err(|error| failed(error.to_string()))?;
-    Ok(Melnikov::both(&PerturbedPendulum::new(&equation)?))
+    equation.with(&[(parameter, number)]).map_err(|error| failed(error.to_string()))
 }

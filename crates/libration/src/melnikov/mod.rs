@@ -20,7 +20,13 @@ mod separatrix;
 mod function;
 mod resonance;
 
-pub use error::NoMelnikov;
+mod saddle;
+
+mod manifolds;
+mod tangency;
+
+pub use error::{NoMelnikov, NoTangency};
 pub use function::{Melnikov, Threshold, thresholds};
 pub use perturbation::PerturbedPendulum;
 pub use resonance::DriveResonance;
+pub use tangency::Tangency;

@@ -222,3 +222,51 @@ fn the_angle_variable_grows_evenly() {
     }
     assert!(pendulum.on_separatrix().angle_variable_at(1.0).is_nan());
 }
+
+/// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with the same in doubles to 15 to 17
+/// digits; θ″ + c·θ′ + sin θ = A·cos Ωt: c, Ω, A.
+const TANGENCIES: [(&str, &str, f64); 3] = [
+    ("0.1", "1", 0.319_869_600_087_485_03),
+    ("0.1", "(2/3)", 0.203_712_546_072_548_16),
+    ("0.05", "1", 0.159_787_761_749_641_87),
+];
+
+#[test]
+fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the_threshold() {
+    let excesses = TANGENCIES.map(|(c, omega, expected)| {
+        let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
+        let [upper, lower] = thresholds(&equation, "A", [0.0, 1.0]).unwrap()[..] else { panic!() };
+        let [found, mirrored] = [upper, lower].map(|it| it.tangency(&equation, "A").unwrap());
+        for it in [found, mirrored] {
+            assert!((it.value - expected).abs() <= it.error && it.error < 1e-12, "{it:?}");
+        }
+        // The equation is the same with the angle turned round half a period later.
+        assert!((found.velocity + mirrored.velocity).abs() < 1e-6, "{mirrored:?}");
+        assert!(((found.phase - mirrored.phase).abs() - PI).abs() < 1e-5, "{mirrored:?}");
+        found.value / upper.value - 1.0
+    });
+    let ratio = excesses[0] / excesses[2];
+    assert!((ratio - 4.0).abs() < 0.1, "of half the strength a quarter: {ratio}");
+}
+
+/// Source: SciPy's DOP853 along the eigenvectors of a saddle orbit that multiple shooting found, which is uncertain by some 2e-11.
+#[test]
+fn tangencies_of_uneven_and_parametric_drives_are_those_of_another_program() {
+    let cases = [
+        ("x'' + 0.2 x' + 2.25 sin(x) = A*(cos(t) + cos(2t)/2) + 0.05", 0.444_643_335_629),
+        ("x'' + 0.1 x' + (1 - A cos(2t)) sin(x) = 0", 0.367_917_534_524),
+    ];
+    for (text, expected) in cases {
+        let equation: Equation = text.parse().unwrap();
+        let upper = thresholds(&equation, "A", [0.0, 1.0]).unwrap()[0];
+        let found = upper.tangency(&equation, "A").unwrap();
+        assert!((found.value - expected).abs() < 5e-11 && found.error < 1e-12, "{found:?}");
+    }
+}
+
+#[test]
+fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
+    let equation: Equation = "x'' + 2 x' + sin(x) = A cos(t)".parse().unwrap();
+    let upper = thresholds(&equation, "A", [0.0, 100.0]).unwrap()[0];
+    assert!(upper.tangency(&equation, "A").is_err());
+}

@@ -1,12 +1,12 @@
 //! What is said of a Melnikov function, its thresholds, and resonances.
 
-use super::Answer;
+use super::{Answer, Crossing};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::{at_most, rounded, short};
 use libration::algebra::Complex;
-use libration::melnikov::{DriveResonance, Melnikov, Threshold};
+use libration::melnikov::{DriveResonance, Melnikov};
 
 /// A harmonic of the function: its number, coefficient and error.
 struct Harmonic {
@@ -78,8 +78,8 @@ pub(super) fn of_answer() -> Fields<Answer> {
             if it.pendulum.is_closed() { "in closed form, by residues" } else { "by quadrature" }.to_owned()
         }),
         Of::nested("separatrices[].", &of_separatrix(), |it| of_separatrix().records(&it.separatrices)),
-        Of::nested("thresholds[].", &of_threshold(), |it| {
-            of_threshold().records(it.thresholds.iter().flatten())
+        Of::nested("thresholds[].", &of_crossing(), |it| {
+            of_crossing().records(it.thresholds.iter().flatten())
         }),
     ])
 }
@@ -129,25 +129,45 @@ fn of_harmonic() -> Fields<Harmonic> {
     ])
 }
 
-pub(super) fn of_threshold() -> Fields<Threshold> {
-    type Of = Field<Threshold>;
+pub(super) fn of_crossing() -> Fields<Crossing> {
+    type Of = Field<Crossing>;
     Fields::from([
         Of::number("direction", "", "1 on the separatrix where the angle grows, -1 on the other", |it| {
-            it.direction
+            it.threshold.direction
         })
-        .words("separatrix", |it| separatrix(it.direction).to_owned()),
+        .words("separatrix", |it| separatrix(it.threshold.direction).to_owned()),
         Of::number("value", "", "value of the parameter at which simple zeros appear or vanish", |it| {
-            it.value
+            it.threshold.value
         })
         .rounded("threshold", 16),
         Of::number("error", "", "bound on the error of that value as a threshold to the first order", |it| {
-            it.error
+            it.threshold.error
         })
-        .numeral("to", |it| at_most(it.error)),
+        .numeral("to", |it| at_most(it.threshold.error)),
         Of::value("above", "", "whether the manifolds cross above the value, or below it", |it| {
-            it.above.into()
+            it.threshold.above.into()
         })
-        .words("manifolds cross", |it| if it.above { "above" } else { "below" }.to_owned()),
+        .words("manifolds cross", |it| if it.threshold.above { "above" } else { "below" }.to_owned()),
+        Of::nullable("tangency", "", "value at which the manifolds themselves touch, or null", |it| {
+            it.tangency.as_ref().ok().map(|it| it.value)
+        })
+        .rounded("they touch at", 14),
+        Of::nullable("tangency_error", "", "its error, or null", |it| {
+            it.tangency.as_ref().ok().map(|it| it.error)
+        })
+        .numeral("to", |it| it.tangency.as_ref().map_or_else(|_| String::new(), |it| at_most(it.error))),
+        Of::nullable(
+            "tangency_phase_rad",
+            "rad",
+            "phase of the drive at which the motion in both manifolds passes the bottom, or null",
+            |it| it.tangency.as_ref().ok().map(|it| it.phase),
+        ),
+        Of::nullable("tangency_velocity_rad_s", "rad/s", "its velocity there, or null", |it| {
+            it.tangency.as_ref().ok().map(|it| it.velocity)
+        }),
+        Of::value("no_tangency", "", "why no tangency is known, or null", |it| {
+            it.tangency.as_ref().err().map(ToString::to_string).into()
+        }),
     ])
 }
 

@@ -8,7 +8,9 @@ use crate::failure::Failure;
 use crate::figure::melnikov::Perturbed;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, Threshold, thresholds};
+use libration::melnikov::{
+    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold, thresholds,
+};
 use libration::systems::Model;
 use std::io::Write;
 use std::path::PathBuf;
@@ -31,7 +33,8 @@ const MOST_PERIODS: usize = 1000;
   libration melnikov \"x'' + sin(x) = 0.05 cos(2t)\" --orders 10
 
 With --over the function and the resonances are those of the first threshold in
-the range, or of its end where there is none. M counts energy per m*l^2, in
+the range, or of its end where there is none, and the manifolds themselves are
+followed to where they touch, to all orders. M counts energy per m*l^2, in
 rad^2/s^2, actions are per m*l^2, in rad^2/s.")]
 pub(crate) struct MelnikovQuestion {
     #[command(flatten)]
@@ -51,6 +54,12 @@ pub(crate) struct MelnikovQuestion {
     form: FormOptions,
 }
 
+/// Where the manifolds begin or cease to cross: to the first order, and as they are.
+struct Crossing {
+    threshold: Threshold,
+    tangency: Result<Tangency, NoTangency>,
+}
+
 /// What is written.
 struct Answer {
     model: Model,
@@ -58,7 +67,7 @@ struct Answer {
     at: Option<(String, f64)>,
     pendulum: PerturbedPendulum,
     separatrices: [Melnikov; 2],
-    thresholds: Option<Vec<Threshold>>,
+    thresholds: Option<Vec<Crossing>>,
     resonances: Vec<DriveResonance>,
 }
 
@@ -80,10 +89,10 @@ impl MelnikovQuestion {
         let open = self.over.as_ref().map(|over| over.name.as_str());
         let model = self.system.model_with_open(open.as_slice())?;
         let thresholds = match &self.over {
-            Some(over) => Some(thresholds(model.equation(), &over.name, over.range).map_err(failure)?),
+            Some(over) => Some(crossings(&model, over)?),
             None => None,
         };
-        let first = thresholds.iter().flatten().map(|it| it.value).reduce(f64::min);
+        let first = thresholds.iter().flatten().map(|it| it.threshold.value).reduce(f64::min);
         let at = self.over.as_ref().map(|over| (over.name.clone(), first.unwrap_or(over.range[1])));
         let equation = match &at {
             Some((name, value)) => {
@@ -97,12 +106,7 @@ impl MelnikovQuestion {
         let largest = u32::try_from(self.orders).unwrap_or(u32::MAX);
         let resonances =
             parallel::until_asked("the resonances", |watch| pendulum.resonances_watched(largest, watch));
-        let early = || {
-            Failure::Interrupted(
-                "interrupted before the resonances were known: nothing is written".to_owned(),
-            )
-        };
-        let resonances = resonances.and_then(Result::ok).ok_or_else(early)?;
+        let resonances = resonances.and_then(Result::ok).ok_or_else(|| interrupted("resonances"))?;
         let separatrices = Melnikov::both(&pendulum);
         Ok(Answer { model, at, pendulum, separatrices, thresholds, resonances })
     }
@@ -119,6 +123,22 @@ impl Answer {
             resonances: &self.resonances,
         }
     }
+}
+
+fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, Failure> {
+    let thresholds = thresholds(model.equation(), &over.name, over.range).map_err(failure)?;
+    let crossings = parallel::until_asked("the tangencies", |watch| {
+        let crossing = |threshold: Threshold| Crossing {
+            tangency: threshold.tangency_watched(model.equation(), &over.name, watch),
+            threshold,
+        };
+        thresholds.into_iter().map(crossing).collect()
+    });
+    crossings.ok_or_else(|| interrupted("tangencies"))
+}
+
+fn interrupted(before: &str) -> Failure {
+    Failure::Interrupted(format!("interrupted before the {before} were known: nothing is written"))
 }
 
 fn failure(error: NoMelnikov) -> Failure {

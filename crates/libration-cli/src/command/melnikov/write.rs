@@ -1,7 +1,7 @@
 //! A Melnikov function as a sheet with words, JSON and CSV.
 
 use super::Answer;
-use super::fields::{of_answer, of_resonance, of_threshold, separatrix};
+use super::fields::{of_answer, of_crossing, of_resonance, separatrix};
 use crate::output::number::{at_most, rounded, short};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
@@ -45,7 +45,11 @@ impl Answer {
             if thresholds.is_empty() {
                 write_text(out, "", "No threshold in the range.")?;
             } else {
-                of_threshold().write_table(out, thresholds)?;
+                of_crossing().write_table(out, thresholds)?;
+                let reasons = thresholds.iter().filter_map(|it| it.tangency.as_ref().err());
+                if let Some(reason) = reasons.last() {
+                    write_text(out, "", &format!("Not known where they touch: {reason}."))?;
+                }
             }
         }
         if listed && !self.resonances.is_empty() {

@@ -111,7 +111,12 @@ pub(super) fn of_exchange() -> Fields<Both> {
             it.0.period
         })
         .line_of("exchange by the slow flow", |it| period(it.0.period, it.0.error)),
-        Of::number("error_s", "s", "its error as that of the slow flow, by what a tenth of the time changes", |it| it.0.error),
+        Of::number(
+            "error_s",
+            "s",
+            "its error as that of the slow flow, by what a tenth of the time changes",
+            |it| it.0.error,
+        ),
         Of::nullable(
             "closed_form_s",
             "s",
@@ -125,7 +130,12 @@ pub(super) fn of_exchange() -> Fields<Both> {
             it.1.period
         })
         .line_of("exchange of the whole motion", |it| period(it.1.period, it.1.error)),
-        Of::number("measured_error_s", "s", "its error, by what a tenth of the time of integration changes", |it| it.1.error),
+        Of::number(
+            "measured_error_s",
+            "s",
+            "its error, by what a tenth of the time of integration changes",
+            |it| it.1.error,
+        ),
         Of::number(
             "relative_difference",
             "1",
