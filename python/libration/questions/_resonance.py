@@ -13,6 +13,7 @@ def resonance(
     system: Given,
     *,
     set: Values | Sequence[str] | None = None,
+    about: Values | None = None,
     initial: Values | None = None,
     order: Given | None = None,
     detuning: Given | None = None,
@@ -34,6 +35,8 @@ def resonance(
         order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
+    about : dict, optional
+        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
     order : number or text, optional

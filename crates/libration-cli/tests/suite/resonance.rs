@@ -48,3 +48,15 @@ fn what_has_no_normal_form_is_refused() {
         }
     }
 }
+
+#[test]
+fn another_equilibrium_is_that_about_which_modes_change_slowly() {
+    // Lindstedt's series of the double well about x = 1: Ω = √2·(1 − 3/4·a²).
+    let answer = json("resonance x''=x-x^3 --about x=0.9");
+    assert_eq!((&answer["equilibrium"][0], &answer["order"]), (&1.0.into(), &3.into()));
+    let shift = answer["slow_terms"][0]["imaginary"].as_f64().unwrap();
+    assert!((shift + 0.75 * 2_f64.sqrt()).abs() < 1e-14, "{shift}");
+    let refused = run(&["resonance", "x''=x-x^3", "--about", "y=1"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", message(&refused));
+    assert!(message(&refused).contains("no coordinate `y`: it has x"), "{}", message(&refused));
+}

@@ -46,8 +46,7 @@ impl Answer {
                 write_text(out, "", "No threshold in the range.")?;
             } else {
                 of_crossing().write_table(out, thresholds)?;
-                let reasons = thresholds.iter().filter_map(|it| it.tangency.as_ref().err());
-                if let Some(reason) = reasons.last() {
+                if let Some(reason) = thresholds.iter().find_map(|it| it.tangency.as_ref().err()) {
                     write_text(out, "", &format!("Not known where they touch: {reason}."))?;
                 }
             }

@@ -1,11 +1,10 @@
 //! `libration modes`: small oscillations of a system, and how they change with the amplitude.
 
-mod equilibrium;
 mod fields;
 mod follow;
 mod write;
 
-use crate::arguments::SystemOptions;
+use crate::arguments::{EquilibriumOptions, SystemOptions};
 use crate::failure::Failure;
 use crate::figure;
 use crate::interrupt;
@@ -35,9 +34,8 @@ pub(crate) use fields::answers;
 pub(crate) struct Modes {
     #[command(flatten)]
     system: SystemOptions,
-    /// Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest
-    #[arg(long, value_name = "NAME=VALUE,…")]
-    about: Option<String>,
+    #[command(flatten)]
+    equilibrium: EquilibriumOptions,
     #[command(flatten)]
     follow: FollowOptions,
     /// Draw the shapes to FILE.svg or FILE.png
@@ -58,7 +56,7 @@ struct Answer {
 impl Modes {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let model = self.system.model()?;
-        let guess = equilibrium::guess(&model, self.about.as_deref())?;
+        let guess = self.equilibrium.guess(&model)?;
         interrupt::listen()?;
         let modes = parallel::until_asked("the modes", |watch| {
             NormalModes::about_watched(model.equation(), &guess, watch)

@@ -3,7 +3,7 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, SystemOptions, count, part};
+use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
 use crate::failure::Failure;
 use crate::figure::resonance::Amplitudes;
 use crate::output::{FormOptions, announce};
@@ -27,6 +27,7 @@ pub(crate) use fields::answers;
   libration resonance spring_pendulum --order 3
   libration resonance spring_pendulum --order 5 --initial r=1.3733,theta=0.04
   libration resonance double_pendulum --json
+  libration resonance \"x'' = x - x^3\" --about x=1
   libration resonance \"x'' = -x - x*y; y'' = -4.1*y - x^2/2\" --order 4 \\
     --initial x=0.1,y=0.02 --figure exchange.svg
 
@@ -36,6 +37,8 @@ whose mean frequencies are exact.")]
 pub(crate) struct ResonanceQuestion {
     #[command(flatten)]
     system: SystemOptions,
+    #[command(flatten)]
+    equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
     /// Up to which order in the amplitudes
@@ -68,10 +71,10 @@ impl ResonanceQuestion {
             true => Some(self.initial.read(&model)?.state),
             false => None,
         };
+        let guess = self.equilibrium.guess(&model)?;
         interrupt::listen()?;
         let answer = parallel::until_asked("the normal form", |watch| {
-            let rest: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
-            let form = NormalForm::about_watched(model.equation(), &rest, self.order, self.detuning, watch)?;
+            let form = NormalForm::about_watched(model.equation(), &guess, self.order, self.detuning, watch)?;
             let exchange = initial.as_ref().map(|state| {
                 let exchange = form.exchange_watched(state, watch)?;
                 let measured = form.measured_exchange_watched(model.equation(), state, &exchange, watch)?;

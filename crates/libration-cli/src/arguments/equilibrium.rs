@@ -1,23 +1,32 @@
 //! Which equilibrium is meant: `theta=180deg`.
 
-use crate::arguments::say_radians;
+use super::say_radians;
 use crate::failure::Failure;
 use libration::expression::Expression;
 use libration::quantity::Angle;
 use libration::systems::{Coordinate, Model};
 
-/// The coordinates that are given, the others where they are at rest.
-pub(super) fn guess(model: &Model, about: Option<&str>) -> Result<Vec<f64>, Failure> {
-    let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
-    let items = about.unwrap_or_default().split(',').filter(|item| !item.trim().is_empty());
-    for item in items {
-        let (name, value) = item.split_once('=').ok_or_else(|| {
-            refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
-        })?;
-        let place = place_of(name, model)?;
-        guess[place] = number(&model.coordinates()[place], value.trim())?;
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct EquilibriumOptions {
+    /// Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest
+    #[arg(long, value_name = "NAME=VALUE,…")]
+    about: Option<String>,
+}
+
+impl EquilibriumOptions {
+    /// The coordinates that are given, the others where they are at rest.
+    pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, Failure> {
+        let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
+        let about = self.about.as_deref().unwrap_or_default();
+        for item in about.split(',').filter(|item| !item.trim().is_empty()) {
+            let (name, value) = item.split_once('=').ok_or_else(|| {
+                refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
+            })?;
+            let place = place_of(name, model)?;
+            guess[place] = number(&model.coordinates()[place], value.trim())?;
+        }
+        Ok(guess)
     }
-    Ok(guess)
 }
 
 fn refusal(reason: String) -> Failure {
