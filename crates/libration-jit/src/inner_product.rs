@@ -9,6 +9,8 @@ pub trait MultiplyAdd {
     fn nothing(&self) -> Self::Element;
     /// a + b.
     fn sum(&self, a: Self::Element, b: Self::Element) -> Self::Element;
+    /// a·b.
+    fn product(&self, a: Self::Element, b: Self::Element) -> Self::Element;
     /// a·b + c with one rounding.
     fn multiply_add(&self, a: Self::Element, b: Self::Element, c: Self::Element) -> Self::Element;
 }
@@ -22,16 +24,19 @@ pub fn inner_product<S: MultiplyAdd>(on: &S, a: &[S::Element], b: &[S::Element])
     let (half, n) = (a.len() / 2, a.len());
     let (left, right) =
         (a[..half].iter().rev().zip(&b[n - half..]), a[n - half..].iter().zip(b[..half].iter().rev()));
-    let mut sums = [on.nothing(); 4];
-    if n > 2 * half {
-        sums[0] = on.multiply_add(a[half], b[half], sums[0]);
+    let mut pairs = left.zip(right);
+    let middle = (n > 2 * half).then(|| on.product(a[half], b[half]));
+    let Some(((a, b), (c, d))) = pairs.next() else { return middle.unwrap_or_else(|| on.nothing()) };
+    let even = middle.map_or_else(|| on.product(*a, *b), |middle| on.multiply_add(*a, *b, middle));
+    let mut inner = [even, on.product(*c, *d)];
+    let Some(((a, b), (c, d))) = pairs.next() else { return on.sum(inner[0], inner[1]) };
+    let mut outer = [on.product(*a, *b), on.product(*c, *d)];
+    while let Some(((a, b), (c, d))) = pairs.next() {
+        inner = [on.multiply_add(*a, *b, inner[0]), on.multiply_add(*c, *d, inner[1])];
+        let Some(((a, b), (c, d))) = pairs.next() else { break };
+        outer = [on.multiply_add(*a, *b, outer[0]), on.multiply_add(*c, *d, outer[1])];
     }
-    for (k, ((a, b), (c, d))) in left.zip(right).enumerate() {
-        let even = 2 * (k % 2);
-        sums[even] = on.multiply_add(*a, *b, sums[even]);
-        sums[even + 1] = on.multiply_add(*c, *d, sums[even + 1]);
-    }
-    on.sum(on.sum(sums[0], sums[1]), on.sum(sums[2], sums[3]))
+    on.sum(on.sum(inner[0], inner[1]), on.sum(outer[0], outer[1]))
 }
 
 /// Plain numbers.
@@ -47,6 +52,10 @@ impl MultiplyAdd for Numbers {
 
     fn sum(&self, a: f64, b: f64) -> f64 {
         a + b
+    }
+
+    fn product(&self, a: f64, b: f64) -> f64 {
+        a * b
     }
 
     fn multiply_add(&self, a: f64, b: f64, c: f64) -> f64 {

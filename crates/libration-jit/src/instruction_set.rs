@@ -65,8 +65,8 @@ pub(crate) struct Packed {
     /// The same number in all lanes.
     pub(crate) broadcast: Code,
     pub(crate) add: Code,
+    pub(crate) multiply: Code,
     pub(crate) multiply_add: Code,
-    pub(crate) exclusive_or: Code,
 }
 
 impl Packed {
@@ -134,8 +134,8 @@ static ONE: InstructionSet = InstructionSet {
             store: Code::VEX_Vmovsd_m64_xmm,
             broadcast: Code::VEX_Vmovsd_xmm_m64,
             add: Code::VEX_Vaddsd_xmm_xmm_xmmm64,
+            multiply: Code::VEX_Vmulsd_xmm_xmm_xmmm64,
             multiply_add: Code::VEX_Vfmadd231sd_xmm_xmm_xmmm64,
-            exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
         },
         two: Packed {
             first: Register::XMM0,
@@ -143,8 +143,8 @@ static ONE: InstructionSet = InstructionSet {
             store: Code::VEX_Vmovupd_xmmm128_xmm,
             broadcast: Code::VEX_Vmovddup_xmm_xmmm64,
             add: Code::VEX_Vaddpd_xmm_xmm_xmmm128,
+            multiply: Code::VEX_Vmulpd_xmm_xmm_xmmm128,
             multiply_add: Code::VEX_Vfmadd231pd_xmm_xmm_xmmm128,
-            exclusive_or: Code::VEX_Vxorpd_xmm_xmm_xmmm128,
         },
         four: Packed {
             first: Register::YMM0,
@@ -152,8 +152,8 @@ static ONE: InstructionSet = InstructionSet {
             store: Code::VEX_Vmovupd_ymmm256_ymm,
             broadcast: Code::VEX_Vbroadcastsd_ymm_m64,
             add: Code::VEX_Vaddpd_ymm_ymm_ymmm256,
+            multiply: Code::VEX_Vmulpd_ymm_ymm_ymmm256,
             multiply_add: Code::VEX_Vfmadd231pd_ymm_ymm_ymmm256,
-            exclusive_or: Code::VEX_Vxorpd_ymm_ymm_ymmm256,
         },
         eight: None,
     }),
@@ -184,8 +184,8 @@ static ONE_OF_32: InstructionSet = InstructionSet {
             store: Code::EVEX_Vmovsd_m64_k1_xmm,
             broadcast: Code::EVEX_Vmovsd_xmm_k1z_m64,
             add: Code::EVEX_Vaddsd_xmm_k1z_xmm_xmmm64_er,
+            multiply: Code::EVEX_Vmulsd_xmm_k1z_xmm_xmmm64_er,
             multiply_add: Code::EVEX_Vfmadd231sd_xmm_k1z_xmm_xmmm64_er,
-            exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
         },
         two: Packed {
             first: Register::XMM0,
@@ -193,8 +193,8 @@ static ONE_OF_32: InstructionSet = InstructionSet {
             store: Code::EVEX_Vmovupd_xmmm128_k1z_xmm,
             broadcast: Code::EVEX_Vmovddup_xmm_k1z_xmmm64,
             add: Code::EVEX_Vaddpd_xmm_k1z_xmm_xmmm128b64,
+            multiply: Code::EVEX_Vmulpd_xmm_k1z_xmm_xmmm128b64,
             multiply_add: Code::EVEX_Vfmadd231pd_xmm_k1z_xmm_xmmm128b64,
-            exclusive_or: Code::EVEX_Vxorpd_xmm_k1z_xmm_xmmm128b64,
         },
         four: Packed {
             first: Register::YMM0,
@@ -202,8 +202,8 @@ static ONE_OF_32: InstructionSet = InstructionSet {
             store: Code::EVEX_Vmovupd_ymmm256_k1z_ymm,
             broadcast: Code::EVEX_Vbroadcastsd_ymm_k1z_xmmm64,
             add: Code::EVEX_Vaddpd_ymm_k1z_ymm_ymmm256b64,
+            multiply: Code::EVEX_Vmulpd_ymm_k1z_ymm_ymmm256b64,
             multiply_add: Code::EVEX_Vfmadd231pd_ymm_k1z_ymm_ymmm256b64,
-            exclusive_or: Code::EVEX_Vxorpd_ymm_k1z_ymm_ymmm256b64,
         },
         eight: Some(Eight {
             insert: Code::EVEX_Vinsertf64x4_zmm_k1z_zmm_ymmm256_imm8,
@@ -213,8 +213,8 @@ static ONE_OF_32: InstructionSet = InstructionSet {
                 store: Code::EVEX_Vmovupd_zmmm512_k1z_zmm,
                 broadcast: Code::EVEX_Vbroadcastsd_zmm_k1z_xmmm64,
                 add: Code::EVEX_Vaddpd_zmm_k1z_zmm_zmmm512b64_er,
+                multiply: Code::EVEX_Vmulpd_zmm_k1z_zmm_zmmm512b64_er,
                 multiply_add: Code::EVEX_Vfmadd231pd_zmm_k1z_zmm_zmmm512b64_er,
-                exclusive_or: Code::EVEX_Vxorpd_zmm_k1z_zmm_zmmm512b64,
             },
         }),
     }),

@@ -80,6 +80,10 @@ impl MultiplyAdd for Steps {
         self.push(Arithmetic::Add(a, b))
     }
 
+    fn product(&self, a: usize, b: usize) -> usize {
+        self.push(Arithmetic::Multiply(a, b))
+    }
+
     fn multiply_add(&self, a: usize, b: usize, c: usize) -> usize {
         self.push(Arithmetic::MultiplyAdd(a, b, c))
     }

@@ -69,6 +69,6 @@ fn system(case: &str) -> Result<System, Failure> {
     Ok(System::new(&equations.parse()?)?)
 }
 
-/// Two equal rods without mass and two equal bobs, g = l = 1; a'' stands in the place of b'' too.
-const DOUBLE: &str = "a'' = -(sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2); \
-    b'' = sin(a-b) a'^2 - sin(b) + cos(a-b) (sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2)";
+/// Two equal rods without mass and two equal bobs, g = l = 1; a'' stands in the place of b'' too, as for the other tools.
+const DOUBLE: &str = "a'' = -((sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2)); \
+    b'' = sin(a-b) a'^2 - sin(b) + cos(a-b) ((sin(a-b) b'^2 + 2 sin(a) + cos(a-b) (sin(a-b) a'^2 - sin(b)))/(1 + sin(a-b)^2))";

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use iced_x86::{Instruction, Register};
+use iced_x86::{Code, Instruction, Register};
 
 use super::{Assembler, Home, NoCode, Operand};
 use crate::groups::{Group, WIDEST};
@@ -88,13 +88,16 @@ impl Assembler<'_> {
         let (steps, result) = inner_product_steps(group.count);
         for (number, step) in steps.iter().enumerate() {
             match *step {
+                Arithmetic::Multiply(a, b) => {
+                    let to = self.take_packed(&rows, number)?;
+                    self.product(&rows, rows.packed.multiply, [a, b], to)?;
+                }
                 Arithmetic::MultiplyAdd(a, b, onto) => {
-                    let onto = self.sum(&rows, &steps, onto, number)?;
-                    self.add_product(&rows, [a, b], onto)?;
+                    let onto = self.sum(&rows, onto, number)?;
+                    self.product(&rows, rows.packed.multiply_add, [a, b], onto)?;
                 }
                 Arithmetic::Add(a, b) => {
-                    let (to, other) =
-                        (self.sum(&rows, &steps, a, number)?, self.sum(&rows, &steps, b, steps.len())?);
+                    let (to, other) = (self.sum(&rows, a, number)?, self.sum(&rows, b, steps.len())?);
                     self.three(rows.packed.add, to, to, Operand::Register(other))?;
                     self.registers.free(temporary(self.line, steps.len()));
                 }
@@ -115,18 +118,14 @@ impl Assembler<'_> {
     }
 
     /// The register of a sum, which is renamed: it is needed but once.
-    fn sum(&mut self, rows: &Rows, steps: &[Arithmetic], sum: usize, new: usize) -> Result<Register, NoCode> {
-        if let Arithmetic::Number(_) = steps[sum] {
-            let to = self.take_packed(rows, new)?;
-            self.three(rows.packed.exclusive_or, to, to, Operand::Register(to))?;
-            return Ok(to);
-        }
+    fn sum(&mut self, rows: &Rows, sum: usize, new: usize) -> Result<Register, NoCode> {
         let new = temporary(self.line, new);
         self.registers.rename(temporary(self.line, sum), new);
         self.packed_register(rows.packed, new)
     }
 
-    fn add_product(&mut self, rows: &Rows, [a, b]: [usize; 2], onto: Register) -> Result<(), NoCode> {
+    /// A product, alone or added to what the register holds.
+    fn product(&mut self, rows: &Rows, code: Code, [a, b]: [usize; 2], to: Register) -> Result<(), NoCode> {
         // What is in memory as it is wanted need not be loaded before.
         let [a, b] = if self.packed_home(rows, a).is_some() { [b, a] } else { [a, b] };
         let first = self.factor(rows, a)?;
@@ -134,7 +133,7 @@ impl Assembler<'_> {
             Some(home) => Operand::Memory(self.address(home)?),
             None => Operand::Register(self.factor(rows, b)?),
         };
-        self.three(rows.packed.multiply_add, onto, first, last)?;
+        self.three(code, to, first, last)?;
         for factor in [a, b] {
             self.registers.free(temporary(self.line, factor));
         }

@@ -156,6 +156,11 @@ impl<const N: usize> MultiplyAdd for Lanes<N> {
     }
 
     #[inline(always)]
+    fn product(&self, a: [f64; N], b: [f64; N]) -> [f64; N] {
+        lanes(|lane| a[lane] * b[lane])
+    }
+
+    #[inline(always)]
     fn multiply_add(&self, a: [f64; N], b: [f64; N], c: [f64; N]) -> [f64; N] {
         lanes(|lane| a[lane].fma(b[lane], c[lane]))
     }

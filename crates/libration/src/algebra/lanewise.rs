@@ -40,7 +40,7 @@ pub(crate) fn convolution<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E 
     let (a, b) = (&a[..n], &b[..n]);
     match n {
         0 => on.nothing(),
-        1 => on.multiply_add(a[0], b[0], on.nothing()),
+        1 => on.product(a[0], b[0]),
         _ => {
             let inner = before_the_last(on, &a[1..n - 1], &b[1..n - 1]);
             on.multiply_add(a[n - 1], b[0], on.multiply_add(a[0], b[n - 1], inner))
@@ -54,7 +54,7 @@ fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
     let n = a.len();
     match n {
         0 => on.nothing(),
-        1 => on.multiply_add(a[0], b[0], on.nothing()),
+        1 => on.product(a[0], b[0]),
         _ => {
             let inner = on.inner_product(&a[1..n - 1], &b[1..n - 1]);
             on.multiply_add(a[n - 1], b[0], on.multiply_add(a[0], b[n - 1], inner))
@@ -67,7 +67,7 @@ fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
 pub(crate) fn square<E: Copy>(on: &impl Rounded<E>, a: &[E]) -> E {
     match *a {
         [] => on.nothing(),
-        [only] => on.multiply_add(only, only, on.nothing()),
+        [only] => on.product(only, only),
         [first, ref middle @ .., last] => {
             on.multiply_add(last, on.sum(first, first), before_the_last(on, middle, middle))
         }

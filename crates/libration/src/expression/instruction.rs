@@ -194,6 +194,21 @@ impl<P: Copy, X> Value<P, X> {
         })
     }
 
+    /// Whether it takes more than arithmetic.
+    pub(crate) fn is_function(&self) -> bool {
+        matches!(self, Self::Power(..) | Self::Of(..))
+    }
+
+    /// What it comes from.
+    pub(crate) fn operands(&self) -> [Option<P>; 2] {
+        match *self {
+            Self::Negate(a) | Self::Power(a, _) | Self::Of(_, a) => [Some(a), None],
+            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => {
+                [Some(a), Some(b)]
+            }
+        }
+    }
+
     /// `None` where there is none in the ring.
     #[inline(always)]
     pub(crate) fn evaluate<E: Evaluator<P, X>>(&self, on: &E) -> Option<<E::Ring as Ring>::Element> {

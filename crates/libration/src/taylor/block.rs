@@ -12,7 +12,7 @@ use crate::algebra::any;
 use crate::double_double::DoubleDouble;
 
 /// One series of a block, by its first coefficient in memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Row(usize);
 
 impl Row {

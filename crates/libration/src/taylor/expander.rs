@@ -73,7 +73,7 @@ impl<'a> Expander<'a> {
     }
 
     fn compiled(&self) -> Option<&Compiled> {
-        self.plan.machine_code.expansion(|| self.straight_line())
+        self.plan.expansion.compiled(|| self.straight_line())
     }
 
     /// All but the zeroth coefficients.
@@ -122,7 +122,13 @@ impl<'a> Expander<'a> {
     #[inline(always)]
     pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         self.begin_inputs(block, surroundings);
-        self.plan.program.begin(block);
+        self.begin_formulas(block);
+    }
+
+    #[inline(always)]
+    fn begin_formulas<const N: usize>(&self, block: &mut Block<N>) {
+        let arithmetic = self.plan.beginning.compiled(|| self.beginning());
+        self.plan.program.begin(block, arithmetic);
     }
 
     /// Those of what the tape is given beside the state.
@@ -166,8 +172,9 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     let divisors = divisors.map(|boundary| Steep::divisor(boundary.of));
     let steep = steep_places(system.tape(), system.coordinates(), order).into_iter();
     let steep = steep.map(|it| it.moved(program.places[it.of])).chain(divisors).collect();
-    let machine_code = MachineCode::new(lanes, system.is_for_many_steps());
-    Plan { order, lanes, program, boundaries, steep, machine_code }
+    let machine_code = || MachineCode::new(lanes, system.is_for_many_steps());
+    let (beginning, expansion) = (machine_code(), machine_code());
+    Plan { order, lanes, program, boundaries, steep, beginning, expansion }
 }
 
 /// What is given, and the zeroth coefficients if they are not known, compiled for each instruction set.
@@ -186,7 +193,7 @@ impl<const N: usize> Kernel for Beginning<'_, '_, N> {
         let Self { expander, block, surroundings, begun } = self;
         expander.begin_inputs(block, surroundings);
         if !begun {
-            expander.plan.program.begin(block);
+            expander.begin_formulas(block);
         }
     }
 }

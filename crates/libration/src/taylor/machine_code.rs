@@ -24,9 +24,8 @@ impl MachineCode {
         Self { lanes, without, compiled: OnceLock::new() }
     }
 
-    /// The code of an expansion that starts from the zeroth coefficients, with the unit of time as argument, given what it does; the same
-    /// bits come out without it.
-    pub(super) fn expansion(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
+    /// The code, with the unit of time as argument, given what it does; the same bits come out without it.
+    pub(super) fn compiled(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
         if let Some(known) = self.compiled.get() {
             return known.as_ref();
         }

@@ -36,5 +36,8 @@ pub(super) struct Plan {
     pub(super) boundaries: Vec<Boundary<Row>>,
     /// Of what the accelerations are steep functions.
     pub(super) steep: Vec<Steep<Row>>,
-    pub(super) machine_code: MachineCode,
+    /// For the zeroth coefficients of all but functions, and what these need.
+    pub(super) beginning: MachineCode,
+    /// For those of higher order.
+    pub(super) expansion: MachineCode,
 }

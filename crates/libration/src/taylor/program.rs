@@ -3,7 +3,9 @@
 //! A `Jet` asks at every order what is constant, weighted or linear in the time. Integrations go through the tape millions
 //! of times, so here that is asked once.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+use libration_jit::Compiled;
 
 use super::block::{Block, Row};
 use crate::algebra::{Function, Lanes, Rational, integral, lanes, quotient, sin_cos_in_lanes, square};
@@ -15,8 +17,10 @@ use crate::expression::{Evaluator, Instruction, Operation, Tape, Value, Weighted
 pub(super) struct Program {
     /// Rows that are the same in all steps.
     pub(super) constants: Vec<(Row, f64)>,
-    /// How the zeroth coefficients of the other rows come about.
-    values: Vec<Zeroth>,
+    /// How the zeroth coefficients of functions come about, and of all that these need.
+    functions: Vec<Zeroth>,
+    /// How those of the other rows do: sums, products and quotients.
+    pub(super) arithmetic: Vec<Zeroth>,
     /// Those rows.
     begun: Vec<Row>,
     /// How the next ones do where the row is linear in the time, and its other coefficients vanish.
@@ -33,7 +37,7 @@ pub(super) struct Program {
 
 /// How zeroth coefficients come about.
 #[derive(Clone, Copy, Debug)]
-enum Zeroth {
+pub(super) enum Zeroth {
     One { out: Row, value: Value<Row, f64> },
     Reciprocal { of: Row, out: Row },
     SineAndCosine { of: Row, sine: Row, cosine: Row },
@@ -48,7 +52,8 @@ impl Program {
     pub(super) fn new(tape: &Tape, degrees: &[usize], last: &[bool], terms: usize) -> Self {
         let program = Self {
             constants: vec![],
-            values: vec![],
+            functions: vec![],
+            arithmetic: vec![],
             begun: vec![],
             linear: vec![],
             nonlinear: vec![],
@@ -59,11 +64,13 @@ impl Program {
         let (places, input_degrees) = (vec![], degrees);
         let delays = delays(tape, last);
         let reciprocals = HashMap::new();
+        let (degrees, values) = (vec![], vec![]);
         let mut writer =
-            Writer { tape, terms, program, places, degrees: vec![], delays, reciprocals, input_degrees };
+            Writer { tape, terms, program, values, places, degrees, delays, reciprocals, input_degrees };
         for place in 0..tape.operations().len() {
             writer.write(place);
         }
+        (writer.program.functions, writer.program.arithmetic) = with_functions_first(&writer.values);
         writer.program.places = writer.places.iter().map(|place| place.plain).collect();
         writer.program.results = tape.results().iter().map(|&place| writer.places[place].plain).collect();
         writer.program
@@ -71,17 +78,11 @@ impl Program {
 
     /// The zeroth coefficients, those of the inputs being known.
     #[inline(always)]
-    pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>) {
-        for zeroth in &self.values {
-            match *zeroth {
-                Zeroth::One { out, value } => block[out][0] = known(value.evaluate(block)),
-                Zeroth::Reciprocal { of, out } => {
-                    block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
-                }
-                Zeroth::SineAndCosine { of, sine, cosine } => {
-                    [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
-                }
-            }
+    pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, arithmetic: Option<&Compiled>) {
+        begin_rows(&self.functions, block);
+        match arithmetic {
+            Some(compiled) => block.run(compiled),
+            None => begin_rows(&self.arithmetic, block),
         }
     }
 
@@ -106,6 +107,41 @@ impl Program {
         let linear: &[_] = if n == 1 { &self.linear } else { &[] };
         linear.iter().chain(&self.nonlinear)
     }
+}
+
+#[inline(always)]
+fn begin_rows<const N: usize>(zeroth: &[Zeroth], block: &mut Block<N>) {
+    for zeroth in zeroth {
+        match *zeroth {
+            Zeroth::One { out, value } => block[out][0] = known(value.evaluate(block)),
+            Zeroth::Reciprocal { of, out } => {
+                block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
+            }
+            Zeroth::SineAndCosine { of, sine, cosine } => {
+                [block[sine][0], block[cosine][0]] = sin_cos_in_lanes(&block[of][0]);
+            }
+        }
+    }
+}
+
+/// Functions and what they need, and then the rest, both as they come one after the other.
+fn with_functions_first(values: &[Zeroth]) -> (Vec<Zeroth>, Vec<Zeroth>) {
+    let mut needed = HashSet::new();
+    let mut is_first = vec![false; values.len()];
+    for (zeroth, is_first) in values.iter().zip(&mut is_first).rev() {
+        let (is_function, out, operands) = match *zeroth {
+            Zeroth::One { out, value } => (value.is_function(), out, value.operands()),
+            Zeroth::Reciprocal { of, out } => (false, out, [Some(of), None]),
+            Zeroth::SineAndCosine { of, sine, .. } => (true, sine, [Some(of), None]),
+        };
+        *is_first = is_function || needed.contains(&out);
+        needed.extend(operands.into_iter().flatten().filter(|_| *is_first));
+    }
+    let part = |first: bool| {
+        let own = values.iter().zip(&is_first).filter(move |(_, is_first)| **is_first == first);
+        own.map(|(zeroth, _)| *zeroth).collect()
+    };
+    (part(true), part(false))
 }
 
 #[inline(always)]
@@ -183,6 +219,8 @@ struct Writer<'a> {
     /// How many coefficients a row has.
     terms: usize,
     program: Program,
+    /// How the zeroth coefficients come about.
+    values: Vec<Zeroth>,
     /// Where results are.
     places: Vec<Weighted<Row>>,
     /// Their degrees in the time.
@@ -242,7 +280,7 @@ impl Writer<'_> {
             && !self.reciprocals.contains_key(&divisor)
         {
             let (of, out) = (self.places[divisor].plain, self.row());
-            self.program.values.push(Zeroth::Reciprocal { of, out });
+            self.values.push(Zeroth::Reciprocal { of, out });
             self.program.begun.push(out);
             self.reciprocals.insert(divisor, out);
         }
@@ -286,7 +324,7 @@ impl Writer<'_> {
     /// A cosine comes right behind the sine of the same, and with it.
     fn push_value(&mut self, out: Row, value: Value<Row, f64>) {
         self.program.begun.push(out);
-        let values = &mut self.program.values;
+        let values = &mut self.values;
         let pair = match (values.last(), value) {
             (
                 Some(&Zeroth::One { out: sine, value: Value::Of(Function::Sin, of) }),

@@ -81,7 +81,7 @@ fn both_ways<const N: usize>(system: &System, order: usize, state: &[f64]) -> Op
 fn machine_code_comes_at_once_where_many_steps_are_expected_and_motions_share_it() {
     let first_code = |system: &System| {
         let expander = Expander::new(system, 20, 1);
-        expander.plan.machine_code.expansion(|| expander.straight_line()).is_some()
+        expander.plan.expansion.compiled(|| expander.straight_line()).is_some()
     };
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
     assert!(!first_code(&system));
@@ -91,6 +91,33 @@ fn machine_code_comes_at_once_where_many_steps_are_expected_and_motions_share_it
     let [one, other] = [Expander::new(&system, 20, 1), Expander::new(&system, 20, 1)];
     assert!(Arc::ptr_eq(&one.plan, &other.plan));
     assert!(!Arc::ptr_eq(&one.plan, &Expander::new(&system, 21, 1).plan));
+}
+
+/// What follows from functions, from functions of functions, and from none.
+#[test]
+fn zeroth_coefficients_in_machine_code_have_the_bits_of_the_interpreter() {
+    let systems = [
+        "a'' = -(sin(a-b)*b'^2 + 2*sin(a))/(1 + sin(a-b)^2); b'' = sin(a-b)*a'^2 - sin(b)/3",
+        "x'' = exp(-x^2/(1 + y^2))*(x - y)/(x' + 3) - sin(cos(x*y) + 2*y)*x; y'' = y*y'/7 + x/(y - x*y')",
+        "x' = 10*(y - x); y' = x*(28 - z) - y; z' = x*y - 8/3*z",
+    ];
+    for equations in systems {
+        let system = System::new(&equations.parse().unwrap()).unwrap();
+        let expander = Expander::new(&system, 8, 1);
+        let line = expander.beginning().expect("more than a few operations");
+        let state = &[0.7, 1.3, -0.4, 0.9][..system.layout().numbers()];
+        let begun = |compiled: Option<&Compiled>| {
+            let mut block = expander.block::<1>();
+            block.start(0, 0.3, state);
+            expander.plan.program.begin(&mut block, compiled);
+            block.coefficients.numbers().iter().map(|c| c.to_bits()).collect::<Vec<_>>()
+        };
+        let interpreted = begun(None);
+        assert!(interpreted.iter().filter(|&&bits| bits != 0).count() > 8, "{equations}");
+        if let Some(compiled) = Compiled::new(&line, 1) {
+            assert_eq!(begun(Some(&compiled)), interpreted, "{equations}");
+        }
+    }
 }
 
 /// Every operation of a tape, at orders with few and with many terms.
