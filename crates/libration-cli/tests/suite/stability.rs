@@ -25,6 +25,22 @@ fn a_chart_has_its_curves_with_both_parameters() {
         [&answer["rest_stable"], &answer["rest_stable"][0]].map(|it| it.as_array().unwrap().len());
     let [first, second] = [0, 1].map(|it| answer["grid"][it].as_array().unwrap().len());
     assert_eq!((rows, columns), (second, first));
+    // Above the edge rest is stable to the end of the map.
+    let ends = answer["rest_stable_at"].as_array().unwrap();
+    assert_eq!([&ends[0]["value"], &ends[1]["value"]], [5.0, 10.0]);
+    for (end, edge) in ends.iter().zip([0.2877861746702333933585712, 0.142045148229182661499441]) {
+        assert_eq!(end["ranges"].as_array().unwrap().len(), 1, "{end}");
+        assert!((end["ranges"][0][0].as_f64().unwrap() - edge).abs() < 1e-13 && end["ranges"][0][1] == 0.4);
+    }
+}
+
+#[test]
+fn driven_motions_have_no_stability_at_rest() {
+    let answer = json("stability driven_pendulum --set c=0.1 --map omega=0.9:1,A=0.05:0.1 --lines 1");
+    assert_eq!(
+        (&answer["rest_stable_at"], &answer["rest_stable"]),
+        (&serde_json::json!([]), &serde_json::json!([]))
+    );
 }
 
 #[test]

@@ -156,11 +156,11 @@ impl ResponseQuestion {
             ..ResponseOptions::default()
         };
         let points = AtomicUsize::new(0);
+        let how_far = || format!("{} points of the branches", points.load(Ordering::Relaxed));
         let ask = |now: Progress| {
             points.store(now.done, Ordering::Relaxed);
-            interrupt::go_on()
+            parallel::go_on(&how_far)
         };
-        let how_far = || format!("{} points of the branches", points.load(Ordering::Relaxed));
         let ParameterSpan { name, range } = &self.over;
         let response = parallel::with_progress(how_far, || {
             Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))

@@ -23,7 +23,21 @@ pub(super) struct Place<'a> {
     is_cusp: bool,
 }
 
+/// Where rest is stable at an end of the first parameter: ranges of the second.
+pub(super) struct AtEnd {
+    pub(super) value: f64,
+    pub(super) ranges: Vec<[f64; 2]>,
+}
+
 impl Answer {
+    /// At the least value of the first parameter and at its greatest; nothing where the start is no rest.
+    pub(super) fn rest_at_ends(&self) -> Vec<AtEnd> {
+        let [from, to] = self.ranges[0];
+        let ends = [from.min(to), from.max(to)].into_iter().enumerate();
+        ends.filter_map(|(end, value)| Some(AtEnd { value, ranges: self.chart.rest_is_stable_at(end)? }))
+            .collect()
+    }
+
     pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
         let numbered = (1..).zip(&self.chart.curves);
         numbered.map(move |(number, curve)| Numbered { answer: self, number, curve })
@@ -99,7 +113,23 @@ pub(super) fn of_answer() -> Fields<Answer> {
             let values = it.chart.rest.iter().flat_map(|rest| &rest.values);
             json::list(values.map(|values| json::numbers(values)))
         }),
+        Of::nested("rest_stable_at[].", &of_end(), |it| of_end().records(&it.rest_at_ends())),
         Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.chart.interrupted.into()),
+    ])
+}
+
+fn of_end() -> Fields<AtEnd> {
+    type Of = Field<AtEnd>;
+    Fields::from([
+        Of::number("value", "", "an end of the range of the first parameter, the least value first", |it| {
+            it.value
+        }),
+        Of::value(
+            "ranges[][]",
+            "",
+            "ranges of the second parameter in which rest is stable there, between the ends of its edges",
+            |it| json::list(it.ranges.iter().map(|range| json::numbers(range))),
+        ),
     ])
 }
 

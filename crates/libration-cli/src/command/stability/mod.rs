@@ -106,11 +106,11 @@ impl StabilityQuestion {
         };
         interrupt::listen()?;
         let points = AtomicUsize::new(0);
+        let how_far = || format!("{} points of the curve", points.load(Ordering::Relaxed));
         let ask = |now: Progress| {
             points.store(now.done, Ordering::Relaxed);
-            interrupt::go_on()
+            parallel::go_on(&how_far)
         };
-        let how_far = || format!("{} points of the curve", points.load(Ordering::Relaxed));
         let (names, ranges) = ([&first.name[..], &second.name], [first.range, second.range]);
         let chart = parallel::with_progress(how_far, || {
             StabilityChart::over_watched(model.equation(), names, ranges, &options, &Watch::new(&ask))

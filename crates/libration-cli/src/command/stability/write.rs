@@ -1,7 +1,7 @@
 //! A chart as a sheet with its curves and words, JSON and CSV.
 
 use super::Answer;
-use super::fields::{Numbered, of_answer, of_curve, of_row};
+use super::fields::{AtEnd, Numbered, of_answer, of_curve, of_row};
 use crate::output::number::short;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
@@ -56,10 +56,8 @@ impl Answer {
             table.finish(out)?;
         }
         writeln!(out)?;
-        for end in 0..2 {
-            if let Some(told) = self.told_at(end) {
-                write_text(out, "", &told)?;
-            }
+        for end in self.rest_at_ends() {
+            write_text(out, "", &self.told_at(&end))?;
         }
         if self.chart.curves.is_empty() {
             write_text(out, "", "No edge of stability and no singular point is found on this map.")?;
@@ -68,18 +66,15 @@ impl Answer {
     }
 
     /// Where rest is stable at an end of the first parameter.
-    fn told_at(&self, end: usize) -> Option<String> {
-        let ranges = self.chart.rest_is_stable_at(end)?;
+    fn told_at(&self, AtEnd { value, ranges }: &AtEnd) -> String {
         let [first, second] = &self.parameters;
-        let [low, high] = [0, 1].map(|it| self.ranges[0][it]);
-        let value = if end == 0 { low.min(high) } else { low.max(high) };
         let range =
             |[from, to]: &[f64; 2]| format!("for {second} from {} to {}", short(*from, 6), short(*to, 6));
         let where_to = match &ranges[..] {
             [] => "nowhere on this map".to_owned(),
             some => some.iter().map(range).collect::<Vec<_>>().join(" and "),
         };
-        Some(format!("At {first} = {} rest is stable {where_to}.", short(value, 6)))
+        format!("At {first} = {} rest is stable {where_to}.", short(*value, 6))
     }
 }
 
