@@ -15,8 +15,8 @@ export async function read<T>(engine: Engine, command: Command, signal: AbortSig
   return { answer, value: parsed<T>(decoded(answer)) };
 }
 
-// What ended early is no JSON.
-function parsed<T>(written: string): T | undefined {
+/** What ended early is no JSON. */
+export function parsed<T>(written: string): T | undefined {
   try {
     return JSON.parse(written) as T;
   } catch {

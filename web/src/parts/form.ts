@@ -36,9 +36,11 @@ export class Form {
     return this.#field(key).value;
   }
 
-  /** Enters a value as the reader would, without asking anything. */
+  /** Enters a value as the reader would, without asking anything; a field that was folded away is shown where it is not as at the beginning. */
   put(key: string, value: string): void {
-    this.#field(key).value = value;
+    const field = this.#field(key);
+    field.value = value;
+    if (field.value !== field.initial) field.element.closest("details.folded")?.setAttribute("open", "");
     this.keep();
   }
 
@@ -54,7 +56,7 @@ export class Form {
     const fields = keys.map((key) => this.#field(key).element);
     const isWanted = attributes.folded === true ? keys.some((key) => this.#field(key).value !== this.#field(key).initial) : matchMedia(BESIDE).matches;
     const open = attributes.open === true || isWanted;
-    return element("details", { class: "fields", open }, element("summary", {}, title), ...fields);
+    return element("details", { class: attributes.folded === true ? "fields folded" : "fields", open }, element("summary", {}, title), ...fields);
   }
 
   /** Nothing is wrong any more. */

@@ -9,9 +9,15 @@ export function digits(value: number | null | undefined, count = 6): string {
   return written.replace("-", "−").replace(/e-/, "e−");
 }
 
+/** The same without zeros at the end, for values that are often round. */
+export function short(value: number, count = 6): string {
+  const written = digits(value, count);
+  return written.includes("e") ? written : written.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+}
+
 /** An angle in the unit that the reader has chosen. */
 export function angle(radians: number, unit: string, count = 6): string {
-  const written = digits(unit === "rad" ? radians : (radians * 180) / Math.PI, count).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  const written = short(unit === "rad" ? radians : (radians * 180) / Math.PI, count);
   return unit === "rad" ? `${written} rad` : `${written}°`;
 }
 

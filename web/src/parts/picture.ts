@@ -2,6 +2,7 @@
 
 import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
+import { parsed, type Read } from "./answers.ts";
 import { ask, type Command, extended } from "./command.ts";
 import { button, element } from "./element.ts";
 import { isWanted } from "./latest.ts";
@@ -51,13 +52,17 @@ export class Picture {
 
   /** Asks for the picture and shows it; what was shown stays where there is none. */
   async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
-    const of = (asked: Command) => ask(this.#engine, named(asked, this.#option, "-"), { signal, files });
-    let answer = await of(this.command(command));
-    // The column is too narrow for what is in some pictures.
-    const least = /--width: [^]*give at least (\d+mm)/.exec(answer.error)?.[1];
-    if (least !== undefined && !signal.aborted) answer = await of(extended(command, { width: least, [this.#option]: `${this.#name}.svg` }));
+    const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, named(asked, this.#option, "-"), { signal, files }));
     if (answer.output.length > 0 && isWanted(signal)) this.#show(answer.output);
     return answer;
+  }
+
+  /** Asks for numbers and picture at once, so that what takes long is computed once, and shows the picture. */
+  async read<T>(command: Command, signal: AbortSignal): Promise<Read<T>> {
+    const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, extended(asked, { json: true }), { signal }));
+    const drawn = answer.files.get(`${this.#name}.svg`);
+    if (drawn !== undefined && isWanted(signal)) this.#show(drawn);
+    return { answer, value: parsed<T>(decoded(answer)) };
   }
 
   /** The axes of a panel, the first unless another is asked for. */
@@ -102,6 +107,14 @@ export class Picture {
     this.#caption.textContent = "";
     this.#buttons.hidden = true;
     this.svg = undefined;
+  }
+
+  // The column is too narrow for what is in some pictures.
+  async #fitted(command: Command, signal: AbortSignal, of: (asked: Command) => Promise<Answer>): Promise<Answer> {
+    const answer = await of(this.command(command));
+    const least = /--width: [^]*give at least (\d+mm)/.exec(answer.error)?.[1];
+    if (least === undefined || signal.aborted) return answer;
+    return of(extended(command, { width: least, [this.#option]: `${this.#name}.svg` }));
   }
 
   #show(bytes: Uint8Array): void {

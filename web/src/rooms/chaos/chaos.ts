@@ -3,7 +3,7 @@
 import type { Address } from "../../address.ts";
 import type { Answer, Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { ask, type Command, extended, given, type Option, reason } from "../../parts/command.ts";
+import { ask, type Command, extended, reason } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
@@ -20,7 +20,9 @@ import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { fields, PARTS, preset } from "./fields.ts";
 import { FleetPanel } from "./fleet/panel.ts";
-import { Orbits } from "./orbits.ts";
+import { FurtherFindings } from "./further.ts";
+import { OrbitFinding } from "./orbit.ts";
+import { Questions } from "./questions.ts";
 import { range, stages, written } from "./range.ts";
 
 const words = text.chaos;
@@ -60,28 +62,33 @@ class ChaosRoom {
   readonly #equivalents = new Equivalents();
   readonly #preset = element("select", { id: "chaos-preset" });
   readonly #fleet: FleetPanel;
-  readonly #orbits: Orbits;
+  readonly #orbit: OrbitFinding;
+  readonly #questions: Questions;
+  readonly #further: FurtherFindings;
   #drawn = "";
 
   constructor(address: Address, given: Engine) {
     const engine = telling(given, this.#status);
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.update());
+    this.#questions = new Questions(this.#form);
     const picture = (name: string, option: "figure" | "output" = "figure") => new Picture(engine, name, option);
     this.#pictures = { diagram: picture("bifurcation"), section: picture("section"), neighbours: picture("neighbours", "output"), verdict: picture("lyapunov") };
     const csv = (name: string, command: () => Command) => element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void this.#saveCsv(name, command())));
     const { diagram, section, neighbours, verdict } = this.#pictures;
     this.#findings = {
-      diagram: new Finding(words.diagram, diagram.element, csv("bifurcation", () => this.#diagram())),
-      section: new Finding(words.section, section.element, csv("section", () => this.#section())),
+      diagram: new Finding(words.diagram, diagram.element, csv("bifurcation", () => this.#questions.diagram())),
+      section: new Finding(words.section, section.element, csv("section", () => this.#questions.section())),
       neighbours: new Finding(words.neighbours, neighbours.element),
-      verdict: new Finding(words.verdict, verdict.element, csv("lyapunov", () => this.#lyapunov())),
+      verdict: new Finding(words.verdict, verdict.element, csv("lyapunov", () => this.#questions.lyapunov())),
     };
     this.#slider = this.#slides(diagram);
-    this.#orbits = new Orbits(engine, this.#form);
+    this.#orbit = new OrbitFinding(engine);
+    this.#further = new FurtherFindings(engine, this.#form, this.#questions);
     this.#fleet = new FleetPanel(address, engine, () => this.#equal());
-    const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen)];
-    const found = [...Object.values(this.#findings).map((finding) => finding.element), ...this.#orbits.elements];
+    const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen), ...this.#further.fields];
+    // What is asked for in fields of its own is what the reader looks for.
+    const found = [...this.#further.elements, ...Object.values(this.#findings).map((finding) => finding.element), this.#orbit.element];
     this.elements = layout(words.title, words.lead, controls, [this.#status.element, this.#fleet.element, element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
   }
 
@@ -142,58 +149,19 @@ class ChaosRoom {
     if (signal.aborted) return;
     // What is no system is said once.
     if (!isSystem) return this.#nothing();
-    this.#fleet.show(this.#chosen("simulate", []), this.#starts());
+    this.#further.expect();
+    this.#fleet.show(this.#questions.chosen("simulate", []), this.#questions.starts());
     await this.#judge(signal);
     if (!signal.aborted) await this.#compare(signal);
     if (!signal.aborted) await this.#draw(signal);
-    if (!signal.aborted) await this.#orbits.find(this.#orbit(), signal);
-    if (!signal.aborted) await this.#orbits.follow(this.#response(), signal);
+    if (!signal.aborted) await this.#orbit.find(this.#questions.orbit(), signal);
+    if (!signal.aborted) await this.#further.find(signal);
   }
 
   #equal(): void {
-    const commands = [this.#fleet.command(), this.#form.value("over") === "" ? undefined : this.#diagram(), this.#section(), this.#neighbours(), this.#lyapunov(), this.#orbit(), this.#response()];
+    const ask = this.#questions;
+    const commands = [this.#fleet.command(), this.#form.value("over") === "" ? undefined : ask.diagram(), ask.section(), ask.neighbours(), ask.lyapunov(), ask.orbit(), ...this.#further.commands()];
     this.#equivalents.show(commands.filter((command) => command !== undefined));
-  }
-
-  #starts(): string[] {
-    return this.#form.value("initial").split(";").map((it) => it.trim()).filter((it) => it !== "");
-  }
-
-  #system(question: string, starts: readonly string[], set: readonly string[]): Command {
-    const initial = starts.map((start): Option => ["initial", start]);
-    return { question, arguments: [this.#form.value("system")], options: [...given({ set: set.filter((it) => it !== "").join(",") }), ...initial] };
-  }
-
-  // At the chosen value of the parameter.
-  #chosen(question: string, starts: readonly string[]): Command {
-    const [name, value] = [this.#form.value("over").split("=")[0]?.trim() ?? "", this.#form.value("value")];
-    return this.#system(question, starts, [this.#form.value("set"), name === "" || value === "" ? "" : `${name}=${value}`]);
-  }
-
-  #diagram(over = this.#form.value("over")): Command {
-    const value = (key: string) => this.#form.value(key);
-    return extended(this.#system("bifurcation", this.#starts().slice(0, 1), [value("set")]), { over, points: value("each"), sweep: value("sweep"), at: value("at") });
-  }
-
-  #section(points = this.#form.value("points")): Command {
-    return extended(this.#chosen("section", this.#starts()), { at: this.#form.value("at"), points });
-  }
-
-  #neighbours(): Command {
-    return extended(this.#chosen("figure trajectories", this.#starts()), { until: this.#form.value("until") });
-  }
-
-  #orbit(): Command {
-    return this.#chosen("orbit", this.#starts().slice(0, 1));
-  }
-
-  #response(): Command | undefined {
-    const over = this.#form.value("response");
-    return over === "" ? undefined : extended(this.#system("response", this.#starts().slice(0, 1), [this.#form.value("set")]), { over });
-  }
-
-  #lyapunov(): Command {
-    return extended(this.#chosen("lyapunov", this.#starts().slice(0, 1)), { intervals: this.#form.value("intervals") });
   }
 
   // Each stage is the section with fewer points: the same ones, so that it grows. Whether the question was understood.
@@ -202,7 +170,7 @@ class ChaosRoom {
     const earlier = Number.isInteger(last) && last > FIRST ? ladder(last, FIRST).slice(0, -1) : [];
     for (const asked of [...earlier.map(String), this.#form.value("points")]) {
       if (earlier.length > 0) this.#status.say(words.growing(Number(asked), last));
-      const answer = await this.#pictures.section.draw(this.#section(asked), signal);
+      const answer = await this.#pictures.section.draw(this.#questions.section(asked), signal);
       if (signal.aborted) return true;
       this.#findings.section.fail("");
       if (answer.status === 0) continue;
@@ -213,7 +181,7 @@ class ChaosRoom {
   }
 
   async #judge(signal: AbortSignal): Promise<void> {
-    const { answer, value } = await read<Exponent>(this.#engine, this.#lyapunov(), signal);
+    const { answer, value } = await read<Exponent>(this.#engine, this.#questions.lyapunov(), signal);
     if (!isWanted(signal) || (signal.aborted && value === undefined)) return;
     if (value === undefined) return this.#fail("verdict", answer, ["intervals"]);
     const { verdict } = value;
@@ -221,11 +189,11 @@ class ChaosRoom {
       element("p", { class: "verdict" }, words.because(words[verdict], value.reason)),
       element("p", {}, words.exponent(digits(value.exponent, 4), digits(value.uncertainty, 2))),
     );
-    if (!signal.aborted) await this.#pictures.verdict.draw(this.#lyapunov(), signal);
+    if (!signal.aborted) await this.#pictures.verdict.draw(this.#questions.lyapunov(), signal);
   }
 
   async #compare(signal: AbortSignal): Promise<void> {
-    const answer = await this.#pictures.neighbours.draw(this.#neighbours(), signal);
+    const answer = await this.#pictures.neighbours.draw(this.#questions.neighbours(), signal);
     if (signal.aborted) return;
     this.#findings.neighbours.fail("");
     if (answer.status !== 0) this.#fail("neighbours", answer, ["until"]);
@@ -238,12 +206,12 @@ class ChaosRoom {
       this.#pictures.diagram.clear();
       return this.#findings.diagram.show(element("p", { class: "quiet" }, words.noDiagram));
     }
-    const command = JSON.stringify(this.#diagram());
+    const command = JSON.stringify(this.#questions.diagram());
     if (command === this.#drawn) return this.#mark();
     for (const stage of stages(over)) {
-      const answer = await this.#pictures.diagram.draw(this.#diagram(stage), signal);
+      const answer = await this.#pictures.diagram.draw(this.#questions.diagram(stage), signal);
       if (signal.aborted) return;
-      this.#findings.diagram.fail("");
+      this.#findings.diagram.show();
       if (answer.status !== 0) return this.#fail("diagram", answer, ["over", "each", "sweep"]);
       this.#mark();
     }
@@ -257,7 +225,8 @@ class ChaosRoom {
 
   #nothing(): void {
     this.#fleet.clear();
-    this.#orbits.clear();
+    this.#orbit.clear();
+    this.#further.clear();
     for (const part of ["verdict", "neighbours", "diagram"] as const) {
       this.#findings[part].show();
       this.#forget(part);

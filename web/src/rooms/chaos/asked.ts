@@ -1,0 +1,103 @@
+// A finding that only a field of its own asks for: numbers in words with a picture, not asked for again while the question stays the same.
+
+import type { Answer, Engine } from "../../engine/engine.ts";
+import { ask, type Command, extended, reason } from "../../parts/command.ts";
+import { button, element } from "../../parts/element.ts";
+import type { Form } from "../../parts/form.ts";
+import { isWanted } from "../../parts/latest.ts";
+import { Finding } from "../../parts/layout.ts";
+import { Picture } from "../../parts/picture.ts";
+import { save } from "../../parts/save.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.chaos;
+
+/** What is asked for, and what is said of an answer. */
+export interface Asking<T> {
+  readonly title: string;
+  /** Of saved files. */
+  readonly name: string;
+  /** The fields that a question which is not understood is wrong in. */
+  readonly fields: readonly string[];
+  readonly said: (answer: T) => readonly (Node | string)[];
+}
+
+/** Such a finding, without its type. */
+export interface Further {
+  readonly element: HTMLElement;
+  expect(command: Command | undefined): void;
+  find(command: Command | undefined, signal: AbortSignal): Promise<void>;
+  clear(): void;
+}
+
+export class Asked<T> implements Further {
+  readonly element: HTMLElement;
+  readonly #engine: Engine;
+  readonly #form: Form;
+  readonly #asking: Asking<T>;
+  readonly #picture: Picture;
+  readonly #finding: Finding;
+  readonly #save = button(text.parts.saveData, () => void this.#saveCsv(), { hidden: true });
+  /** The question whose answer is shown, whole or as far as it came. */
+  #shown: Command | undefined;
+  #isWhole = false;
+
+  constructor(engine: Engine, form: Form, asking: Asking<T>) {
+    [this.#engine, this.#form, this.#asking] = [engine, form, asking];
+    this.#picture = new Picture(engine, asking.name);
+    this.#finding = new Finding(asking.title, this.#picture.element, element("p", { class: "buttons screen-only" }, this.#save));
+    this.element = this.#finding.element;
+    this.element.hidden = true;
+  }
+
+  /** Shows where the answer will be; nothing where nothing is asked. */
+  expect(command: Command | undefined): void {
+    this.element.hidden = command === undefined;
+    if (command === undefined) this.clear();
+    else if (this.#shown === undefined) this.#finding.show(quiet(words.expected));
+  }
+
+  /** What is found, or why nothing is. */
+  async find(command: Command | undefined, signal: AbortSignal): Promise<void> {
+    if (command === undefined || (this.#isWhole && same(command, this.#shown))) return;
+    const { answer, value } = await this.#picture.read<T>(command, signal);
+    if (!isWanted(signal)) return;
+    if (value === undefined) return this.#refuse(answer);
+    [this.#shown, this.#isWhole] = [command, !signal.aborted];
+    this.#save.hidden = false;
+    this.#finding.show(...this.#asking.said(value).map((it) => (typeof it === "string" ? element("p", {}, it) : it)));
+  }
+
+  clear(): void {
+    this.#forget();
+    this.#finding.show();
+  }
+
+  /** A question that is not understood is wrong in its field; what has no answer says why. */
+  #refuse(answer: Answer): void {
+    this.#forget();
+    const why = answer.status === 2 ? this.#form.blame(answer, this.#asking.fields) : "";
+    if (answer.status === 2) this.#finding.fail(why);
+    else this.#finding.show(quiet(reason(answer)));
+    this.element.hidden = answer.status === 2 && why === "";
+  }
+
+  #forget(): void {
+    this.#picture.clear();
+    [this.#shown, this.#isWhole] = [undefined, false];
+    this.#save.hidden = true;
+  }
+
+  async #saveCsv(): Promise<void> {
+    if (this.#shown === undefined) return;
+    save(`${this.#asking.name}.csv`, (await ask(this.#engine, extended(this.#shown, { csv: true }))).output, "text/csv");
+  }
+}
+
+function quiet(said: string): HTMLElement {
+  return element("p", { class: "quiet" }, said);
+}
+
+function same(one: Command, other: Command | undefined): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}

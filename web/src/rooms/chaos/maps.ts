@@ -1,0 +1,44 @@
+// Stability over two parameters in words: where rest is stable, and its edges and the curves of singular points with their ends and cusps.
+
+import { element } from "../../parts/element.ts";
+import { digits, short } from "../../parts/numbers.ts";
+import { text } from "../../texts/en.ts";
+import type { Asking } from "./asked.ts";
+
+const words = text.chaos.maps;
+
+interface Place {
+  readonly parameters: readonly [number, number];
+  readonly error: number;
+}
+
+/** An answer of `libration stability`. */
+interface Chart {
+  readonly parameters: readonly [string, string];
+  readonly rest_stable_at: readonly { readonly value: number; readonly ranges: readonly (readonly [number, number])[] }[];
+  readonly curves: readonly {
+    readonly kind: string;
+    readonly at_rest: boolean;
+    readonly closed: boolean;
+    readonly points: readonly Place[];
+    readonly cusps: readonly Place[];
+  }[];
+}
+
+export const maps: Asking<Chart> = { title: words.title, name: "stability", fields: ["map", "rest", "lines"], said };
+
+function said({ parameters, rest_stable_at: ends, curves }: Chart): Node[] {
+  const [first, second] = parameters;
+  const rest = ends.map(({ value, ranges }) => words.rest(`${first} = ${short(value)}`, ranges.map(([from, to]) => words.range(second, short(from), short(to)))));
+  const sentences = curves.length > 0 ? rest : [...rest, words.noCurves];
+  const list = element("ol", {}, ...curves.map((curve) => element("li", {}, curveSaid(parameters, curve))));
+  return [...sentences.map((sentence) => element("p", {}, sentence)), ...(curves.length > 0 ? [list] : [])];
+}
+
+function curveSaid([first, second]: Chart["parameters"], { kind, at_rest, closed, points, cusps }: Chart["curves"][number]): string {
+  const at = ({ parameters: [x, y], error }: Place) => words.place(`${first} = ${short(x)}`, `${second} = ${short(y)}`, digits(error, 1));
+  const [begin, end] = [points[0], points.at(-1)];
+  const way = closed ? words.closed : begin === undefined || end === undefined ? "" : words.way(at(begin), at(end));
+  const name = (at_rest ? words.edges : words.kinds)[kind] ?? kind;
+  return words.curve(name, way, cusps.map(at));
+}

@@ -1,0 +1,68 @@
+// The periodic orbit at the chosen value, near the start or to which it leads.
+
+import type { Engine } from "../../engine/engine.ts";
+import { read } from "../../parts/answers.ts";
+import { ask, type Command, extended, reason } from "../../parts/command.ts";
+import { button, element } from "../../parts/element.ts";
+import { Finding } from "../../parts/layout.ts";
+import { digits } from "../../parts/numbers.ts";
+import { Picture } from "../../parts/picture.ts";
+import { save } from "../../parts/save.ts";
+import { text } from "../../texts/en.ts";
+
+const words = text.chaos;
+
+/** An answer of `libration orbit`. */
+interface Orbit {
+  readonly period_s: number;
+  readonly stability: string | null;
+  /** Real and imaginary parts. */
+  readonly multipliers: readonly (readonly [number, number])[];
+}
+
+export class OrbitFinding {
+  readonly element: HTMLElement;
+  readonly #engine: Engine;
+  readonly #picture: Picture;
+  readonly #finding: Finding;
+  #asked: Command | undefined;
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+    this.#picture = new Picture(engine, "orbit");
+    const csv = button(text.parts.saveData, () => void this.#saveCsv());
+    this.#finding = new Finding(words.orbit, this.#picture.element, element("p", { class: "buttons screen-only" }, csv));
+    this.element = this.#finding.element;
+  }
+
+  async find(command: Command, signal: AbortSignal): Promise<void> {
+    const { answer, value } = await read<Orbit>(this.#engine, command, signal);
+    if (signal.aborted) return;
+    if (value === undefined) {
+      this.#picture.clear();
+      return this.#finding.show(element("p", { class: "quiet" }, reason(answer)));
+    }
+    this.#asked = command;
+    this.#finding.show(element("p", {}, said(value)));
+    await this.#picture.draw(command, signal);
+  }
+
+  clear(): void {
+    this.#finding.show();
+    this.#picture.clear();
+  }
+
+  async #saveCsv(): Promise<void> {
+    if (this.#asked !== undefined) save("orbit.csv", (await ask(this.#engine, extended(this.#asked, { csv: true }))).output, "text/csv");
+  }
+}
+
+function said({ period_s, stability, multipliers }: Orbit): string {
+  const found = multipliers.filter(([, imaginary]) => imaginary >= 0).map(multiplier);
+  const sentences = [words.period(digits(period_s, 9)), words.stability[stability ?? ""] ?? "", found.length > 0 ? words.multipliers(found.join(", ")) : ""];
+  return sentences.filter((sentence) => sentence !== "").join(" ");
+}
+
+function multiplier([real, imaginary]: readonly [number, number]): string {
+  return imaginary === 0 ? digits(real) : words.multiplier(digits(real), digits(imaginary));
+}
