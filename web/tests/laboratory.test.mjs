@@ -32,17 +32,35 @@ for (const [file, question, fragment, words] of [
   ["gate_synthetic.csv", "gates", "?amplitude=0.9", ["--amplitude", "0.9"]],
   ["period_table_synthetic.csv", "periods", "", []],
   ["lengths_synthetic.csv", "lengths", "", []],
+  ["response_synthetic.csv", "response", "?oscillator=pendulum&columns=1,2,-,3&response-unit=deg", ["--model", "pendulum", "--columns", "1,2,-,3", "--amplitude-unit", "deg"]],
 ]) {
   test(`${file} is known for what it is, and fitted`, () =>
     visit(`laboratory${fragment}`, async (room) => {
       await give(room, file);
       assert.deepEqual(await errors(room), []);
-      assert.equal(await room.locator(".results pre:visible").first().textContent(), command("fit", question, file, ...words).output);
+      const said = (await room.locator(".results pre:visible").first().textContent()).replace(/fit\.svg written: .*\n/, "");
+      assert.equal(said, command("fit", question, file, ...words).output);
       const { bytes } = await saved(room, "Save the numbers as CSV");
       assert.equal(bytes.toString(), command("fit", question, file, ...words, "--csv").output);
       assert.ok(await room.locator("figure").first().isVisible());
     }));
 }
+
+test("a response whose frequencies increase throughout is no trace, and its choices are its own", () =>
+  visit("laboratory", async (room) => {
+    const rows = Array.from({ length: 12 }, (_, row) => [1 + row / 10, 1 / Math.hypot(2.56 - (1 + row / 10) ** 2, 0.3 * (1 + row / 10))]);
+    const buffer = Buffer.from(`frequency (Hz),amplitude (mm)\n${rows.map(([f, a]) => `${f.toFixed(2)},${a.toFixed(4)}`).join("\n")}\n`);
+    await give(room, { name: "sweep.csv", mimeType: "text/csv", buffer });
+    assert.deepEqual(await errors(room), []);
+    assert.match(await room.locator(".results pre:visible").first().textContent(), /linear/);
+    for (const label of ["Oscillator", "What was measured as the amplitude", "Unit of the frequencies", "Unit of the phases"]) assert.ok(await room.getByLabel(label, { exact: true }).isVisible(), label);
+    assert.equal(await room.getByLabel("Damping", { exact: true }).isVisible(), false);
+    await enter(room, "Columns", "1,7");
+    assert.match((await errors(room)).join(), /there is no column `7`/);
+    await enter(room, "Columns", "frequency");
+    assert.match((await errors(room)).join(), /1 columns given/);
+    assert.equal(await room.getByLabel("Columns", { exact: true }).getAttribute("aria-invalid"), "true");
+  }));
 
 test("what a file leaves open is decided by a press", () =>
   visit("laboratory", async (room) => {

@@ -57,11 +57,17 @@ export class Picture {
     return answer;
   }
 
-  /** Asks for numbers and picture at once, so that what takes long is computed once, and shows the picture. */
-  async read<T>(command: Command, signal: AbortSignal): Promise<Read<T>> {
-    const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, extended(asked, { json: true }), { signal }));
+  /** Asks for the answer and its picture at once, so that what takes long is computed once, and shows the picture. */
+  async beside(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
+    const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, asked, { signal, files }));
     const drawn = answer.files.get(`${this.#name}.svg`);
     if (drawn !== undefined && isWanted(signal)) this.#show(drawn);
+    return answer;
+  }
+
+  /** The same with the answer as JSON. */
+  async read<T>(command: Command, signal: AbortSignal): Promise<Read<T>> {
+    const answer = await this.beside(extended(command, { json: true }), signal);
     return { answer, value: parsed<T>(decoded(answer)) };
   }
 

@@ -65,7 +65,7 @@ function listed(at: string, resonances: readonly Resonance[]): HTMLElement {
   const rows = resonances.map((it) => [
     `${it.motion_periods}:${it.drive_periods}`,
     it.direction === 0 ? words.libration : it.direction > 0 ? words.rotation : words.rotationBack,
-    it.amplitude_rad === null ? "" : angle(it.amplitude_rad, "deg", 5),
+    it.amplitude_rad === null ? "" : angle(it.amplitude_rad, "deg", 7),
     digits(it.frequency_rad_s, 5),
     digits(it.half_width_rad_s, 3),
     it.overlap === null ? "" : digits(it.overlap, 3),

@@ -1,7 +1,7 @@
 // Room 5: measurements are read, fitted and judged, without leaving the machine.
 
 import type { Address } from "../../address.ts";
-import { type Engine, text as decoded } from "../../engine/engine.ts";
+import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
 import { ask, type Command, extended, given, reason } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
@@ -17,7 +17,7 @@ import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { example } from "./example.ts";
-import { fields, type Kind, PARTS, taken } from "./fields.ts";
+import { fields, type Kind, optionOf, PARTS, taken } from "./fields.ts";
 import { Files } from "./files.ts";
 import { MotionSensor } from "./motion_sensor.ts";
 import { type Inspection, kindOf, reading } from "./reading.ts";
@@ -131,7 +131,7 @@ class LaboratoryRoom {
       const { answer, value } = await read<Inspection>(this.#engine, command, signal, new Map([[name, bytes]]));
       if (signal.aborted) return { isReadable, kind };
       if (value === undefined) {
-        const failure = this.#form.blame(answer) || reason(answer);
+        const failure = this.#form.blame(answer, taken("inspect")) || reason(answer);
         shown.push(element("article", { class: "reading" }, element("h3", { class: "mono" }, name), element("p", { class: "error" }, failure)));
         continue;
       }
@@ -146,9 +146,9 @@ class LaboratoryRoom {
   async #fitted(kind: Kind, signal: AbortSignal): Promise<void> {
     const [command, files] = [this.#command(kind), this.#files.all];
     this.#equivalents.show([...Array.from(files.keys(), (name) => this.#inspection(name)), this.#asked(command, kind)]);
-    const answer = await ask(this.#engine, this.#asked(command, kind), { signal, files, onProgress: (howFar) => this.#status.say(howFar ?? "") });
+    const answer = await this.#answered(command, kind, signal);
     if (signal.aborted) return;
-    if (answer.status !== 0) return this.#fit.fail(this.#form.blame(answer) || reason(answer));
+    if (answer.status !== 0) return this.#fit.fail(this.#form.blame(answer, taken(kind)) || reason(answer));
     const answered = element("pre", { tabindex: "0" }, decoded(answer));
     this.#buttons.hidden = false;
     this.#report = answer.files.get(REPORT);
@@ -157,7 +157,14 @@ class LaboratoryRoom {
       return this.#fit.show(report(new TextDecoder().decode(this.#report)), inWords);
     }
     this.#fit.show(answered);
-    await this.#picture.draw(command, signal, files);
+    if (kind !== "response") await this.#picture.draw(command, signal, files);
+  }
+
+  // Responses take so long that they are fitted once, for words and picture.
+  #answered(command: Command, kind: Kind, signal: AbortSignal): Promise<Answer> {
+    const files = this.#files.all;
+    if (kind === "response") return this.#picture.beside(command, signal, files);
+    return ask(this.#engine, this.#asked(command, kind), { signal, files, onProgress: (howFar) => this.#status.say(howFar ?? "") });
   }
 
   #inspection(name: string): Command {
@@ -176,7 +183,7 @@ class LaboratoryRoom {
 
   #options(keys: readonly string[]) {
     const ticks = new Set(["robust", "free-scale", "half-periods", "even-times", "times-as-written"]);
-    return given(Object.fromEntries(keys.map((key) => [key, ticks.has(key) ? this.#form.value(key) === "yes" : this.#form.value(key)])));
+    return given(Object.fromEntries(keys.map((key) => [optionOf(key), ticks.has(key) ? this.#form.value(key) === "yes" : this.#form.value(key)])));
   }
 
   #offer(): void {

@@ -31,12 +31,19 @@ interface SheetColumn {
 
 /** What may be fitted to it, where that is clear. */
 export function kindOf({ traces, gate_times, sheets }: Inspection): Kind | undefined {
+  if (sheets.some(isResponse)) return "response";
   if (traces.length > 0) return "trace";
   if (gate_times !== null) return "gates";
   const names = sheets.flatMap(({ columns }) => columns.map(({ name }) => name.toLowerCase()));
   const has = (word: string) => names.some((name) => name.includes(word));
   if (!has("period")) return undefined;
   return has("length") ? "lengths" : has("amplitude") || has("angle") ? "periods" : undefined;
+}
+
+// Amplitudes against frequencies, which are no times though they may increase throughout.
+function isResponse({ columns }: Inspection["sheets"][number]): boolean {
+  const has = (word: string) => columns.some(({ name }) => name.toLowerCase().includes(word));
+  return has("freq") && has("amplitude") && !columns.some(({ quantity }) => quantity === "time");
 }
 
 /** Shows it; `choose` enters a value for an option, `go` leads to its field. */

@@ -65,11 +65,14 @@ enum Measured {
     Fundamental,
 }
 
+fn how_far() -> String {
+    "fit of the response".to_owned()
+}
+
 impl FitResponse {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let file = self.input.read()?;
         interrupt::listen()?;
-        let how_far = || "fit of the response".to_owned();
         let (fit, curve) = parallel::with_progress(how_far, || self.fitted(&file))?;
         let drawn = match &self.figure {
             Some(path) => {
@@ -83,7 +86,7 @@ impl FitResponse {
     }
 
     fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), Failure> {
-        let ask = |_: Progress| interrupt::go_on();
+        let ask = |_: Progress| parallel::go_on(&how_far);
         let watch = Watch::new(&ask);
         let measured = match self.measured {
             Measured::Peak => MeasuredAmplitude::Peak,
