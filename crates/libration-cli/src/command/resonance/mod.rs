@@ -24,8 +24,9 @@ pub(crate) use fields::answers;
 /// exactly where the modes are exact; all others are taken out, each divided by its divisor.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration resonance spring_pendulum --order 3
-  libration resonance spring_pendulum --order 5 --initial r=1.3733,theta=0.04
+  libration resonance spring_pendulum --set kappa=3
+  libration resonance spring_pendulum --set kappa=3 --order 5 \\
+    --initial r=1.3733,theta=0.04
   libration resonance double_pendulum --json
   libration resonance \"x'' = x - x^3\" --about x=1
   libration resonance \"x'' = -x - x*y; y'' = -4.1*y - x^2/2\" --order 4 \\
