@@ -452,3 +452,16 @@ fn cycles_stop_at_any_question() {
     let beta = beta_of_traces_watched(&traces, &all, &Watch::new(&ask));
     assert_eq!(beta, Err(CyclesError::Interrupted(Interrupted)));
 }
+
+/// Noise in units of the stated uncertainties is compared with the amplitude in theirs.
+#[test]
+fn stated_uncertainties_do_not_make_a_swing_faint() {
+    let plain = Synthetic { noise: 0.005, ..Synthetic::USUAL }.trace(&mut Random::seeded(8));
+    let (times, values) = (plain.times().to_vec(), plain.values().to_vec());
+    let stated = Some(vec![0.005; plain.len()]);
+    let stated = Trace::new("stated", Observable::Angle, times, values, stated).unwrap();
+    let [plain, stated] = [plain, stated].map(|trace| found_in(&trace));
+    assert_eq!(stated.cycles.len(), plain.cycles.len());
+    assert!((stated.t0.value / plain.t0.value - 1.0).abs() < 1e-9, "{} {}", stated.t0, plain.t0);
+    assert!((stated.noise / (plain.noise / 0.005) - 1.0).abs() < 1e-6, "{} {}", stated.noise, plain.noise);
+}

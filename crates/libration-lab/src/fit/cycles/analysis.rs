@@ -77,7 +77,7 @@ fn about_a_known_pivot(
     if rows_per_period < FEWEST_ROWS_PER_PERIOD {
         return Err(CyclesError::TooCoarse { rows_per_period });
     }
-    let found = Found::new(&stretches);
+    let found = Found::new(&stretches, typical_uncertainty(trace));
     let (half_swings, rows) = settled(&found, trace.observable(), period);
     if rows.is_empty() {
         return Err(too_short);
@@ -109,6 +109,11 @@ fn rows_per_period(trace: &Trace, period: f64) -> f64 {
     median(steps).map_or(f64::INFINITY, |step| period / step)
 }
 
+/// One where rows have none.
+fn typical_uncertainty(trace: &Trace) -> f64 {
+    trace.uncertainties().and_then(|column| median(column.to_vec())).unwrap_or(1.0)
+}
+
 impl Landmarks {
     fn period(&self) -> Option<f64> {
         let periods = self.passages.windows(3).filter_map(|three| Some(three[2]?.time - three[0]?.time));
@@ -126,14 +131,15 @@ struct Found {
 }
 
 impl Found {
-    fn new(stretches: &[Landmarks]) -> Self {
+    /// Of stretches whose noise is in units of these uncertainties of the rows.
+    fn new(stretches: &[Landmarks], uncertainty: f64) -> Self {
         let mut found = Self::default();
         for stretch in stretches {
             let (passage, extreme) = (found.passages.len(), found.extremes.len());
             let cycles = stretch.passages.len().saturating_sub(2);
             found.cycles.extend((0..cycles).map(|k| (passage + k, extreme + k)));
             found.passages.extend(&stretch.passages);
-            let bright = |extreme: &Extreme| extreme.value.abs() >= FAINTEST * stretch.noise;
+            let bright = |extreme: &Extreme| extreme.value.abs() >= FAINTEST * stretch.noise * uncertainty;
             found.extremes.extend(stretch.extremes.iter().map(|extreme| extreme.filter(bright)));
         }
         found
