@@ -239,6 +239,30 @@ def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
     return ax
 
 
+def _spectrum(answer: Any, ax: "Axes | None") -> "Axes":
+    traces = answer.traces
+    if not len(traces) or "spectrum_hz" not in traces[0]:
+        raise TypeError("there is no picture of what a file holds, but of its harmonics: lab.spectrum(recording).plot()")
+    is_angle = traces[0]["unit"] == "rad"
+    scale = np.degrees(1.0) if is_angle else 1.0
+    ax = _plot.axes(ax, ("frequency / Hz", "amplitude / °" if is_angle else "amplitude / (rad/s)"))
+    for place, trace in enumerate(traces):
+        colour = _plot.COLOURS[place % len(_plot.COLOURS)]
+        name = f"spectrum, {trace['name']}" if trace["name"] else "spectrum"
+        ax.plot(trace["spectrum_hz"], scale * np.asarray(trace["spectrum_amplitudes"], dtype=float), color=colour, linewidth=0.8, label=name)
+        lines = trace.harmonics
+        hz = lines.frequency_hz
+        theory, amplitude, spread = (scale * np.abs(np.asarray(lines[key], dtype=float)) for key in ("theory", "amplitude", "amplitude_uncertainty"))
+        known, seen, lost = theory > 0, (lines.n > 0) & (amplitude > 2 * spread), (lines.n > 0) & (amplitude <= 2 * spread)
+        ax.plot(hz[known], theory[known], linestyle="", marker="s", markersize=7, markerfacecolor="none", color="black", label="pendulum")
+        ax.errorbar(hz[seen], amplitude[seen], spread[seen], linestyle="", marker="o", markersize=4, color=colour, label="measured")
+        if lost.any():
+            ax.plot(hz[lost], (amplitude + 2 * spread)[lost], linestyle="", marker="v", markersize=4, color=colour, label="upper limit (2σ)")
+    ax.set_yscale("log")
+    _plot.legend(ax)
+    return ax
+
+
 PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "period": _period,
     "motion": _motion,
@@ -256,6 +280,7 @@ PICTURES: "dict[str, Callable[[Any, Axes | None], Axes]]" = {
     "bifurcation": _bifurcation,
     "lyapunov": _lyapunov,
     "plan": _plan,
+    "inspect": _spectrum,
     "fit gates": _fit_gates,
     "fit trace": _fit_trace,
     "fit response": _fit_response,

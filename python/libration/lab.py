@@ -26,7 +26,7 @@ from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_tr
 from .questions import inspect as _inspect
 from .questions import plan
 
-__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_response", "fit_trace", "plan", "read", "recording"]
+__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_response", "fit_trace", "plan", "read", "recording", "spectrum"]
 
 
 class Recording(Answer):
@@ -115,3 +115,51 @@ def recording(
     columns = {HEADERS[name]: np.broadcast_to(it, given["t"].shape) if it.ndim == 0 else it for name, it in given.items()}
     options: dict[str, Any] = {"uncertainty": "uncertainty"} if uncertainty is not None else {}
     return answer(Recording, "inspect", {"file": Table(columns), "values": True, **options})
+
+
+def spectrum(file: Path | Columns, *, harmonics: int | None = None, swings: int | None = None, **reading: Given | bool) -> Answer:
+    """The harmonics of measured swings, each beside that of the pendulum with the same first harmonic.
+
+    Windows of a few swings are fitted by least squares beside the phase of the first harmonic, so that amplitudes may fall, and rows may be uneven, missing or
+    wrong; uncertainties are from the noise about each harmonic. ``.plot()`` draws the spectrum with both. Even harmonics tell of an asymmetry, odd ones that differ
+    of another torque or a wrong scale of the angle; ``remarks`` says so.
+
+    Parameters
+    ----------
+    file : str or path or mapping or Recording
+        A file, columns by names with units, or what was read of them.
+    harmonics : int, optional
+        The highest harmonic, 7 unless told.
+    swings : int, optional
+        How many swings are taken together as a window, 5 unless told, and 3 at least.
+    **reading
+        What is not to be detected: as for `read`.
+
+    Returns
+    -------
+    Answer
+        With ``traces``, a row for each run, whose ``harmonics`` are the means of its ``windows``.
+
+    Raises
+    ------
+    NoAnswer
+        There are too few swings, none that can be seen above the noise, or the file cannot be read.
+    UsageError
+        It does not have what is asked for.
+    TypeError
+        There is no such parameter.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import libration as lb
+    >>> t = np.arange(0, 20, 0.02)
+    >>> angle = lb.Pendulum(length=0.57).release("80deg")(t).angle
+    >>> rng = np.random.default_rng(1)
+    >>> found = lb.lab.spectrum(lb.lab.recording(t=t, angle=angle + 1e-3 * rng.normal(size=t.size)))
+    >>> third = found.traces[0].harmonics[3]
+    >>> bool(abs(third["in_phase"] - third["theory"]) < 4 * third["difference_uncertainty"]), round(third["theory"], 4)
+    (True, -0.0162)
+    """
+    found: Answer = _inspect(file, **{"spectrum": True, "harmonics": harmonics, "swings": swings, **reading})  # type: ignore[arg-type]
+    return found

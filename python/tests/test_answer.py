@@ -79,6 +79,7 @@ DRAWN = {
     "section": lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0),
     "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),
     "lyapunov": lambda: lb.lyapunov("pendulum", initial={"theta": 1}, intervals=30),
+    "inspect": lambda: lb.lab.spectrum(Path(__file__).parents[2] / "examples/swing_synthetic.csv"),
     "fit gates": lambda: lb.lab.fit_gates({"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)}, amplitude=0.2, signals="passages"),
     "fit response": lambda: lb.lab.fit_response(Path(__file__).parents[2] / "examples/response_synthetic.csv", model="pendulum"),
     "fit trace": lambda: lb.lab.fit_trace(lb.lab.recording(t=np.arange(0, 9, 0.05), angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2)), model="undamped"),
@@ -106,6 +107,11 @@ def test_a_followed_mode_is_drawn_with_its_stability():
     assert np.degrees(lines["stable"].get_xdata()).round(9).tolist() == [30, 50]
     assert np.degrees(lines["unstable"].get_xdata()).round(9).tolist() == [60]
     np.testing.assert_array_equal(lines["ω + κa²"].get_ydata(), answer.points.series_frequency)
+
+
+def test_what_a_file_holds_has_no_picture_but_its_harmonics_have():
+    with pytest.raises(TypeError, match=r"lab\.spectrum"):
+        lb.lab.read(Path(__file__).parents[2] / "examples/swing_synthetic.csv").plot()
 
 
 def test_all_pictures_are_tested():

@@ -126,3 +126,32 @@ def test_a_plan_keeps_its_promise():
     expected = next(it for it in plan.choices if it.is_best).total
     assert expected <= 1e-3 and 0.7 < fit.g.std_dev / fit.g.nominal_value / expected < 1.3
     assert abs(fit.g.nominal_value - 9.80665) < 4 * fit.g.std_dev
+
+
+def test_harmonics_of_a_recording_are_those_of_its_file(swing):
+    by_file, by_recording = lb.lab.spectrum(SWING, harmonics=5), lb.lab.spectrum(swing, harmonics=5)
+    assert by_recording == by_file and "--spectrum" in by_recording.question
+    trace = by_file.traces[0]
+    assert trace.harmonics.n.tolist() == [0, 1, 2, 3, 4, 5] and len(trace.windows) == 2
+    for window in trace.windows:
+        terms = lb.questions.fourier(window["amplitude_rad"], harmonics=3).harmonics
+        assert window.harmonics.theory[1::2] == pytest.approx(terms.angle_rad, rel=1e-9)
+    assert abs(trace.harmonics[3]["deviation"]) < 3
+    with pytest.raises(lb.errors.NoAnswer, match="swings are too few"):
+        lb.lab.spectrum(swing, to=3)
+    with pytest.raises(TypeError):
+        lb.lab.spectrum(swing, harmonic=3)
+
+
+def test_power_is_that_of_scipy(swing):
+    signal = pytest.importorskip("scipy.signal")
+    trace, found = swing.trace_values[0], lb.lab.spectrum(swing).traces[0]
+    t, y = np.asarray(trace.times_s), np.asarray(trace["values"])
+    step = np.diff(t)
+    stands_for = np.minimum(np.convolve(step, [0.5, 0.5], "full"), 3 * np.median(step))
+    weights = stands_for * np.sin(np.pi * (t - t[0]) / (t[-1] - t[0])) ** 2
+    hz = np.asarray(found["spectrum_hz"])
+    if "floating_mean" not in signal.lombscargle.__doc__:
+        pytest.skip("this SciPy has no floating mean")
+    powers = signal.lombscargle(t, y, 2 * np.pi * hz, weights=weights, floating_mean=True, normalize=True)
+    np.testing.assert_allclose(found["spectrum_powers"], powers, atol=1e-9)

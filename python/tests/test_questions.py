@@ -50,6 +50,7 @@ PAIRS = [
     (questions.inspect, (SWING,), {"from_": 2, "values": True}, f"inspect {SWING} --from 2 --values"),
     (questions.fit_periods, (ROOT / "examples/period_table_synthetic.csv",), {"length": "0.994m±0.001m"}, f"fit periods {ROOT}/examples/period_table_synthetic.csv --length 0.994m±0.001m"),
     (questions.fit_lengths, (ROOT / "examples/lengths_synthetic.csv",), {"amplitude": "10deg"}, f"fit lengths {ROOT}/examples/lengths_synthetic.csv --amplitude 10deg"),
+    (questions.inspect, (SWING,), {"spectrum": True, "harmonics": 5, "swings": 4}, f"inspect {SWING} --spectrum --harmonics 5 --swings 4"),
     (questions.fit_response, (ROOT / "examples/response_synthetic.csv",), {"model": "pendulum"}, f"fit response {ROOT}/examples/response_synthetic.csv --model pendulum"),
     (questions.fit_gates, (ROOT / "examples/gate_synthetic.csv",), {"amplitude": 0.9}, f"fit gates {ROOT}/examples/gate_synthetic.csv --amplitude 0.9"),
     (questions.fit_trace, (SWING,), {"length": "0.56m±0.002m", "model": "linear", "robust": True}, f"fit trace {SWING} --length 0.56m±0.002m --model linear --robust"),

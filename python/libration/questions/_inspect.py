@@ -12,6 +12,13 @@ def inspect(
     file: Path | Columns,
     *,
     values: bool = False,
+    spectrum: bool = False,
+    harmonics: Given | None = None,
+    swings: Given | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Given | None = None,
+    height: Given | None = None,
     time: Given | None = None,
     time_unit: Given | None = None,
     angle: Given | None = None,
@@ -45,6 +52,20 @@ def inspect(
         What the instrument wrote: text, Excel, or an archive of text files; - for standard input.
     values : bool
         In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians.
+    spectrum : bool
+        Measure the harmonics of the swings, each beside that of the pendulum.
+    harmonics : number or text, optional
+        The highest harmonic [default: 7].
+    swings : number or text, optional
+        How many swings are taken together as a window, three at least [default: 5].
+    figure : str or path, optional
+        Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+    width : number or text, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+    height : number or text, optional
+        Height of the picture [default: chosen to suit the picture].
     time : number or text, optional
         Column of times, by number or name.
     time_unit : number or text, optional

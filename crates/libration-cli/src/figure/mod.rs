@@ -8,6 +8,7 @@ pub(crate) mod fitted_response;
 pub(crate) mod gates;
 pub(crate) mod lengths;
 pub(crate) mod lyapunov;
+pub(crate) mod measured_spectrum;
 pub(crate) mod melnikov;
 pub(crate) mod modes;
 pub(crate) mod motion;

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 49] = [
+const FURTHER: [&str; 50] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -243,6 +243,7 @@ const FURTHER: [&str; 49] = [
     "plan|--g-to|1e-3|--length|1.00(1)m|--angle-noise|0.2deg|--rate|60",
     "inspect|examples/period_table_synthetic.csv",
     "inspect|WEIGHTED|--values",
+    "inspect|examples/phone/swing.txt|--unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv",
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",

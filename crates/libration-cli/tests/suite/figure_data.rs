@@ -494,6 +494,27 @@ fn a_melnikov_function_and_resonances() {
 }
 
 #[test]
+fn a_spectrum_of_measured_swings() {
+    let question = "inspect|examples/swing_synthetic.csv|--spectrum";
+    let drawing = drawn(&question.replace("examples", EXAMPLES), "--figure");
+    let answer = json(&format!("inspect {EXAMPLES}/swing_synthetic.csv --spectrum"));
+    let trace = &answer["traces"][0];
+    let value = |it: &serde_json::Value| it.as_f64().unwrap();
+    // The third harmonic: that of the pendulum, the measured one, and the line between.
+    let third = &trace["harmonics"][3];
+    let frequency = 3.0 * value(&trace["frequency_hz"]);
+    for (colour, name) in [(SECOND, "theory"), (BLACK, "amplitude")] {
+        let expected = value(&third[name]).to_degrees().abs();
+        let markers = drawing.markers(0, colour);
+        let found = markers.iter().find(|(x, _)| (x - frequency).abs() < 0.01).unwrap();
+        close(found.1 / expected, 1.0, 0.02);
+    }
+    let height = |(x, y): &Place| if (x - frequency).abs() < 0.05 { *y } else { 0.0 };
+    let line = drawing.curves(0, FIRST).concat().iter().map(height).fold(0.0, f64::max);
+    close(line / value(&third["amplitude"]).to_degrees(), 1.0, 0.1);
+}
+
+#[test]
 fn a_response_of_a_linear_oscillator() {
     // x″ + x′/2 + x = cos ωt answers with 1/√((1 − ω²)² + ω²/4).
     let drawing = drawn("response|x'' = -x - x'/2 + cos(w*t)|--over|w=0.5:2", "--figure");

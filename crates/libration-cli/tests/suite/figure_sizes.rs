@@ -142,6 +142,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
             .to_owned(),
         "lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --intervals 20 --transient 1"
             .to_owned(),
+        format!("inspect {examples}/swing_synthetic.csv --spectrum"),
         format!("fit periods {examples}/period_table_synthetic.csv"),
         format!("fit lengths {examples}/lengths_synthetic.csv"),
         format!("fit response {examples}/response_synthetic.csv --model pendulum"),

@@ -64,6 +64,61 @@ fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
     assert_eq!(decided["traces"][0]["rows"], 49);
 }
 
+const SWING: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/swing_synthetic.csv");
+
+/// `reference/synthetic_swing.py`: 60° with linear drag 0.03 1/s, l = 0.56 m, g = 9.81 m/s², 1.2° of zero error.
+#[test]
+fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
+    let answer = json(&format!("inspect {SWING} --spectrum"));
+    let trace = &answer["traces"][0];
+    let number = |it: &serde_json::Value| it.as_f64().unwrap();
+    assert_eq!((&trace["unit"], trace["windows"].as_array().unwrap().len()), (&"rad".into(), 2));
+    let [first, last] = [0, 1].map(|place| trace["windows"][place].clone());
+    assert!(number(&first["amplitude_rad"]) > number(&last["amplitude_rad"]));
+    assert!(number(&first["frequency_hz"]) < number(&last["frequency_hz"]));
+    let third = &trace["harmonics"][3];
+    assert_eq!(third["n"], 3);
+    assert!(number(&third["theory"]) < 0.0 && number(&third["deviation"]).abs() < 3.0, "{third}");
+    assert!(number(&third["amplitude"]) > 10.0 * number(&third["amplitude_uncertainty"]), "{third}");
+    assert_eq!(trace["remark_kinds"], serde_json::json!(["offset"]));
+    let table = text(&format!("inspect {SWING} --spectrum"));
+    assert!(table.contains("diff./σ") && table.contains("degrees of angle"), "{table}");
+    let csv = text(&format!("inspect {SWING} --spectrum --harmonics 3 --csv"));
+    // Means and two windows of the constant and three harmonics.
+    assert_eq!(csv.lines().count(), 1 + 3 * 4, "{csv}");
+    let thin = text(&format!("inspect {SWING} --spectrum --harmonics 60"));
+    assert!(thin.contains("are not told"), "{thin}");
+}
+
+#[test]
+fn runs_without_harmonics_are_named_beside_those_that_have_some() {
+    let time = |n: i32| 0.05 * f64::from(n);
+    let row = |n: i32| format!("{:.2},{:.4},{:.2},0.5\n", time(n), (4.0 * time(n)).cos(), time(n));
+    let rows: String = (0..600).map(row).collect();
+    let header = "Run 1: Time (s),Run 1: Angle (rad),Run 2: Time (s),Run 2: Angle (rad)\n";
+    let path = file("inspect-runs", &format!("{header}{rows}"));
+    let answer = json(&format!("inspect {} --spectrum", path.display()));
+    assert_eq!(answer["traces"].as_array().unwrap().len(), 1, "{answer}");
+    assert!(answer["left_out"][0].as_str().unwrap().contains("0.5: nothing swings"), "{answer}");
+}
+
+#[test]
+fn swings_that_have_no_harmonics_are_refused_with_what_would_do() {
+    for (options, status, part) in [
+        ("--spectrum --swings 2", 1, "--swings: windows of 2 swings are too short"),
+        ("--spectrum --to 3s", 1, "swings are too few"),
+        ("--harmonics 3", 2, "--spectrum"),
+        ("--figure never.svg", 2, "--spectrum"),
+        ("--spectrum --values --json", 2, "--values"),
+        ("--spectrum --harmonics 0", 2, "--harmonics"),
+    ] {
+        let output = libration(&format!("inspect {SWING} {options}"));
+        assert_eq!(output.status.code(), Some(status), "{options}: {}", message(&output));
+        assert!(message(&output).contains(part), "{options}: {}", message(&output));
+        assert!(output.stdout.is_empty());
+    }
+}
+
 #[test]
 fn a_table_of_periods_is_sent_to_its_own_command() {
     let path = file("inspect-periods", "0.5,2.01\n0.4,1.99\n0.6,2.02\n");

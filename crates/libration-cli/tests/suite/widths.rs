@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 58] = [
+pub(crate) const QUESTIONS: [&str; 59] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,black_vel_1,black_vel_2,black_vel_3",
@@ -72,6 +72,7 @@ pub(crate) const QUESTIONS: [&str; 58] = [
     "figure|phase|--output|FILE",
     "inspect|examples/swing_synthetic.csv",
     "inspect|examples/gate_synthetic.csv",
+    "inspect|examples/phone/swing.txt|--unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",

@@ -31,6 +31,7 @@ pub mod response;
 mod scatter;
 mod significance;
 mod small_angle_period;
+pub mod spectrum;
 pub mod swings;
 pub mod trace;
 mod typical_amplitude;

@@ -73,6 +73,11 @@ impl Design {
         -2.0 * self.inverse.diagonal().iter().map(|entry| libm::log(entry.abs())).sum::<f64>()
     }
 
+    /// What is left of a vector without its part in the span of the columns.
+    pub(crate) fn without_span(&self, vector: &DVector<f64>) -> DVector<f64> {
+        vector - &self.orthogonal * self.orthogonal.tr_mul(vector)
+    }
+
     /// The coefficients that make the sum of squares least.
     pub(crate) fn solve(&self, values: &DVector<f64>) -> Result<LinearFit, Undetermined> {
         let components = self.orthogonal.tr_mul(values);

@@ -19,5 +19,6 @@ mod measurement;
 mod plan;
 mod recording;
 mod rounded_times;
+mod spectrum;
 mod swings;
 mod trace_fits;

@@ -186,7 +186,7 @@ fn of_error() -> Fields<MeasurementError> {
     ])
 }
 
-pub(crate) fn answers() -> Vec<Answers> {
+pub(super) fn answers() -> Vec<Answers> {
     let (json, csv) = (of_file().described(""), of_column().described_in_csv());
     vec![Answers { command: "inspect", option: "", json, csv }]
 }

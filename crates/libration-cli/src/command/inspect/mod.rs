@@ -2,16 +2,22 @@
 
 mod answer;
 mod fields;
+mod spectrum;
 mod write;
 
 use crate::arguments::{RecordingOptions, read_bytes};
 use crate::failure::Failure;
 use crate::output::FormOptions;
+use crate::output::description::Answers;
 use answer::Answer;
+use spectrum::SpectrumQuestion;
 use std::io::Write;
 use std::path::PathBuf;
 
-pub(crate) use fields::answers;
+/// With and without harmonics.
+pub(crate) fn answers() -> Vec<Answers> {
+    [fields::answers(), vec![spectrum::answers()]].concat()
+}
 
 /// What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted
 ///
@@ -20,6 +26,9 @@ pub(crate) use fields::answers;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration inspect examples/swing_synthetic.csv
+  libration inspect examples/swing_synthetic.csv --spectrum
+  libration inspect examples/phone/swing.txt --unit rad --spectrum \\
+    --harmonics 5 --figure spectrum.svg
   libration inspect examples/gate_synthetic.csv --json --values
   libration inspect examples/swing_synthetic.csv --angle 2 --unit deg
   printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
@@ -28,16 +37,21 @@ pub(crate) struct Inspect {
     /// What the instrument wrote: text, Excel, or an archive of text files; - for standard input
     file: PathBuf,
     /// In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians
-    #[arg(long, requires = "json")]
+    #[arg(long, requires = "json", conflicts_with = "spectrum")]
     values: bool,
     #[command(flatten)]
     form: FormOptions,
+    #[command(flatten)]
+    question: SpectrumQuestion,
     #[command(flatten)]
     recording: RecordingOptions,
 }
 
 impl Inspect {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        if self.question.spectrum {
+            return self.question.answer(&self.file, &self.recording, &self.form, out);
+        }
         let bytes = read_bytes(&self.file)?;
         let recording = self.recording.recording_in(&self.file, &bytes)?;
         let file = self.file.display().to_string();

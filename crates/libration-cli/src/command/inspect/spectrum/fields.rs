@@ -1,0 +1,257 @@
+//! What is said of the harmonics of each trace, of its windows and of each harmonic.
+
+use super::Answer;
+use crate::figure::measured_spectrum::{MeasuredSpectrum, unit_scale};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::{json, number};
+use libration_lab::fit::spectrum::{Harmonic, SpectrumWindow};
+use libration_lab::measurement::Observable;
+use serde_json::Value;
+
+/// A harmonic, of a window or in the mean.
+pub(super) struct Line<'a> {
+    trace: &'a str,
+    observable: Observable,
+    /// From 1; none for the mean.
+    window: Option<(usize, f64)>,
+    /// Of the first harmonic, in Hz.
+    fundamental: f64,
+    harmonic: &'a Harmonic,
+}
+
+impl MeasuredSpectrum {
+    /// The means of the windows.
+    pub(super) fn means(&self) -> Vec<Line<'_>> {
+        self.lines(None, self.spectrum.frequency, &self.spectrum.harmonics)
+    }
+
+    fn of_window<'a>(&'a self, number: usize, window: &'a SpectrumWindow) -> Vec<Line<'a>> {
+        self.lines(Some((number, window.time)), window.frequency.value, &window.harmonics)
+    }
+
+    fn lines<'a>(
+        &'a self,
+        window: Option<(usize, f64)>,
+        fundamental: f64,
+        harmonics: &'a [Harmonic],
+    ) -> Vec<Line<'a>> {
+        let (trace, observable) = (self.name.as_str(), self.spectrum.observable);
+        let line = |harmonic| Line { trace, observable, window, fundamental, harmonic };
+        harmonics.iter().map(line).collect()
+    }
+
+    fn windows(&self) -> Vec<OfWindow<'_>> {
+        let windows = (1..).zip(&self.spectrum.windows);
+        windows.map(|(number, window)| OfWindow { spectrum: self, number, window }).collect()
+    }
+}
+
+/// A window of a trace.
+struct OfWindow<'a> {
+    spectrum: &'a MeasuredSpectrum,
+    number: usize,
+    window: &'a SpectrumWindow,
+}
+
+pub(super) fn of_answer() -> Fields<Answer> {
+    type Of = Field<Answer>;
+    Fields::from([
+        Of::value("file", "", "name of the file", |it| it.file.as_str().into()),
+        Of::nested("traces[].", &of_trace(), |it| of_trace().records(&it.found)),
+        Of::value("left_out[]", "", "why other traces have no harmonics", |it| {
+            json::list(it.left_out.clone())
+        }),
+        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+            json::list(it.findings.clone())
+        }),
+    ])
+}
+
+fn of_trace() -> Fields<MeasuredSpectrum> {
+    type Of = Field<MeasuredSpectrum>;
+    Fields::from([
+        Of::value("name", "", "name of the run", |it| it.name.as_str().into()),
+        Of::value("seen", "", "what was measured: angle or angular velocity", |it| {
+            match it.spectrum.observable {
+                Observable::Angle => "angle",
+                Observable::AngularVelocity => "angular velocity",
+            }
+            .into()
+        }),
+        Of::value("unit", "", "rad or rad/s: the unit of the harmonics and the noise", |it| {
+            unit_scale(it.spectrum.observable).0.into()
+        }),
+        Of::number("frequency_hz", "Hz", "frequency of the first harmonic, the mean of the windows", |it| {
+            it.spectrum.frequency
+        }),
+        Of::number(
+            "amplitude_rad",
+            "rad",
+            "amplitude of the undamped swing with it, the mean of the windows",
+            |it| it.spectrum.amplitude,
+        ),
+        Of::number(
+            "noise",
+            "",
+            "standard deviation of a row beside the harmonics; a part of its uncertainty where rows have some",
+            |it| it.spectrum.noise,
+        ),
+        Of::value("outliers", "1", "rows left out, far from all harmonics", |it| {
+            it.spectrum.outliers.len().into()
+        }),
+        Of::nested("harmonics[].", &of_line(), |it| of_line().records(&it.means())),
+        Of::nested("windows[].", &of_window(), |it| of_window().records(&it.windows())),
+        Of::value("spectrum_hz[]", "Hz", "frequencies of the spectrum of the first sixty swings", |it| {
+            json::numbers(&it.spectrum.points.iter().map(|point| point.frequency).collect::<Vec<_>>())
+        }),
+        Of::value(
+            "spectrum_amplitudes[]",
+            "",
+            "amplitudes of the best sines there, by Hann's window",
+            |it| json::numbers(&it.spectrum.points.iter().map(|point| point.amplitude).collect::<Vec<_>>()),
+        ),
+        Of::value("spectrum_powers[]", "1", "parts of the squares they explain (Lomb and Scargle)", |it| {
+            json::numbers(&it.spectrum.points.iter().map(|point| point.power).collect::<Vec<_>>())
+        }),
+        Of::value("remarks[]", "", "what the harmonics tell", |it| {
+            json::list(it.spectrum.remarks.iter().map(ToString::to_string))
+        }),
+        Of::value("remark_kinds[]", "", "kind of each remark, in the same order", |it| {
+            json::list(it.spectrum.remarks.iter().map(|remark| remark.name()))
+        }),
+    ])
+}
+
+fn of_window<'a>() -> Fields<OfWindow<'a>> {
+    type Of<'a> = Field<OfWindow<'a>>;
+    Fields::from([
+        Of::number("time_s", "s", "time of its middle", |it| it.window.time),
+        Of::value("rows", "1", "rows that count", |it| it.window.rows.into()),
+        Of::number("frequency_hz", "Hz", "frequency of the first harmonic", |it| it.window.frequency.value),
+        Of::number("frequency_uncertainty_hz", "Hz", "its standard uncertainty", |it| {
+            it.window.frequency.uncertainty
+        }),
+        Of::number("amplitude_rad", "rad", "amplitude of the undamped swing with the first harmonic", |it| {
+            it.window.amplitude.value
+        }),
+        Of::number("amplitude_uncertainty_rad", "rad", "its standard uncertainty", |it| {
+            it.window.amplitude.uncertainty
+        }),
+        Of::nested("harmonics[].", &of_line(), |it| {
+            of_line().records(&it.spectrum.of_window(it.number, it.window))
+        }),
+    ])
+}
+
+pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
+    type Of<'a> = Field<Line<'a>>;
+    Fields::from([
+        Of::value("trace", "", "name of the run", |it| it.trace.into()).only_csv(),
+        Of::value("window", "1", "number of the window, from 1; empty for the mean of all", |it| {
+            it.window.map_or(Value::Null, |window| window.0.into())
+        })
+        .only_csv(),
+        Of::nullable("time_s", "s", "time of the middle of the window", |it| {
+            it.window.map(|window| window.1)
+        })
+        .only_csv(),
+        Of::value("n", "1", "number of the harmonic; 0 for the constant", |it| it.harmonic.n.into())
+            .numeral("n", |it| it.harmonic.n.to_string()),
+        Of::number("frequency_hz", "Hz", "its frequency", |it| number::count(it.harmonic.n) * it.fundamental)
+            .short("f / Hz", 5),
+        Of::number("amplitude", "", "√(in_phase² + quadrature²), rad or rad/s", |it| {
+            it.harmonic.amplitude().value
+        })
+        .numeral("amplitude", |it| {
+            it.shown(it.harmonic.amplitude().value, it.harmonic.amplitude().uncertainty)
+        }),
+        Of::number("amplitude_uncertainty", "", "its standard uncertainty", |it| {
+            it.harmonic.amplitude().uncertainty
+        })
+        .numeral("±", |it| it.shown_uncertainty(it.harmonic.amplitude().uncertainty)),
+        Of::nullable(
+            "lag_rad",
+            "rad",
+            "phase by which it lags behind cos nφ, null where it is lost in noise",
+            |it| it.harmonic.lag().map(|lag| lag.value),
+        )
+        .numeral("lag", |it| it.lag()),
+        Of::nullable("lag_uncertainty_rad", "rad", "its standard uncertainty, or null", |it| {
+            it.harmonic.lag().map(|lag| lag.uncertainty)
+        }),
+        Of::number(
+            "in_phase",
+            "",
+            "part beside cos nφ, where the first harmonic has maxima at φ = 0",
+            |it| it.harmonic.in_phase.value,
+        )
+        .numeral("in phase", |it| it.shown(it.harmonic.in_phase.value, it.harmonic.in_phase.uncertainty)),
+        Of::number("in_phase_uncertainty", "", "its standard uncertainty", |it| {
+            it.harmonic.in_phase.uncertainty
+        }),
+        Of::number("theory", "", "the same of an undamped pendulum with the same first harmonic", |it| {
+            it.harmonic.theory
+        })
+        .numeral("theory", |it| it.shown(it.harmonic.theory, it.harmonic.in_phase.uncertainty)),
+        Of::nullable(
+            "difference",
+            "",
+            "in_phase less theory; null for n = 1, by which the amplitude is known",
+            |it| it.harmonic.difference.map(|it| it.value),
+        ),
+        Of::nullable("difference_uncertainty", "", "its standard uncertainty, or null", |it| {
+            it.harmonic.difference.map(|it| it.uncertainty)
+        }),
+        Of::nullable("deviation", "1", "difference over its uncertainty, or null", |it| {
+            it.harmonic.deviation()
+        })
+        .numeral("diff./σ", |it| deviation(it.harmonic.deviation())),
+        Of::nullable("quadrature", "", "part beside sin nφ; null for n = 0 and n = 1", |it| {
+            it.harmonic.quadrature.map(|it| it.value)
+        }),
+        Of::nullable("quadrature_uncertainty", "", "its standard uncertainty, or null", |it| {
+            it.harmonic.quadrature.map(|it| it.uncertainty)
+        }),
+        Of::nullable("quadrature_deviation", "1", "quadrature over its uncertainty, or null", |it| {
+            it.harmonic.quadrature_deviation()
+        })
+        .numeral("quad./σ", |it| deviation(it.harmonic.quadrature_deviation())),
+        Of::value("degrees_of_freedom", "1", "of the noise about it, for Student's t", |it| {
+            it.harmonic.degrees_of_freedom.into()
+        }),
+    ])
+}
+
+impl Line<'_> {
+    /// In degrees for angles, to two digits of its uncertainty.
+    fn shown(&self, value: f64, uncertainty: f64) -> String {
+        let (_, scale) = unit_scale(self.observable);
+        let text = number::with_uncertainty(scale * value, scale * uncertainty, "");
+        text.split(" ± ").next().unwrap_or_default().to_owned()
+    }
+
+    fn shown_uncertainty(&self, uncertainty: f64) -> String {
+        number::rounded(unit_scale(self.observable).1 * uncertainty, 2)
+    }
+
+    fn lag(&self) -> String {
+        self.harmonic.lag().map_or("–".to_owned(), |lag| format!("{:.0}°", lag.value.to_degrees()))
+    }
+}
+
+fn deviation(value: Option<f64>) -> String {
+    value.map_or("–".to_owned(), |value| format!("{value:.1}"))
+}
+
+/// The means, then each window.
+pub(super) fn all_lines(spectrum: &MeasuredSpectrum) -> Vec<Line<'_>> {
+    let windows = (1..).zip(&spectrum.spectrum.windows);
+    let of_windows = windows.flat_map(|(number, window)| spectrum.of_window(number, window));
+    spectrum.means().into_iter().chain(of_windows).collect()
+}
+
+pub(in crate::command::inspect) fn answers() -> Answers {
+    let (json, csv) = (of_answer().described(""), of_line().described_in_csv());
+    Answers { command: "inspect", option: "--spectrum", json, csv }
+}

@@ -1,0 +1,119 @@
+//! `libration inspect FILE --spectrum`: the harmonics of measured swings.
+
+mod fields;
+mod write;
+
+use crate::arguments::{self, RecordingOptions, finding_with_option};
+use crate::failure::Failure;
+use crate::figure;
+use crate::figure::measured_spectrum::{MeasuredSpectrum, measured_spectra};
+use crate::interrupt;
+use crate::output::{FormOptions, announce};
+use crate::parallel;
+use libration::watch::{Progress, Watch};
+use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, spectrum_watched};
+use libration_lab::measurement::{Trace, Traces};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+pub(super) use fields::answers;
+
+/// More than any trace tells.
+const MOST_HARMONICS: usize = 99;
+/// More than any trace has.
+const MOST_SWINGS: usize = 100_000;
+
+/// What is asked of the harmonics.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Harmonics")]
+pub(super) struct SpectrumQuestion {
+    /// Measure the harmonics of the swings, each beside that of the pendulum
+    #[arg(long)]
+    pub(super) spectrum: bool,
+    /// The highest harmonic
+    #[arg(long, value_name = "N", requires = "spectrum", default_value = "7", value_parser = arguments::count::<MOST_HARMONICS>)]
+    harmonics: usize,
+    /// How many swings are taken together as a window, three at least
+    #[arg(long, value_name = "N", requires = "spectrum", default_value = "5", value_parser = arguments::count::<MOST_SWINGS>)]
+    swings: usize,
+    /// Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png
+    #[arg(long, value_name = "FILE", requires = "spectrum", value_parser = figure::file::drawable)]
+    figure: Option<PathBuf>,
+    #[command(flatten)]
+    sizes: figure::Sizes,
+}
+
+/// The harmonics of the traces of a file.
+struct Answer {
+    file: String,
+    findings: Vec<String>,
+    found: Vec<MeasuredSpectrum>,
+    /// Why other traces have none.
+    left_out: Vec<String>,
+}
+
+impl SpectrumQuestion {
+    pub(super) fn answer(
+        &self,
+        file: &Path,
+        recording: &RecordingOptions,
+        form: &FormOptions,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        let traces = recording.traces(file)?;
+        let answer = self.found(&file.display().to_string(), &traces)?;
+        let drawn = match &self.figure {
+            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.found), &self.sizes)?],
+            None => vec![],
+        };
+        answer.write(out, form.form())?;
+        Ok(announce(out, form.form(), &drawn)?)
+    }
+
+    /// An error only where no trace has harmonics.
+    fn found(&self, file: &str, traces: &Traces) -> Result<Answer, Failure> {
+        interrupt::listen()?;
+        let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
+        let ask = |_: Progress| interrupt::go_on();
+        let of = |trace: &Trace| spectrum_watched(trace, &options, &Watch::new(&ask));
+        let all = || traces.traces.iter().map(of).collect::<Vec<_>>();
+        let results = parallel::with_progress(|| "harmonics of the swings".to_owned(), all);
+        let findings = traces.findings.iter().map(finding_with_option).collect();
+        let mut answer = Answer { file: file.to_owned(), findings, found: vec![], left_out: vec![] };
+        let mut first_error = None;
+        for (trace, result) in traces.traces.iter().zip(results) {
+            let name = trace.name().to_owned();
+            match result {
+                Ok(spectrum) => answer.found.push(MeasuredSpectrum { name, spectrum }),
+                Err(error) => {
+                    answer.left_out.push(if name.is_empty() {
+                        error.to_string()
+                    } else {
+                        format!("{name}: {error}")
+                    });
+                    first_error.get_or_insert(error);
+                }
+            }
+        }
+        match first_error {
+            Some(error) if answer.found.is_empty() => Err(failure(file, &error)),
+            _ => match interrupt::go_on().is_break() {
+                true => Err(interrupted()),
+                false => Ok(answer),
+            },
+        }
+    }
+}
+
+fn failure(file: &str, error: &SpectrumError) -> Failure {
+    use libration_lab::fit::cycles::CyclesError;
+    match error {
+        SpectrumError::Interrupted(_) | SpectrumError::Cycles(CyclesError::Interrupted(_)) => interrupted(),
+        SpectrumError::ShortWindows(_) => Failure::no_answer("--swings", error),
+        _ => Failure::no_answer(file, error),
+    }
+}
+
+fn interrupted() -> Failure {
+    Failure::Interrupted("interrupted: nothing is written".to_owned())
+}

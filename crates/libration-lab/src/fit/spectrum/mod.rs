@@ -1,0 +1,26 @@
+//! The harmonics of a measured swing beside those that theory gives.
+//!
+//! A swing that decays has no lines: its amplitude falls, and its frequency rises with that. So windows of a few swings are
+//! fitted by least squares beside cos nφ and sin nφ, where the phase φ is that of the measured first harmonic
+//! (`window_fit.rs`): rows may be uneven, missing or wrong. No equation of motion is assumed. The amplitude is that of the
+//! undamped pendulum with the same first harmonic, whose other harmonics are then known, whatever its length is.
+//!
+//! Uncertainties are from the noise about each harmonic: what the residuals have at 2/5 of an order beside it, in all windows, so
+//! that they hold for noise that is not white as long as it is smooth over an order.
+
+mod error;
+mod harmonic;
+mod lomb_scargle;
+mod measured;
+mod noise;
+mod remark;
+mod tapered;
+mod theory;
+mod window_fit;
+mod windows;
+
+pub use error::SpectrumError;
+pub use harmonic::{Harmonic, SpectrumWindow};
+pub use lomb_scargle::{SpectrumPoint, lomb_scargle};
+pub use measured::{Spectrum, SpectrumOptions, spectrum, spectrum_watched};
+pub use remark::SpectrumRemark;

@@ -1,0 +1,212 @@
+//! What the harmonics of a swing tell.
+
+use std::fmt;
+
+use super::Harmonic;
+use crate::fit::Uncertain;
+use crate::measurement::Observable;
+use crate::statistics::count;
+use crate::statistics::student::quantile;
+
+/// What a reader should know about a spectrum.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum SpectrumRemark {
+    /// The swings go about another value than zero.
+    Offset {
+        /// In rad or rad/s.
+        value: Uncertain,
+        /// What was measured.
+        observable: Observable,
+    },
+    /// An even harmonic, which no pendulum has.
+    Even {
+        /// Its number.
+        n: usize,
+        /// Its amplitude as a part of the first harmonic.
+        part: Uncertain,
+    },
+    /// More or less of an odd harmonic in phase than the pendulum has.
+    Odd {
+        /// Its number.
+        n: usize,
+        /// The measured one over that of theory.
+        ratio: Uncertain,
+        /// By what the angles would have to be multiplied for both to be the same; none where no factor would do.
+        scale: Option<f64>,
+    },
+    /// An odd harmonic a quarter of its period off.
+    Quadrature {
+        /// Its number.
+        n: usize,
+        /// As a part of the first harmonic.
+        part: Uncertain,
+    },
+    /// Harmonics that the rows are too far apart for.
+    NotSampled {
+        /// The highest that the sampling rate leaves.
+        highest: usize,
+        /// The highest that was asked for.
+        asked: usize,
+    },
+    /// Windows without an answer.
+    WindowsLeftOut {
+        /// How many.
+        windows: usize,
+        /// Of how many.
+        of: usize,
+    },
+    /// Rows far from all harmonics.
+    Outliers {
+        /// How many rows.
+        rows: usize,
+    },
+}
+
+/// As rare as three standard deviations among normal errors, where no more harmonics are asked about than usually; rarer by as
+/// much as there are more.
+const BY_CHANCE: f64 = 2.7e-3;
+const USUALLY: f64 = 7.0;
+
+/// What windows leave of amplitudes that fall by a third to each side: of a harmonic itself, and of the first one, as parts.
+const INEXACT: [f64; 2] = [1e-3, 1e-5];
+
+/// Whether a difference of so many uncertainties is more than chance, where these have so many degrees of freedom.
+fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: usize) -> bool {
+    let chance = BY_CHANCE * (USUALLY / count(harmonics)).min(1.0);
+    let limit = quantile(chance, count(degrees_of_freedom));
+    deviation.is_some_and(|deviation| deviation.abs() > limit)
+}
+
+/// What harmonics are beside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Swing {
+    pub(super) observable: Observable,
+    /// Its first harmonic.
+    pub(super) first: f64,
+    /// The rate at which the amplitude falls over the frequency, both in rad/s.
+    pub(super) decay: f64,
+    /// How many harmonics are asked about.
+    pub(super) harmonics: usize,
+}
+
+/// What a harmonic tells that grows with this power of the first.
+pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &Swing) -> Vec<SpectrumRemark> {
+    let Swing { observable, first, decay, .. } = *swing;
+    let Harmonic { n, in_phase, theory, .. } = *harmonic;
+    let is_known = |value: f64| value.abs() > INEXACT[0] * theory.abs() + INEXACT[1] * first;
+    let differs = harmonic.difference.is_some_and(|it| is_known(it.value))
+        && is_significant(harmonic.deviation(), harmonic.degrees_of_freedom, swing.harmonics);
+    let lags = harmonic.quadrature.is_some_and(|it| is_known(it.value))
+        && is_significant(harmonic.quadrature_deviation(), harmonic.degrees_of_freedom, swing.harmonics);
+    let part =
+        |it: Uncertain| Uncertain { value: it.value.abs() / first, uncertainty: it.uncertainty / first };
+    if n == 0 {
+        return if differs { vec![SpectrumRemark::Offset { value: in_phase, observable }] } else { vec![] };
+    }
+    if n % 2 == 0 {
+        let is_there = differs || lags;
+        return if is_there {
+            vec![SpectrumRemark::Even { n, part: part(harmonic.amplitude()) }]
+        } else {
+            vec![]
+        };
+    }
+    let mut remarks = vec![];
+    if let (true, Some(difference)) = (differs, harmonic.difference) {
+        let ratio = Uncertain {
+            value: in_phase.value / theory,
+            uncertainty: (difference.uncertainty / theory).abs(),
+        };
+        let scale = libm::pow(ratio.value, 1.0 / (growth - 1.0));
+        remarks.push(SpectrumRemark::Odd { n, ratio, scale: scale.is_finite().then_some(scale) });
+    }
+    // Linear damping turns the third harmonic by 3/2 of the decay over the frequency, others by about n/2.
+    let of_damping = count(n) * decay * theory.abs();
+    if let (true, Some(quadrature)) = (lags, harmonic.quadrature)
+        && quadrature.value.abs() > of_damping
+    {
+        remarks.push(SpectrumRemark::Quadrature { n, part: part(quadrature) });
+    }
+    remarks
+}
+
+impl SpectrumRemark {
+    /// A name that stays.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Offset { .. } => "offset",
+            Self::Even { .. } => "even_harmonic",
+            Self::Odd { .. } => "odd_harmonic",
+            Self::Quadrature { .. } => "quadrature",
+            Self::NotSampled { .. } => "not_sampled",
+            Self::WindowsLeftOut { .. } => "windows_left_out",
+            Self::Outliers { .. } => "outliers",
+        }
+    }
+}
+
+impl fmt::Display for SpectrumRemark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent =
+            |it: &Uncertain| Uncertain { value: 100.0 * it.value, uncertainty: 100.0 * it.uncertainty };
+        match self {
+            Self::Offset { value, observable: Observable::Angle } => {
+                let degrees = Uncertain {
+                    value: value.value.to_degrees(),
+                    uncertainty: value.uncertainty.to_degrees(),
+                };
+                write!(
+                    f,
+                    "the swings go about {degrees} degrees: the zero of the angle is not where the pendulum rests"
+                )
+            }
+            Self::Offset { value, .. } => {
+                write!(f, "the velocities go about {value} rad/s: the zero of the gyroscope is off")
+            }
+            Self::Even { n, part } => write!(
+                f,
+                "harmonic {n} is {} % of the first, where a pendulum has none: the two sides differ, as with a scale of the \
+                 angle that is not straight (a camera at a slant), a centre that is not the pivot's, or a torque that is \
+                 not the same to both sides",
+                percent(part)
+            ),
+            Self::Odd { n, ratio, scale } => {
+                write!(
+                    f,
+                    "harmonic {n} is {ratio} times that of a pendulum of this amplitude: the restoring torque is not that of \
+                     gravity alone, or the scale of the angle is off"
+                )?;
+                match scale {
+                    Some(scale) => write!(f, " (by the factor {scale:.3}, if that is all)"),
+                    None => Ok(()),
+                }
+            }
+            Self::Quadrature { n, part } => write!(
+                f,
+                "harmonic {n} has {} % of the first a quarter of its period off, which no torque that depends on the angle \
+                 alone makes: a damping that is not linear, such as dry friction or that of air, or a delay of the instrument",
+                percent(part)
+            ),
+            Self::NotSampled { highest, asked } => write!(
+                f,
+                "harmonics above {highest} are not told, though {asked} were asked for: rows that far apart leave them \
+                 open, and what they have appears among the lower ones"
+            ),
+            Self::WindowsLeftOut { windows, of } => write!(
+                f,
+                "{windows} of {of} windows of swings are left out: rows are missing, the pendulum goes over the top, or the \
+                 swing is lost in noise"
+            ),
+            Self::Outliers { rows } => {
+                let plural = if *rows == 1 { " is" } else { "s are" };
+                write!(
+                    f,
+                    "{rows} row{plural} left out, more than five standard deviations from all harmonics"
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! The harmonics of a window of a few swings, by least squares beside a phase that the first harmonic defines.
+//!
+//! Beside a constant and a drift of it: cos φ and sin φ with quartics in time, cos nφ and sin nφ with the power of the first
+//! harmonic's amplitude by which theory lets them grow. The phase φ, a quartic in time, is the one by which sin φ has no part: it
+//! is corrected by what sin φ has until nothing changes.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::theory::{Growth, Theory};
+use crate::measurement::Observable;
+use crate::statistics::{Design, LinearFit, ROUNDING, count, robust_deviation};
+
+/// Rows further from the harmonics than so many robust standard deviations do not count: one in two million normal errors.
+const OUTLIER: f64 = 5.0;
+/// Passes in which rows count by how far off they are, before those beyond [`OUTLIER`] are left out; then passes until these are
+/// the same. With a third of the rows of a window spoilt by the amplitude of the swing 3 and 9 did.
+const GENTLE: usize = 3;
+const PASSES: usize = 9;
+/// Corrections of the phase. They shrink tenfold each or faster where swings are clear.
+const CORRECTIONS: usize = 40;
+/// Corrections below this (rad) are rounding errors of some thousand rows.
+const SETTLED: f64 = 1e-9;
+/// Corrections below this leave the first harmonic's amplitude right to an eighth.
+const NEAR: f64 = 0.5;
+/// Where in the window the phase is corrected, from −1 to 1: near where Chebyshev would.
+const NODES: [f64; TERMS] = [-0.95, -0.59, 0.0, 0.59, 0.95];
+
+/// Coefficients of phase and amplitude in time. Where an amplitude of 60° falls by a third to each side, four left a third harmonic
+/// off by a hundredth, five by less than a thousandth.
+const TERMS: usize = 5;
+/// Of the columns: a constant, a drift, those of cos φ and of sin φ, and two of each harmonic more.
+const COSINE: usize = 2;
+const SINE: usize = COSINE + TERMS;
+const OTHERS: usize = SINE + TERMS;
+
+/// The rows of a window.
+#[derive(Clone, Debug)]
+pub(super) struct WindowRows<'a> {
+    /// The number of its first row in the trace.
+    pub(super) first: usize,
+    pub(super) times: &'a [f64],
+    pub(super) values: &'a [f64],
+    pub(super) uncertainties: Option<&'a [f64]>,
+    pub(super) observable: Observable,
+    /// Its ends, in s.
+    pub(super) ends: [f64; 2],
+    /// The period to begin with, in s.
+    pub(super) period: f64,
+    /// How many harmonics.
+    pub(super) highest: usize,
+}
+
+/// What is found in a window.
+#[derive(Clone, Debug)]
+pub(super) struct WindowFit {
+    /// The phase as a polynomial from −1 to 1.
+    phase: [f64; TERMS],
+    /// In s.
+    pub(super) middle: f64,
+    half: f64,
+    fit: LinearFit,
+    design: Design,
+    /// The columns' rows: place in the window from −1 to 1, and weight.
+    places: Vec<f64>,
+    weights: Vec<f64>,
+    /// Rows of the trace that do not count.
+    pub(super) outliers: Vec<usize>,
+    pub(super) theory: Theory,
+}
+
+/// How many columns so many harmonics take.
+pub(super) fn columns(highest: usize) -> usize {
+    OTHERS + 2 * (highest - 1)
+}
+
+/// The column of cos nφ in the middle of the window; that of the constant for n = 0.
+pub(super) fn cosine_column(n: usize) -> usize {
+    match n {
+        0 => 0,
+        1 => COSINE,
+        n => OTHERS + 2 * (n - 2),
+    }
+}
+
+/// The column of sin nφ, for n from 2 on.
+pub(super) fn sine_column(n: usize) -> usize {
+    OTHERS + 2 * (n - 2) + 1
+}
+
+/// The phase and the shape on the way to where they settle.
+#[derive(Clone, Debug)]
+struct State {
+    phase: [f64; TERMS],
+    /// The amplitude of the first harmonic over that in the middle.
+    shape: [f64; TERMS],
+    /// Of the harmonics from n = 0.
+    growths: Vec<Growth>,
+}
+
+impl WindowRows<'_> {
+    /// The harmonics, without outliers; nothing where the phase does not settle, the rows leave coefficients open, or no swing of a
+    /// pendulum is so large.
+    pub(super) fn fit(&self) -> Option<WindowFit> {
+        let half = 0.5 * (self.ends[1] - self.ends[0]);
+        let middle = 0.5 * (self.ends[1] + self.ends[0]);
+        let places: Vec<f64> = self.times.iter().map(|time| (time - middle) / half).collect();
+        let own: Vec<f64> = match self.uncertainties {
+            Some(column) => column.iter().map(|it| it.recip()).collect(),
+            None => vec![1.0; places.len()],
+        };
+        let growths = (0..=self.highest).map(Growth::by_number).collect();
+        let phase = [0.0, TAU * half / self.period, 0.0, 0.0, 0.0];
+        let mut state = State { phase, shape: [1.0, 0.0, 0.0, 0.0, 0.0], growths };
+        let mut weights = own.clone();
+        let mut settled = self.settle(&places, &weights, half, &mut state)?;
+        for pass in 0..PASSES {
+            let residuals = settled.residuals(self.values, &places, &own, &state);
+            let Some(scale) = robust_deviation(&residuals).filter(|scale| *scale > 0.0) else { break };
+            let renewed: Vec<f64> = own
+                .iter()
+                .zip(&residuals)
+                .map(|(own, residual)| own * weight(residual.abs() / scale, pass))
+                .collect();
+            if renewed == weights {
+                break;
+            }
+            weights = renewed;
+            settled = self.settle(&places, &weights, half, &mut state)?;
+        }
+        let Settled { fit, design, theory } = settled;
+        let is_outlier = |row: &usize| weights[*row] == 0.0;
+        let outliers = (0..weights.len()).filter(is_outlier).map(|row| self.first + row).collect();
+        Some(WindowFit { phase: state.phase, middle, half, fit, design, places, weights, outliers, theory })
+    }
+
+    /// Corrects the phase until sin φ has no part.
+    fn settle(&self, places: &[f64], weights: &[f64], half: f64, state: &mut State) -> Option<Settled> {
+        let values = weights.iter().zip(self.values).map(|(weight, value)| weight * value);
+        let values = DVector::from_iterator(places.len(), values);
+        for _ in 0..CORRECTIONS {
+            let matrix = state.matrix(places, weights, self.highest);
+            let design = Design::new(&matrix, ROUNDING).ok()?;
+            let fit = design.solve(&values).ok()?;
+            let [cosine, sine] =
+                [COSINE, SINE].map(|first| std::array::from_fn(|j| fit.coefficients[first + j]));
+            let correction = lag(&cosine, &sine)?;
+            let size = NODES.iter().map(|x| polynomial(&correction, *x).abs()).fold(0.0, f64::max);
+            state.phase = std::array::from_fn(|j| state.phase[j] - correction[j]);
+            let first = libm::hypot(cosine[0], sine[0]);
+            let frequency = state.phase[1] / half;
+            let theory = Theory::new(first, frequency, self.observable, self.highest);
+            if size < SETTLED {
+                return Some(Settled { fit, design, theory: theory? });
+            }
+            // Where the phase is far off a part of the first harmonic is beside the sine.
+            if let (Some(theory), true) = (theory, size < NEAR) {
+                state.growths = (0..=self.highest).map(|n| theory.growth(n)).collect();
+                state.shape = cosine.map(|it| it / cosine[0]);
+            }
+        }
+        None
+    }
+}
+
+/// Part of the weight that a row has, by its residual in standard deviations.
+fn weight(size: f64, pass: usize) -> f64 {
+    match pass < GENTLE {
+        true => size.max(1.0).recip().sqrt(),
+        false if size > OUTLIER => 0.0,
+        false => 1.0,
+    }
+}
+
+/// Where the phase has settled.
+#[derive(Clone, Debug)]
+struct Settled {
+    fit: LinearFit,
+    design: Design,
+    theory: Theory,
+}
+
+impl Settled {
+    /// Of all rows, in units of their own uncertainties.
+    fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &State) -> Vec<f64> {
+        let highest = (self.fit.coefficients.len() - OTHERS) / 2 + 1;
+        let fitted = state.matrix(places, own, highest) * &self.fit.coefficients;
+        values.iter().zip(own).zip(fitted.iter()).map(|((value, own), fitted)| value * own - fitted).collect()
+    }
+}
+
+impl State {
+    /// The columns at these places, each row times its weight.
+    fn matrix(&self, places: &[f64], weights: &[f64], highest: usize) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(places.len(), columns(highest));
+        for (row, (&x, &weight)) in places.iter().zip(weights).enumerate() {
+            let mut put = |column: usize, value: f64| matrix[(row, column)] = weight * value;
+            let phase = polynomial(&self.phase, x);
+            let shape = polynomial(&self.shape, x).max(0.0);
+            put(0, 1.0);
+            put(1, x);
+            let (sine, cosine) = libm::sincos(phase);
+            let mut power = 1.0;
+            for j in 0..TERMS {
+                put(COSINE + j, power * cosine);
+                put(SINE + j, power * sine);
+                power *= x;
+            }
+            for n in 2..=highest {
+                let (sine, cosine) = libm::sincos(count(n) * phase);
+                let size = self.growths[n].size(shape);
+                put(cosine_column(n), size * cosine);
+                put(sine_column(n), size * sine);
+            }
+        }
+        matrix
+    }
+}
+
+/// By how much c cos φ + s sin φ lags behind cos φ, as a polynomial through the nodes.
+fn lag(cosine: &[f64; TERMS], sine: &[f64; TERMS]) -> Option<[f64; TERMS]> {
+    let mut lags = NODES.map(|x| libm::atan2(polynomial(sine, x), polynomial(cosine, x)));
+    for node in 1..NODES.len() {
+        lags[node] -= TAU * libm::round((lags[node] - lags[node - 1]) / TAU);
+    }
+    let powers =
+        SMatrix::<f64, TERMS, TERMS>::from_fn(|node, j| (0..j).fold(1.0, |power, _| power * NODES[node]));
+    let lag = powers.lu().solve(&SVector::<f64, TERMS>::from(lags))?;
+    lag.iter().all(|it| it.is_finite()).then(|| lag.into())
+}
+
+fn polynomial(coefficients: &[f64; TERMS], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
+}
+
+impl WindowFit {
+    /// Rows that count.
+    pub(super) fn rows(&self) -> usize {
+        self.places.len() - self.outliers.len()
+    }
+
+    /// Rows that count, less coefficients.
+    pub(super) fn degrees_of_freedom(&self) -> usize {
+        self.rows().saturating_sub(self.fit.coefficients.len())
+    }
+
+    /// The weighted sum of squares of what the harmonics leave.
+    pub(super) fn chi2(&self) -> f64 {
+        self.fit.chi2()
+    }
+
+    pub(super) fn coefficient(&self, column: usize) -> f64 {
+        self.fit.coefficients[column]
+    }
+
+    /// In units of the variance of a row.
+    pub(super) fn covariance(&self, one: usize, other: usize) -> f64 {
+        self.fit.covariance[(one, other)]
+    }
+
+    /// Of the first harmonic, in rad/s, in the middle.
+    pub(super) fn frequency(&self) -> f64 {
+        self.phase[1] / self.half
+    }
+
+    /// Its variance, and that of the phase in the middle, in units of the variance of a row.
+    pub(super) fn frequency_variance(&self) -> f64 {
+        let size = self.coefficient(COSINE) * self.half;
+        self.covariance(SINE + 1, SINE + 1) / (size * size)
+    }
+
+    pub(super) fn phase_variance(&self) -> f64 {
+        let size = self.coefficient(COSINE);
+        self.covariance(SINE, SINE) / (size * size)
+    }
+
+    /// What the residuals have of cos mφ and of sin mφ.
+    pub(super) fn noise_at(&self, multiple: f64) -> [Wave; 2] {
+        let wave = |of: fn(f64) -> f64| {
+            let rows = self.places.iter().zip(&self.weights);
+            let wave = rows.map(|(&x, weight)| weight * of(multiple * polynomial(&self.phase, x)));
+            let wave = DVector::from_iterator(self.places.len(), wave);
+            let free = self.design.without_span(&wave);
+            let part = free.dot(&self.fit.residuals);
+            Wave { square: part * part, free: free.norm_squared(), whole: wave.norm_squared() }
+        };
+        [wave(libm::cos), wave(libm::sin)]
+    }
+}
+
+/// What residuals have of a wave.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wave {
+    /// The square of their product with it.
+    pub(super) square: f64,
+    /// The same of noise of variance one, on average: the square of what the columns do not span of the wave.
+    pub(super) free: f64,
+    /// The square of all of it.
+    pub(super) whole: f64,
+}
