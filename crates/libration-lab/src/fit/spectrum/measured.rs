@@ -75,7 +75,7 @@ pub struct Spectrum {
 /// use libration_lab::measurement::{Observable, Trace};
 /// let motion = Pendulum::new(0.56, 9.81)?.released_from("80deg".parse()?)?;
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
-/// let angles = times.iter().map(|&time| motion.state_at(time).angle.radians()).collect();
+/// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
 /// let found = spectrum(&trace, &SpectrumOptions::default())?;
 /// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
