@@ -99,8 +99,10 @@ fn compiled_lines_have_the_bits_of_interpreted_ones() {
             (compiled_lines, steps) = (compiled_lines + 1, steps + line.steps().len());
         }
     }
+    // Values that are nowhere else have to stay in registers: twice as many, and longer, lines have code where there are 32 of these.
+    let expected = if has_32_registers() { [1000, 100_000] } else { [600, 30_000] };
     assert!(
-        !is_supported() || (compiled_lines > 1000 && steps > 100_000),
+        !is_supported() || (compiled_lines > expected[0] && steps > expected[1]),
         "{compiled_lines} lines, {steps} steps"
     );
 }
@@ -160,6 +162,13 @@ fn assert_same_bits(line: &StraightLine) {
 fn is_supported() -> bool {
     #[cfg(all(target_arch = "x86_64", unix))]
     return std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma");
+    #[cfg(not(all(target_arch = "x86_64", unix)))]
+    false
+}
+
+fn has_32_registers() -> bool {
+    #[cfg(all(target_arch = "x86_64", unix))]
+    return std::is_x86_feature_detected!("avx512f");
     #[cfg(not(all(target_arch = "x86_64", unix)))]
     false
 }
