@@ -117,7 +117,9 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 
 def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
-    ax = _plot.axes(ax, (answer["parameter"], f"largest |{answer['coordinate']}|"))
+    rotates = any(branch["turns"] for branch in answer.branches)
+    name = answer["coordinate"]
+    ax = _plot.axes(ax, (answer["parameter"], f"{name} from even rotation" if rotates else f"largest |{name}|"))
     kinds = list(dict.fromkeys(branch["kind"] for branch in answer.branches))
     for branch in answer.branches:
         colour = _plot.COLOURS[kinds.index(branch["kind"]) % len(_plot.COLOURS)]
@@ -126,6 +128,10 @@ def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
         ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=branch["kind"].replace("_", " "))
         for special in branch["special"]:
             ax.plot([special["parameter"]], [special["amplitude_max"]], linestyle="", marker="o", markersize=4, color=colour)
+    for direction, colour, size in (("up", "black", 5), ("down", "#E69F00", 3)):
+        places = [(it["parameter"], it["amplitude_max"]) for it in answer["sweeps"] if it["direction"] == direction and it["amplitude_max"] is not None and bool(it["turns"]) == rotates]
+        if places:
+            ax.plot(*zip(*places, strict=True), linestyle="", marker=".", markersize=size, color=colour, label=f"swept {direction}")
     _plot.legend(ax)
     return ax
 

@@ -74,7 +74,7 @@ DRAWN = {
     "orbit": lambda: lb.orbit("double_pendulum", initial={"theta1": 0.1, "theta2": 0.141}, period=8),
     "resonance": lambda: lb.resonance("x'' = -x - x*y; y'' = -4.1*y - x^2/2", order=2, initial={"x": 0.1, "y": 0.02}),
     "melnikov": lambda: lb.melnikov("driven_pendulum", set={"A": 0.3, "c": 0.1, "omega": 1}),
-    "response": lambda: lb.response("driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95"),
+    "response": lambda: lb.response("driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95", sweeps=5),
     "stability": lambda: lb.stability("kapitza", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0),
     "section": lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0),
     "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),

@@ -46,6 +46,12 @@ pub fn marks(number: usize) -> Look {
     Look { width: 2.8, ..markers(number) }
 }
 
+/// The look of dots on curves where something rises, and smaller ones, which leave a rim of these, where it falls.
+pub fn swept(rising: bool) -> Look {
+    let (colour, width) = if rising { (COLOURS[4], 2.6) } else { (COLOURS[5], 1.5) };
+    Look { colour, width, ..markers(0) }
+}
+
 /// The look of one of several clouds of points, which have so many together: smaller where there are many, but never so
 /// small that a projector would not show them.
 pub fn dots(number: usize, all: usize) -> Look {

@@ -4,7 +4,7 @@ use super::chart::{Axis, Look, Mark, Panel, Picture, Series, Units};
 use super::names::{name, symbol};
 use super::parameters::of_model;
 use super::style;
-use libration::continuation::{Branch, BranchPoint, SpecialKind};
+use libration::continuation::{Branch, BranchPoint, SpecialKind, Sweep, SweepPoint};
 use libration::systems::Model;
 
 /// The dashes of what is unstable.
@@ -29,6 +29,8 @@ pub(crate) struct ResponseCurve<'a> {
     pub(crate) branches: &'a [Branch],
     /// Frequency and amplitude of free oscillations, where the parameter is the frequency of the drive.
     pub(crate) backbone: Vec<(f64, f64)>,
+    /// Where slow sweeps lead.
+    pub(crate) sweeps: &'a [Sweep],
 }
 
 impl ResponseCurve<'_> {
@@ -36,10 +38,26 @@ impl ResponseCurve<'_> {
         self.model.coordinates()[self.coordinate].is_angle()
     }
 
+    fn rotates(&self) -> bool {
+        self.branches.iter().any(|branch| branch.space.rotation.is_some())
+    }
+
     /// Parameter and amplitude, angles in degrees.
     fn place(&self, point: &BranchPoint) -> (f64, f64) {
-        let amplitude = point.amplitude(self.coordinate, self.is_angle());
-        (point.parameter, if self.is_angle() { amplitude.to_degrees() } else { amplitude })
+        (point.parameter, self.shown(point.amplitude(self.coordinate, self.is_angle())))
+    }
+
+    fn shown(&self, amplitude: f64) -> f64 {
+        if self.is_angle() { amplitude.to_degrees() } else { amplitude }
+    }
+
+    /// Where a sweep leads; oscillations beside oscillations, rotations beside rotations.
+    fn swept(&self, sweep: &Sweep) -> Vec<(f64, f64)> {
+        let alike = sweep.points.iter().filter(|point| point.rotation.is_some() == self.rotates());
+        let place = |point: &SweepPoint| {
+            Some((point.parameter, self.shown(point.amplitude(self.coordinate, self.is_angle())?)))
+        };
+        alike.filter_map(place).collect()
     }
 }
 
@@ -67,11 +85,18 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
             series.push(Series::line(&wanted.to_string(), style::markers(number + 1), points));
         }
     }
+    for sweep in curve.sweeps {
+        let label = if sweep.rising { "swept up" } else { "swept down" };
+        series.push(Series::line(label, style::swept(sweep.rising), curve.swept(sweep)));
+    }
     let [from, to] = curve.range;
     let top = series.iter().flat_map(|one| one.points.iter().map(|point| point.y)).fold(0.0, f64::max);
     let coordinate = &curve.model.coordinates()[curve.coordinate].name;
-    let label =
-        format!("largest |{}|{}", symbol(coordinate), if curve.is_angle() { " / degrees" } else { "" });
+    let unit = if curve.is_angle() { " / degrees" } else { "" };
+    let label = match curve.rotates() {
+        true => format!("{} from even rotation{unit}", symbol(coordinate)),
+        false => format!("largest |{}|{unit}", symbol(coordinate)),
+    };
     let y = Axis::linear(&label, 0.0, if top > 0.0 { 1.05 * top } else { 1.0 });
     let y = if curve.is_angle() { y.in_units(Units::Degrees) } else { y };
     let x = Axis::linear(&symbol(curve.parameter), from.min(to), from.max(to));

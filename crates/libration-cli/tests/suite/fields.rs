@@ -224,6 +224,7 @@ const FURTHER: [&str; 50] = [
     "backbone|x''=-x-x^3|--amplitudes|1",
     "orbit|x''=(1-x^2)*x'-x|--initial|x=0.5",
     "response|x''=-0.5*x'-x-x^3+0.1*cos(w*t)|--over|w=2.5:4|--orders|1/3,1/2|--generations|0",
+    "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.9:1|--sweeps|2",
     "stability|driven_pendulum|--set|c=0.1|--map|omega=0.85:1,A=0.05:0.2|--lines|1",
     "modes|pendulum|--about|theta=180deg",
     "modes|x''=-x-0.1*x'",

@@ -11,7 +11,9 @@ const SECOND: &str = "#d55e00";
 const THIRD: &str = "#009e73";
 const FOURTH: &str = "#cc79a7";
 const BLACK: &str = "#000000";
+const ORANGE: &str = "#E69F00";
 const GREY: &str = "#767676";
+const ORANGE: &str = "#e69f00";
 const LAW: &str = SECOND;
 
 const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
@@ -520,8 +522,15 @@ fn a_response_of_a_linear_oscillator() {
     let drawing = drawn("response|x'' = -x - x'/2 + cos(w*t)|--over|w=0.5:2", "--figure");
     let curve = drawing.curves(0, FIRST).concat();
     assert!(curve.len() > 10, "{} points", curve.len());
+    let exact = |w: f64| 1.0 / (1.0 - w * w).hypot(0.5 * w);
     for (w, amplitude) in curve {
-        close(amplitude, 1.0 / (1.0 - w * w).hypot(0.5 * w), 0.02);
+        close(amplitude, exact(w), 0.02);
+    }
+    // Sweeps go along it either way.
+    for colour in [BLACK, ORANGE] {
+        let dots = drawing.markers(0, colour);
+        assert_eq!(dots.len(), 48);
+        dots.into_iter().for_each(|(w, amplitude)| close(amplitude, exact(w), 0.01));
     }
 }
 

@@ -160,6 +160,63 @@ fn answers_of_an_order_are_found_or_the_reason_is_told() {
 }
 
 #[test]
+fn answers_that_go_around_are_followed() {
+    let question = "response driven_pendulum --set c=0.5,A=2 --over omega=0.8:1 --turns 1 --generations 1";
+    let answer = json(question);
+    let branches = answer["branches"].as_array().unwrap();
+    let turns = |it: &Value| (it["turns"].as_i64().unwrap(), it["drive_periods"].as_i64().unwrap());
+    assert_eq!(branches.iter().map(turns).collect::<Vec<_>>(), [(1, 1), (2, 2)]);
+    // By Taylor shooting in 40 digits.
+    let doubling = &branches[0]["special"][0];
+    assert!((number(doubling, "parameter") - 0.847446163297482).abs() < 1e-13, "{doubling}");
+    assert!(branches[0]["points"].as_array().unwrap().iter().all(|it| number(it, "amplitude_max") < 3.0));
+    let words = text(question).split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "one turn in a period of the drive",
+        "2 turns in 2 periods of the drive",
+        "ahead of an even rotation",
+    ] {
+        assert!(words.contains(part), "{part} in {words}");
+    }
+    let cases = [
+        ("response driven_pendulum --over omega=0.8:1 --turns 0", 2, "whole number from 1 to 100"),
+        ("response driven_pendulum --set c=0.5,A=0.1 --over omega=0.8:1 --turns 1", 2, "drive more strongly"),
+        ("response duffing --over epsilon=1:2 --turns 1", 1, "no drive"),
+    ];
+    for (question, status, reason) in cases {
+        let refused = libration(question);
+        assert!(
+            refused.status.code() == Some(status) && message(&refused).contains(reason),
+            "{}",
+            message(&refused)
+        );
+    }
+}
+
+#[test]
+fn slow_sweeps_are_listed_where_they_are_asked_for() {
+    let question = "response driven_pendulum --set A=0.15,c=0.1 --over omega=0.7:1";
+    assert_eq!(json(question)["sweeps"], serde_json::json!([]));
+    let answer = json(&format!("{question} --sweeps 4"));
+    let sweeps = answer["sweeps"].as_array().unwrap();
+    let values: Vec<(&str, f64)> =
+        sweeps.iter().map(|it| (it["direction"].as_str().unwrap(), number(it, "parameter"))).collect();
+    let expected = [("up", [0.7, 0.8, 0.9, 1.0]), ("down", [1.0, 0.9, 0.8, 0.7])];
+    let expected = expected.iter().flat_map(|(way, all)| all.iter().map(move |it| (*way, *it)));
+    assert!(expected.zip(&values).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-15), "{values:?}");
+    // At 0.8 both answers are there: below 30° upwards, above 100° downwards.
+    let at = |place: usize| number(&sweeps[place], "amplitude_max").to_degrees();
+    assert!(at(1) < 30.0 && at(6) > 100.0, "{sweeps:?}");
+    let csv = text(&format!("{question} --sweeps 4 --csv"));
+    assert!(csv.lines().next().unwrap().ends_with(",error,sweep"), "{csv}");
+    assert_eq!(csv.lines().filter(|line| line.ends_with(",up")).count(), 4);
+    let table = text(&format!("{question} --sweeps 4"));
+    assert!(table.lines().filter(|line| line.trim_start().starts_with("down ")).count() == 4, "{table}");
+    let refused = libration("response van_der_pol --over mu=0.5:2 --sweeps 4");
+    assert!(refused.status.code() == Some(2) && message(&refused).contains("nothing drives"));
+}
+
+#[test]
 fn an_orbit_of_each_kind_is_told() {
     let kind = |question: &str| json(question)["kind"].as_str().unwrap().to_owned();
     assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");

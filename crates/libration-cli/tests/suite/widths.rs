@@ -57,7 +57,7 @@ pub(crate) const QUESTIONS: [&str; 59] = [
     "resonance|x''=-x-x*y;y''=-4*y-x^2/2|--order|2|--initial|x=0.1,y=0.02",
     "resonance|double_pendulum",
     "melnikov|driven_pendulum|--set|c=0.1,omega=1|--over|A=0:1",
-    "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.7:0.95",
+    "response|driven_pendulum|--set|A=0.15,c=0.1|--over|omega=0.7:0.95|--sweeps|3",
     "stability|kapitza|--set|c=0.1|--map|omega=5:6,a=0.1:0.4|--initial|theta=180deg|--lines|0",
     "section|driven_pendulum|--set|A=1.5,c=1/2|--initial|theta=0.2|--points|3|--skip|1",
     "section|x''=-x-2 x y;y''=-y-x^2+y^2|--at|x|--initial|y=0.1,x'=0.4|--points|3",

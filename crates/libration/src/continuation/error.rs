@@ -24,6 +24,22 @@ pub enum NoBranch {
         "orders are looked for from the free oscillations of one coordinate with its second derivative: these equations are others"
     )]
     NotOneOscillator,
+    /// Rotations of what is no angle.
+    #[error(
+        "the coordinate {0} does not go around: it is no angle, after whose turn the equations are the same"
+    )]
+    NotAnAngle(String),
+    /// No rotation to begin with.
+    #[error(
+        "no answer that goes around is found at the ends of the range, or where it is looked for (turns: {turns}, periods of the drive: \
+         {drive_periods}): look within the range, or drive more strongly"
+    )]
+    NoRotation {
+        /// The number of turns.
+        turns: i32,
+        /// In so many periods of the drive.
+        drive_periods: u32,
+    },
     /// Free motions that are not isolated.
     #[error(
         "at one value of the parameter there is a family of periodic motions, as where energy is conserved: follow it in the amplitude instead"

@@ -188,7 +188,7 @@ impl<'w> Family<'w> {
         let by_parameter =
             |number: usize| (0..numbers).map(|it| sign * end[place(it, 1 + number)]).collect::<Vec<f64>>();
         let image = Image {
-            defect: own.iter().zip(state).map(|(end, start)| sign * end - start).collect(),
+            defect: space.missed(&own, state),
             map: (0..numbers).map(row).collect(),
             returned: None,
             by_parameters: (0..by).map(by_parameter).collect(),

@@ -50,6 +50,7 @@ pub(super) fn hopf(
     Some(BranchPoint {
         parameter,
         period,
+        rotation: None,
         ranges: state.iter().map(|x| [*x; 2]).collect(),
         state,
         stable: is_stable(&multipliers),

@@ -48,11 +48,15 @@ mod options;
 mod search;
 mod switching;
 
+mod rotations;
+
 mod energy_balance;
 mod full_strength;
 mod orders;
 
 mod response;
+
+mod sweep;
 
 mod curve;
 mod edges;
@@ -77,5 +81,6 @@ pub use orders::{OrderAnswers, OrderFinding};
 pub use point::BranchPoint;
 pub use precise::PreciseSpecial;
 pub use response::Response;
-pub use space::Space;
+pub use space::{Rotation, Space};
 pub use special::{SpecialKind, SpecialPoint};
+pub use sweep::{Sweep, SweepPoint};

@@ -1,6 +1,7 @@
 //! What is asked of a response.
 
 use super::order::ResonanceOrder;
+use super::space::Rotation;
 
 /// What is asked of a response.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub struct ResponseOptions {
     pub at: Option<f64>,
     /// How many periods of the drive an answer takes: 1, or more for subharmonic answers. Without a drive it is 1.
     pub drive_periods: u32,
+    /// The angle that goes around in these periods of the drive, for rotating answers; without one answers oscillate.
+    pub rotation: Option<Rotation>,
     /// Orders of sub- and superharmonic answers that are looked for besides, from the free oscillations of one coordinate that the drive keeps up
     /// against the damping to the first order, at sixteen values within the range, by letting both grow to what they are: curves that close
     /// within the range are found so, where nothing leads to them.
@@ -25,6 +28,14 @@ pub struct ResponseOptions {
 
 impl Default for ResponseOptions {
     fn default() -> Self {
-        Self { start: None, at: None, drive_periods: 1, orders: vec![], generations: 2, most_points: 3000 }
+        Self {
+            start: None,
+            at: None,
+            drive_periods: 1,
+            rotation: None,
+            orders: vec![],
+            generations: 2,
+            most_points: 3000,
+        }
     }
 }

@@ -117,15 +117,12 @@ impl Search<'_> {
     }
 
     /// Whether a motion, begun at another period of the drive or mirrored, is on one of the branches.
-    fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
+    pub(super) fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
         /// Of the size of the state.
         const SAME: f64 = 1e-6;
         let Some(copies) = self.copies(start, value) else { return false };
         let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let is_copy = |state: &[f64]| {
-            let near = |copy: &Vec<f64>| copy.iter().zip(state).all(|(a, b)| (a - b).abs() <= SAME * size);
-            copies.iter().any(near)
-        };
+        let is_copy = |state: &[f64]| copies.iter().any(|copy| start.space.is_near(copy, state, SAME * size));
         let stretches = branches.iter().flat_map(|branch| {
             branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
         });
@@ -138,7 +135,7 @@ impl Search<'_> {
     }
 
     /// The states of a motion and of its mirror image whenever the phase of the drive is zero.
-    fn copies(&self, start: &Start, value: f64) -> Option<Vec<Vec<f64>>> {
+    pub(super) fn copies(&self, start: &Start, value: f64) -> Option<Vec<Vec<f64>>> {
         let mut copies = vec![];
         let mut state = start.unknowns.clone();
         let halves = 2 * start.space.drive_periods();

@@ -2,7 +2,7 @@
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
 use super::family::{Family, Image, TOLERANCES};
-use super::space::Space;
+use super::space::{Rotation, Space};
 use crate::algebra::{Complex, Doubles};
 use crate::linear::{eigenvalues, solve};
 use crate::roots::{Tolerance, bisect};
@@ -19,7 +19,9 @@ pub struct BranchPoint {
     pub state: Vec<f64>,
     /// After which the motion repeats itself.
     pub period: f64,
-    /// The least and the greatest value of each coordinate.
+    /// The angle that goes around in the period, if one does.
+    pub rotation: Option<Rotation>,
+    /// The least and the greatest value of each coordinate; of an angle that goes around, of what it is ahead of an even rotation from t = 0 on.
     pub ranges: Vec<[f64; 2]>,
     /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
     /// one of them is exactly 1, that of a deviation along the motion.
@@ -34,12 +36,12 @@ pub struct BranchPoint {
 const ON_THE_CIRCLE: f64 = 1e-9;
 
 impl BranchPoint {
-    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there.
+    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there; of one that goes around,
+    /// from the even rotation that it is ahead of as much as behind.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {
-        let [low, high] = self.ranges[coordinate];
-        let centre = if is_angle { TAU * libm::rint(0.5 * (low + high) / TAU) } else { 0.0 };
-        (high - centre).abs().max((low - centre).abs())
+        let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
+        amplitude_of(self.ranges[coordinate], is_angle, rotates)
     }
 
     /// Whether the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
@@ -50,6 +52,15 @@ impl BranchPoint {
         let nearest = pairs.min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.is_some_and(|[a, _]| a.im.abs() > 0.0)
     }
+}
+
+/// Of a coordinate from its range.
+pub(super) fn amplitude_of([low, high]: [f64; 2], is_angle: bool, rotates: bool) -> f64 {
+    if rotates {
+        return 0.5 * (high - low);
+    }
+    let centre = if is_angle { TAU * libm::rint(0.5 * (low + high) / TAU) } else { 0.0 };
+    (high - centre).abs().max((low - centre).abs())
 }
 
 impl Corrector<'_> {
@@ -66,8 +77,7 @@ impl Corrector<'_> {
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
         let duration = self.family.duration(self.space, unknowns, &[parameter])?;
         let (steps, end) = self.family.motion(state, &[parameter], duration, other).ok()?;
-        let sign = self.space.sign();
-        let defect: Vec<f64> = end.iter().zip(state).map(|(end, start)| sign * end - start).collect();
+        let defect = self.space.missed(&end, state);
         let point = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &steps)?;
         // Where branches cross the state is not determined.
         let error = error(corrected, &defect, tangent, units).unwrap_or(f64::INFINITY);
@@ -113,7 +123,8 @@ impl Family<'_> {
             parameter: *parameters.first()?,
             state: self.state(unknowns).to_vec(),
             period: if space.mirrored { 2.0 * duration } else { duration },
-            ranges: ranges(&self.layout, steps, space.mirrored),
+            rotation: space.rotation,
+            ranges: ranges(&self.layout, steps, space, duration),
             stable: is_stable(&multipliers),
             multipliers,
             error: 0.0,
@@ -140,29 +151,36 @@ fn error(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -
     Some(4.0 * unit * norm(&change[..numbers]))
 }
 
-/// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins.
-fn ranges(layout: &StateLayout, steps: &[OwnedStep], mirrored: bool) -> Vec<[f64; 2]> {
+/// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins; an even rotation is taken off.
+pub(super) fn ranges(
+    layout: &StateLayout,
+    steps: &[OwnedStep],
+    space: Space,
+    duration: f64,
+) -> Vec<[f64; 2]> {
     let of_coordinate = |coordinate: usize| {
+        let even = TAU * f64::from(space.turns_of(coordinate)) / duration;
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
         for own in steps {
             let step = own.step();
+            let place = |time: f64| step.state_at(time)[coordinate] - even * time;
             let rate = |time: f64| match layout.velocity(coordinate) {
-                Some(velocity) => step.state_at(time)[velocity],
-                None => step.speeds_at(time)[coordinate],
+                Some(velocity) => step.state_at(time)[velocity] - even,
+                None => step.speeds_at(time)[coordinate] - even,
             };
             let (start, end) = (step.start(), step.end());
-            widen(step.state_at(start)[coordinate]);
-            widen(step.state_at(end)[coordinate]);
+            widen(place(start));
+            widen(place(end));
             let rises = rate(start) > 0.0;
             if (rate(end) > 0.0) != rises {
                 let [turn, _] =
                     bisect([start, end], Tolerance::relative(1e-9), |time| (rate(time) > 0.0) == rises);
-                widen(step.state_at(turn)[coordinate]);
+                widen(place(turn));
             }
         }
         let [low, high] = range;
-        if mirrored { [low.min(-high), high.max(-low)] } else { range }
+        if space.mirrored { [low.min(-high), high.max(-low)] } else { range }
     };
     (0..layout.coordinates()).map(of_coordinate).collect()
 }

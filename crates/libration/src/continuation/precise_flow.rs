@@ -63,7 +63,11 @@ impl<'w> PreciseFlow<'w> {
         let signed =
             |number: usize| if space.mirrored { ring.negate(&end[number]) } else { end[number].clone() };
         let row = |number: usize| (0..numbers).map(|start| signed(place(number, 1 + start))).collect();
-        let missed = |(number, start): (usize, &BigFloat)| ring.subtract(&signed(place(number, 0)), start);
+        let turn = ring.times_integer(&BigFloat::pi(ring.precision), 2);
+        let missed = |(number, start): (usize, &BigFloat)| {
+            let turned = ring.times_integer(&turn, space.turns_of(number).into());
+            ring.subtract(&ring.subtract(&signed(place(number, 0)), start), &turned)
+        };
         Some(PreciseImage {
             defect: state.iter().enumerate().map(missed).collect(),
             map: (0..numbers).map(row).collect(),

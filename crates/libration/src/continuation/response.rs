@@ -11,7 +11,6 @@ use super::search::{Search, Start};
 use super::space::Space;
 use super::switching::Leaving;
 use crate::expression::Equation;
-use crate::orbit::NoOrbit;
 use crate::watch::{Stage, Watch};
 
 /// The periodic motions of a driven or self-excited system over a range of a parameter.
@@ -104,10 +103,13 @@ impl Response {
             return Err(NoBranch::Outside { at, from, to });
         }
         let family = Family::free_or_driven(equation, &[parameter], &[range], watch)?;
-        if !family.is_driven() && (options.drive_periods != 1 || !options.orders.is_empty()) {
+        let needs_drive =
+            options.drive_periods != 1 || !options.orders.is_empty() || options.rotation.is_some();
+        if !family.is_driven() && needs_drive {
             return Err(NoBranch::NotDriven);
         }
         let search = Search { equation, parameter, family: &family, range, options };
+        options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
         search.response()
     }
 }
@@ -121,25 +123,31 @@ impl Search<'_> {
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
         for (value, into) in places {
-            match self.start(value) {
-                Ok(start) if self.is_known(&branches, value, &start) => {}
-                Ok(start) => {
-                    let walked = match self.through(value, &start, into) {
-                        Ok(Some(walked)) => walked,
-                        Ok(None) => continue,
-                        Err(error) => {
-                            missing = Some(error);
-                            continue;
-                        }
-                    };
-                    left.extend(self.leaving(&walked, 0));
-                    met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
-                    branches.push(walked.branch);
-                }
-                Err(NoOrbit::Interrupted(interrupted)) if branches.is_empty() => {
+            let starts = match self.starts(value) {
+                Ok(starts) => starts,
+                Err(NoBranch::Interrupted(interrupted)) if branches.is_empty() => {
                     return Err(interrupted.into());
                 }
-                Err(error) => missing = Some(NoBranch::NoStart(error)),
+                Err(error) => {
+                    missing = Some(error);
+                    continue;
+                }
+            };
+            for start in starts {
+                if self.is_known(&branches, value, &start) {
+                    continue;
+                }
+                let walked = match self.through(value, &start, into) {
+                    Ok(Some(walked)) => walked,
+                    Ok(None) => continue,
+                    Err(error) => {
+                        missing = Some(error);
+                        continue;
+                    }
+                };
+                left.extend(self.leaving(&walked, 0));
+                met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
+                branches.push(walked.branch);
             }
         }
         let mut orders = vec![];
@@ -166,14 +174,20 @@ impl Search<'_> {
         Ok(Response { branches, orders, jumps, driven, interrupted })
     }
 
-    /// Whether a motion at an end of the range is the end of a branch that is followed already.
+    /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.
     fn is_known(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
+        if start.space.rotation.is_some() && self.is_followed(branches, value, start) {
+            return true;
+        }
         /// Of the size of the state.
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
+        // An answer that goes around once in several periods of the drive may begin with any of them.
+        let copies = start.space.rotation.and_then(|_| self.copies(start, value));
+        let copies = copies.unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {
-            true => point.state.iter().zip(&start.unknowns).all(|(a, b)| is_near(*a, *b)),
+            true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
             // Which of its turns the cycle begins with is a matter of chance.
             false => {
                 let turn = point.period / f64::from(branch.space.drive_periods());

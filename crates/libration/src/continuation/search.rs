@@ -33,8 +33,19 @@ impl Search<'_> {
         put_in.ok_or(NoOrbit::NoPeriod)
     }
 
-    /// A periodic motion at an end of the range.
-    pub(super) fn start(&self, value: f64) -> Result<Start, NoOrbit> {
+    /// Periodic motions at an end of the range.
+    pub(super) fn starts(&self, value: f64) -> Result<Vec<Start>, NoBranch> {
+        if let Some(rotation) = self.options.rotation {
+            return self.rotating(rotation, value);
+        }
+        match self.start(value) {
+            Ok(start) => Ok(vec![start]),
+            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(error) => Err(NoBranch::NoStart(error)),
+        }
+    }
+
+    fn start(&self, value: f64) -> Result<Start, NoOrbit> {
         let equation = self.at(value)?;
         let state = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
         if !self.family.is_driven() {

@@ -1,5 +1,7 @@
 //! Spaces of periodic motions that are followed each for itself.
 
+use std::f64::consts::TAU;
+
 /// How a motion repeats itself: after so many halves of the drive's period, as it is or mirrored.
 ///
 /// Motions of one space stay among themselves when a parameter changes. So a fold of symmetric motions is a singular point in their
@@ -11,6 +13,18 @@ pub struct Space {
     pub half_periods: u32,
     /// Whether all coordinates have the opposite sign then.
     pub mirrored: bool,
+    /// The angle that goes around meanwhile, if one does.
+    pub rotation: Option<Rotation>,
+}
+
+/// An angle that comes back after whole turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Rotation {
+    /// The number of the coordinate, from 0.
+    pub coordinate: usize,
+    /// How many turns it makes; backwards where negative.
+    pub turns: i32,
 }
 
 /// The shift in time, in halves of the drive's period, with which the mirror image of a motion is a motion too.
@@ -25,7 +39,7 @@ pub(super) enum Symmetry {
 impl Space {
     /// Motions with so many periods of the drive.
     pub(super) const fn of_periods(periods: u32) -> Self {
-        Self { half_periods: 2 * periods, mirrored: false }
+        Self { half_periods: 2 * periods, mirrored: false, rotation: None }
     }
 
     /// Those of them that are symmetric, where there are such.
@@ -35,19 +49,23 @@ impl Space {
             Symmetry::Unshifted => half_periods.is_multiple_of(2),
             Symmetry::HalfPeriod => !half_periods.is_multiple_of(2),
         };
-        (fits && !self.mirrored).then_some(Self { half_periods, mirrored: true })
+        let may_be = fits && !self.mirrored && self.rotation.is_none();
+        may_be.then_some(Self { half_periods, mirrored: true, rotation: None })
     }
 
     /// The spaces that are parts of this one: of symmetric motions, and of those with half the period.
     pub(super) fn within(self, symmetry: Option<Symmetry>) -> Vec<Self> {
-        let is_even = !self.mirrored && self.half_periods.is_multiple_of(4);
-        let half = is_even.then_some(Self { half_periods: self.half_periods / 2, ..self });
+        let turns = self.rotation.map_or(0, |it| it.turns);
+        let is_even = !self.mirrored && self.half_periods.is_multiple_of(4) && turns % 2 == 0;
+        let rotation = self.rotation.map(|it| Rotation { turns: turns / 2, ..it });
+        let half = is_even.then_some(Self { half_periods: self.half_periods / 2, rotation, ..self });
         self.symmetric(symmetry).into_iter().chain(half).collect()
     }
 
     /// The space into which motions go that leave this one: twice as long, without a mirror.
-    pub(super) const fn doubled(self) -> Self {
-        Self { half_periods: 2 * self.half_periods, mirrored: false }
+    pub(super) fn doubled(self) -> Self {
+        let rotation = self.rotation.map(Rotation::doubled);
+        Self { half_periods: 2 * self.half_periods, mirrored: false, rotation }
     }
 
     /// The number of periods of the drive in one of the motion; of a mirrored motion, which takes twice the time to be as it was.
@@ -58,5 +76,40 @@ impl Space {
 
     pub(super) const fn sign(self) -> f64 {
         if self.mirrored { -1.0 } else { 1.0 }
+    }
+
+    /// How many turns a number of the state has made at the end.
+    pub(super) fn turns_of(self, number: usize) -> i32 {
+        self.rotation.map_or(0, |it| it.turns_of(number))
+    }
+
+    /// What an end, or its mirror image, misses of the start.
+    pub(super) fn missed(self, end: &[f64], start: &[f64]) -> Vec<f64> {
+        let pairs = end.iter().zip(start).enumerate();
+        pairs
+            .map(|(number, (end, start))| self.sign() * end - start - TAU * f64::from(self.turns_of(number)))
+            .collect()
+    }
+
+    /// Whether two states are no farther apart than so much; angles that go around are the same a turn later.
+    pub(super) fn is_near(self, a: &[f64], b: &[f64], distance: f64) -> bool {
+        let apart = |(number, far): (usize, f64)| match self.turns_of(number) {
+            0 => far,
+            _ => far - TAU * libm::rint(far / TAU),
+        };
+        let differences = a.iter().zip(b).map(|(a, b)| a - b).enumerate();
+        differences.map(apart).all(|far| far.abs() <= distance)
+    }
+}
+
+impl Rotation {
+    pub(super) const fn doubled(self) -> Self {
+        Self { turns: 2 * self.turns, ..self }
+    }
+
+    /// How many turns a coordinate makes.
+    #[must_use]
+    pub const fn turns_of(self, coordinate: usize) -> i32 {
+        if coordinate == self.coordinate { self.turns } else { 0 }
     }
 }

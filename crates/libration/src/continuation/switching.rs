@@ -4,7 +4,7 @@ use super::branch::{Branch, Origin, Walk, Walked};
 use super::node::{Node, largest_swing};
 use super::point::BranchPoint;
 use super::search::Search;
-use super::space::Space;
+use super::space::{Rotation, Space};
 use super::special::{SpecialKind, SpecialPoint};
 use crate::algebra::Doubles;
 use crate::linear::null_space;
@@ -75,7 +75,8 @@ impl Branch {
     fn begin_with(&mut self, point: BranchPoint) {
         let multipliers = point.multipliers.iter().map(|it| *it * *it).collect();
         let is_doubled = self.origin == Origin::PeriodDoubling;
-        let doubled = BranchPoint { multipliers, period: 2.0 * point.period, ..point.clone() };
+        let (period, rotation) = (2.0 * point.period, point.rotation.map(Rotation::doubled));
+        let doubled = BranchPoint { multipliers, period, rotation, ..point.clone() };
         self.points.insert(0, if is_doubled { doubled } else { point });
         self.special.iter_mut().for_each(|special| special.before += 1);
     }

@@ -12,6 +12,7 @@ mod precise_special_points;
 mod promises;
 mod random;
 mod remainders;
+mod rotations;
 mod scaling_law;
 mod two_sided;
 mod ulp;

@@ -7,7 +7,7 @@ use crate::output::json;
 use crate::output::number::{at_most, short};
 use libration::algebra::Complex;
 use libration::continuation::{
-    Branch, BranchPoint, Ending, Jump, OrderAnswers, OrderFinding, Origin, SpecialPoint,
+    Branch, BranchPoint, Ending, Jump, OrderAnswers, OrderFinding, Origin, SpecialPoint, SweepPoint,
 };
 use serde_json::Value;
 
@@ -22,6 +22,19 @@ pub(super) struct Numbered<'a> {
 pub(super) struct Jumping<'a> {
     pub(super) answer: &'a Answer,
     pub(super) jump: &'a Jump,
+}
+
+/// Where a slow sweep leads at one value.
+pub(super) struct Swept<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) rising: bool,
+    pub(super) point: &'a SweepPoint,
+}
+
+/// A line of CSV.
+pub(super) enum Row<'a> {
+    Place(Place<'a>),
+    Swept(Swept<'a>),
 }
 
 /// A point of a branch, or a special one.
@@ -41,6 +54,12 @@ impl Answer {
 
     pub(super) fn jumps(&self) -> impl Iterator<Item = Jumping<'_>> {
         self.response.jumps.iter().map(|jump| Jumping { answer: self, jump })
+    }
+
+    pub(super) fn swept(&self) -> impl Iterator<Item = Swept<'_>> {
+        self.sweeps.iter().flat_map(|sweep| {
+            sweep.points.iter().map(|point| Swept { answer: self, rising: sweep.rising, point })
+        })
     }
 
     /// The amplitude of the coordinate that is meant.
@@ -94,6 +113,37 @@ impl Jumping<'_> {
     }
 }
 
+impl Swept<'_> {
+    fn direction(&self) -> &'static str {
+        direction(self.rising)
+    }
+
+    fn amplitude(&self) -> f64 {
+        self.point.amplitude(self.answer.coordinate, self.answer.is_angle()).unwrap_or(f64::NAN)
+    }
+}
+
+impl Row<'_> {
+    fn place(&self) -> Option<&Place<'_>> {
+        match self {
+            Self::Place(place) => Some(place),
+            Self::Swept(_) => None,
+        }
+    }
+
+    fn amplitude(&self) -> f64 {
+        match self {
+            Self::Place(place) => place.amplitude(),
+            Self::Swept(swept) => swept.amplitude(),
+        }
+    }
+}
+
+/// Of a sweep, for machines.
+fn direction(rising: bool) -> &'static str {
+    if rising { "up" } else { "down" }
+}
+
 impl Place<'_> {
     /// The parameter to the digits that were asked for.
     pub(super) fn digits_text(&self) -> Option<String> {
@@ -144,6 +194,39 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::nested("jumps[].", &of_jump(), |it| {
             json::records(it.jumps().map(|jump| of_jump().record(&jump)))
         }),
+        Of::nested("sweeps[].", &of_swept(), |it| {
+            json::records(it.swept().map(|swept| of_swept().record(&swept)))
+        }),
+    ])
+}
+
+/// Where slow sweeps lead.
+pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
+    type Of<'a> = Field<Swept<'a>>;
+    Fields::from([
+        Of::value("direction", "", "up or down: how the parameter goes in this sweep by integration", |it| {
+            it.direction().into()
+        })
+        .words("sweep", |it| it.direction().to_owned()),
+        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter)
+            .rounded("parameter", 10),
+        Of::number(
+            "amplitude_max",
+            "",
+            "amplitude of the motion that is settled there; null where it goes over the top again and again without repeating itself",
+            Swept::amplitude,
+        )
+        .rounded("amplitude", 8),
+        Of::value(
+            "drive_periods",
+            "1",
+            "periods of the drive after which it repeats itself to a millionth; null where it does not",
+            |it| it.point.drive_periods.into(),
+        )
+        .numeral("periods", |it| it.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())),
+        Of::value("turns", "1", "turns that the coordinate makes meanwhile", |it| {
+            it.point.rotation.map_or(0, |rotation| rotation.turns_of(it.answer.coordinate)).into()
+        }),
     ])
 }
 
@@ -179,9 +262,7 @@ fn of_jump<'a>() -> Fields<Jumping<'a>> {
     type Of<'a> = Field<Jumping<'a>>;
     Fields::from([
         Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.jump.from.parameter),
-        Of::value("sweep", "", "up or down: how the parameter goes", |it| {
-            if it.jump.rising { "up" } else { "down" }.into()
-        }),
+        Of::value("sweep", "", "up or down: how the parameter goes", |it| direction(it.jump.rising).into()),
         Of::number("from", "", "amplitude that is left", |it| it.answer.amplitude(&it.jump.from)),
         Of::value("to[]", "", "amplitudes of the other stable answers there", |it| {
             it.of_landings(Answer::amplitude)
@@ -214,6 +295,12 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
             |it| it.branch.space.drive_periods().into(),
         ),
         Of::value(
+            "turns",
+            "1",
+            "whole turns that the coordinate makes in an answer; zero where it oscillates",
+            |it| it.answer.turns(it.branch).into(),
+        ),
+        Of::value(
             "ending",
             "",
             "why it ends: range_end, closed, branch_point, rest, slow_drive, point_limit, lost or interrupted",
@@ -238,11 +325,16 @@ fn of_place<'a>() -> Fields<Place<'a>> {
         Of::number(
             "amplitude_max",
             "",
-            "largest displacement, of angles from the nearest bottom, in rad",
+            "largest displacement, of angles from the nearest bottom, in rad; of rotating ones half of what they depart from an even rotation",
             Place::amplitude,
         ),
-        Of::number("minimum", "", "least value of the coordinate", |it| it.range()[0]),
-        Of::number("maximum", "", "greatest value of the coordinate", |it| it.range()[1]),
+        Of::number(
+            "minimum",
+            "",
+            "least value of the coordinate; where it rotates, of what it is ahead of an even rotation from t = 0 on",
+            |it| it.range()[0],
+        ),
+        Of::number("maximum", "", "greatest value, likewise", |it| it.range()[1]),
         Of::number("period_s", "s", "period of the answer", |it| it.point.period),
         Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
         Of::value(
@@ -306,25 +398,47 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
     ])
 }
 
-/// A line of CSV: a point, or a special one.
-pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
-    type Of<'a> = Field<Place<'a>>;
+/// A line of CSV: a point, a special one, or one of a sweep.
+pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
+    type Of<'a> = Field<Row<'a>>;
     Fields::from([
-        Of::value("branch", "1", "number of the branch, from 1", |it| it.of.number.into()),
-        Of::value("special", "", "kind of special point, empty for other points", |it| {
-            it.special.map_or("", |special| special.kind.key()).into()
+        Of::value("branch", "1", "number of the branch, from 1; empty for what a sweep leads to", |it| {
+            it.place().map(|it| it.of.number).into()
         }),
-        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
+        Of::value("special", "", "kind of special point, empty for other points", |it| {
+            it.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
+        }),
+        Of::number("parameter", "", "value of the parameter", |it| match it {
+            Row::Place(place) => place.point.parameter,
+            Row::Swept(swept) => swept.point.parameter,
+        }),
         Of::number(
             "amplitude_max",
             "",
-            "largest displacement, of angles from the nearest bottom, in rad",
-            Place::amplitude,
+            "largest displacement, of angles from the nearest bottom, in rad; of rotating ones half of what they depart from an even rotation",
+            Row::amplitude,
         ),
-        Of::number("period_s", "s", "period of the answer", |it| it.point.period),
-        Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
-        Of::number("error", "", "error of the state, of special points that of the parameter", |it| {
-            it.special.map_or(it.point.error, |special| special.error)
+        Of::value("period_s", "s", "period of the answer; empty for what a sweep leads to", |it| {
+            it.place().map_or(Value::Null, |it| json::number(it.point.period))
+        }),
+        Of::value("stable", "", "whether no deviation grows; empty for what a sweep leads to", |it| {
+            it.place().map(|it| it.point.stable).into()
+        }),
+        Of::value(
+            "error",
+            "",
+            "error of the state, of special points that of the parameter; empty for what a sweep leads to",
+            |it| {
+                it.place().map_or(Value::Null, |it| {
+                    json::number(it.special.map_or(it.point.error, |special| special.error))
+                })
+            },
+        ),
+        Of::value("sweep", "", "up or down, where a slow sweep leads; empty for points of branches", |it| {
+            match it {
+                Row::Place(_) => "".into(),
+                Row::Swept(swept) => swept.direction().into(),
+            }
         }),
     ])
 }

@@ -11,8 +11,8 @@ use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{
-    Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Space, SpecialPoint,
-    free_oscillations,
+    Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
+    SpecialPoint, Sweep, free_oscillations,
 };
 use libration::systems::Model;
 use libration::watch::{Progress, Watch};
@@ -27,6 +27,12 @@ pub(crate) use fields::answers;
 const MOST_PERIODS: usize = 100;
 /// Most digits of a special point: each digit is a part of the order of a series.
 const MOST_DIGITS: usize = 100;
+/// Most values of a sweep.
+const MOST_VALUES: usize = 10_000;
+/// Values of the sweeps in a picture: the dots of one do not touch across a column.
+const DOTS: usize = 48;
+/// Most turns of an answer.
+const MOST_TURNS: i32 = 100;
 /// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
 const MOST_GENERATIONS: usize = 6;
 
@@ -43,6 +49,8 @@ const MOST_GENERATIONS: usize = 6;
     --over w=0.5:1.6 --json
   libration response \"x'' + 0.15 x' + x + x^3 = 5 cos(w t)\" --over w=2.5:6 \\
     --orders 1/3
+  libration response driven_pendulum --set c=0.5,A=2 --over omega=0.67:1 \\
+    --turns 1
   libration response van_der_pol --over mu=0.1:10
   libration response \"x' = -y - z; y' = x + 0.2 y; z' = 0.2 + z (x - c)\" \\
     --over c=2:4 --generations 1
@@ -50,7 +58,7 @@ const MOST_GENERATIONS: usize = 6;
 The parameter is a number in the equations or the frequency of the drive. Other
 answers than those at the ends of the range need --initial near them, or
 --orders, which looks for them from the free oscillations that the drive can
-keep up. Without a drive the answers are limit cycles, to which the motion from
+keep up; --turns is for those that go around. Without a drive the answers are limit cycles, to which the motion from
 --initial settles. Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct ResponseQuestion {
     #[command(flatten)]
@@ -63,6 +71,9 @@ pub(crate) struct ResponseQuestion {
     /// How many periods of the drive an answer takes, for subharmonic answers
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
+    /// How many turns the angle of --coordinate makes in an answer, for rotating answers; backwards where negative
+    #[arg(long, value_name = "N", value_parser = turns, allow_negative_numbers = true)]
+    turns: Option<i32>,
     /// Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     orders: Vec<ResonanceOrder>,
@@ -78,6 +89,9 @@ pub(crate) struct ResponseQuestion {
     /// Compute the parameter at special points to so many digits, up to 100
     #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
     digits: Option<usize>,
+    /// Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none]
+    #[arg(long, value_name = "N", value_parser = count::<MOST_VALUES>)]
+    sweeps: Option<usize>,
     /// Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -103,6 +117,7 @@ pub(crate) struct Answer {
     pub(crate) response: Response,
     /// For each branch, for each of its special points, where they were asked for and are known.
     precise: Vec<Vec<Option<Decimal>>>,
+    pub(crate) sweeps: Vec<Sweep>,
     /// How many periods of the drive an answer takes.
     drive_periods: usize,
 }
@@ -137,19 +152,21 @@ impl ResponseQuestion {
             None => 0,
         };
         interrupt::listen()?;
-        let mut response = self.response(&model)?;
+        let mut response = self.response(&model, coordinate)?;
+        let sweeps = self.sweeps(&model, &response)?;
         let precise = self.digits.map_or(Ok(vec![]), |digits| self.precise(&model, &response, digits))?;
         response.interrupted |= interrupt::go_on().is_break();
         let parameter = name.clone();
         let drive_periods = self.drive_periods;
-        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, drive_periods })
+        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, drive_periods })
     }
 
-    fn response(&self, model: &Model) -> Result<Response, Failure> {
+    fn response(&self, model: &Model, coordinate: usize) -> Result<Response, Failure> {
         let start = self.initial.is_given().then(|| self.initial.read(model)).transpose()?;
         let options = ResponseOptions {
             start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
             drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),
+            rotation: self.turns.map(|turns| Rotation { coordinate, turns }),
             generations: self.generations,
             at: self.at,
             orders: self.orders.clone(),
@@ -166,6 +183,26 @@ impl ResponseQuestion {
             Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
         });
         response.map_err(failure)
+    }
+
+    /// Where slow sweeps lead, if they are asked for or belong to the picture.
+    fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, Failure> {
+        if self.sweeps.is_some() && !response.driven {
+            return Err(Failure::usage("--sweeps", "nothing drives the system: sweeps are of driven ones"));
+        }
+        let in_picture = self.figure.as_ref().filter(|_| response.driven).map(|_| DOTS);
+        let Some(values) = self.sweeps.or(in_picture) else { return Ok(vec![]) };
+        let done = AtomicUsize::new(0);
+        let how_far = || format!("{} of {} values of the sweeps", done.load(Ordering::Relaxed), 2 * values);
+        let ask = |now: Progress| {
+            done.store(now.done, Ordering::Relaxed);
+            parallel::go_on(&how_far)
+        };
+        let ParameterSpan { name, range } = &self.over;
+        let sweeps = parallel::with_progress(how_far, || {
+            response.sweeps_watched(model.equation(), name, *range, values, &Watch::new(&ask))
+        });
+        sweeps.map_err(failure)
     }
 }
 
@@ -202,6 +239,11 @@ impl Answer {
         self.model.coordinates()[self.coordinate].is_angle()
     }
 
+    /// How many turns the coordinate makes in an answer of a branch.
+    pub(crate) fn turns(&self, branch: &Branch) -> i32 {
+        branch.space.rotation.map_or(0, |rotation| rotation.turns_of(self.coordinate))
+    }
+
     /// What the picture shows.
     fn curve(&self) -> ResponseCurve<'_> {
         ResponseCurve {
@@ -211,6 +253,7 @@ impl Answer {
             coordinate: self.coordinate,
             branches: self.branches(),
             backbone: self.backbone(),
+            sweeps: &self.sweeps,
         }
     }
 
@@ -229,6 +272,7 @@ impl Answer {
             (ratio - ratio.round()).abs() < 1e-9 || (1.0 / ratio - (1.0 / ratio).round()).abs() < 1e-9
         });
         let is_frequency = is_frequency && self.response.driven;
+        let is_frequency = is_frequency && points().all(|point| point.rotation.is_none());
         let Some(equation) = is_frequency.then(|| self.at_middle()).flatten() else { return vec![] };
         let largest = points().map(|point| point.amplitude(0, self.is_angle())).fold(0.0, f64::max);
         let largest = if self.is_angle() { largest.min(0.999 * PI) } else { largest };
@@ -264,6 +308,7 @@ fn failure(error: NoBranch) -> Failure {
         NoBranch::Family => {
             Failure::no_answer("SYSTEM|EQUATION", format!("{error}, as `libration backbone` does"))
         }
+        NoBranch::NotAnAngle(_) | NoBranch::NoRotation { .. } => Failure::usage("--turns", error),
         NoBranch::NotOneOscillator => Failure::usage("--orders", error),
         NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
         _ => Failure::no_answer("response", error),
@@ -273,6 +318,11 @@ fn failure(error: NoBranch) -> Failure {
 fn value(text: &str) -> Result<f64, String> {
     let value = constant(text)?.to_f64().filter(|value| value.is_finite());
     value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
+}
+
+fn turns(text: &str) -> Result<i32, String> {
+    let number = text.trim().parse().ok().filter(|number: &i32| (1..=MOST_TURNS).contains(&number.abs()));
+    number.ok_or_else(|| format!("give a whole number from 1 to {MOST_TURNS}, or from -{MOST_TURNS} to -1"))
 }
 
 fn whole(text: &str) -> Result<usize, String> {

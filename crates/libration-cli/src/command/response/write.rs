@@ -1,7 +1,9 @@
 //! A response as a sheet with its special points and words, JSON and CSV.
 
 use super::Answer;
-use super::fields::{Jumping, Numbered, ending, of_answer, of_branch, of_row, of_special, origin};
+use super::fields::{
+    Jumping, Numbered, Row, ending, of_answer, of_branch, of_row, of_special, of_swept, origin,
+};
 use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
@@ -31,10 +33,11 @@ impl Answer {
         for branch in self.numbered() {
             let fields = of_row();
             for place in branch.places() {
-                csv::line(out, &fields.csv_cells(&place))?;
+                csv::line(out, &fields.csv_cells(&Row::Place(place)))?;
             }
         }
-        Ok(())
+        let fields = of_row();
+        self.swept().try_for_each(|swept| csv::line(out, &fields.csv_cells(&Row::Swept(swept))))
     }
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
@@ -73,7 +76,16 @@ impl Answer {
         if !self.response.jumps.is_empty() {
             writeln!(out)?;
         }
-        self.jumps().try_for_each(|jump| write_text(out, "", &told(&jump)))
+        self.jumps().try_for_each(|jump| write_text(out, "", &told(&jump)))?;
+        if !self.response.driven || self.sweeps.is_empty() || !listed {
+            return Ok(());
+        }
+        writeln!(out)?;
+        let mut table = Table::new(of_swept().columns());
+        for swept in self.swept() {
+            table.row(out, of_swept().cells(&swept))?;
+        }
+        table.finish(out)
     }
 }
 
@@ -121,22 +133,39 @@ fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
     format!("{begin} {verb} at {value}, from {from} to {}.", to.join(" or "))
 }
 
+fn rotating(turns: i32, periods: u32) -> String {
+    let times = match turns.abs() {
+        1 => "one turn".to_owned(),
+        more => format!("{more} turns"),
+    };
+    let back = if turns < 0 { " backwards" } else { "" };
+    match periods {
+        1 => format!("{times}{back} in a period of the drive"),
+        more => format!("{times}{back} in {more} periods of the drive"),
+    }
+}
+
 /// Where a branch comes from and goes, and how much of it is stable.
 fn summary(branch: &Numbered<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
     let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
     let stable = points.iter().filter(|point| point.stable).count();
     let periods = match (answer.response.driven, branch.branch.space.drive_periods()) {
-        (true, 1) => "period of the drive".to_owned(),
-        (true, more) => format!("{more} periods of the drive"),
+        (true, periods) => match (answer.turns(branch.branch), periods) {
+            (0, 1) => "period of the drive".to_owned(),
+            (0, more) => format!("{more} periods of the drive"),
+            (turns, periods) => rotating(turns, periods),
+        },
         (false, 1) => "limit cycle".to_owned(),
         (false, more) => format!("limit cycle of {more} turns"),
     };
     let symmetric = if branch.branch.space.mirrored { "symmetric, " } else { "" };
-    let over_the_top = match answer.is_angle() && largest > PI {
+    let rotates = answer.turns(branch.branch) != 0;
+    let over_the_top = match answer.is_angle() && largest > PI && !rotates {
         true => ", beyond the top",
         false => "",
     };
+    let even = if rotates { " ahead of an even rotation and behind it" } else { "" };
     let end = points.last().filter(|_| branch.branch.ending == Ending::RangeEnd);
     let at = end.map_or_else(String::new, |point| {
         format!(
@@ -151,7 +180,7 @@ fn summary(branch: &Numbered<'_>) -> String {
         (Origin::Primary | Origin::FreeOscillation, other) => format!("; backwards it {}", ending(other)[1]),
     };
     format!(
-        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}; {}{at}{before}",
+        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}{even}; {}{at}{before}",
         origin(branch.branch.origin)[1],
         points.len(),
         answer.amplitude_text(largest),
