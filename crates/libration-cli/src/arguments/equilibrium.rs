@@ -1,6 +1,6 @@
 //! Which equilibrium is meant: `theta=180deg`.
 
-use super::say_radians;
+use super::{coordinate, say_radians};
 use crate::failure::Failure;
 use libration::expression::Expression;
 use libration::quantity::Angle;
@@ -22,7 +22,7 @@ impl EquilibriumOptions {
             let (name, value) = item.split_once('=').ok_or_else(|| {
                 refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
             })?;
-            let place = place_of(name, model)?;
+            let place = coordinate(model, "--about", name)?;
             guess[place] = number(&model.coordinates()[place], value.trim())?;
         }
         Ok(guess)
@@ -31,16 +31,6 @@ impl EquilibriumOptions {
 
 fn refusal(reason: String) -> Failure {
     Failure::usage("--about", reason)
-}
-
-fn place_of(name: &str, model: &Model) -> Result<usize, Failure> {
-    let plain =
-        name.trim().parse::<Expression>().map_or_else(|_| name.trim().to_owned(), |it| it.to_string());
-    let found = model.coordinates().iter().position(|coordinate| coordinate.name == plain);
-    found.ok_or_else(|| {
-        let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
-        refusal(format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", ")))
-    })
 }
 
 fn number(coordinate: &Coordinate, text: &str) -> Result<f64, Failure> {

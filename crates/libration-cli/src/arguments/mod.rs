@@ -56,7 +56,7 @@ pub(crate) use parameter_range::{ParameterRange, constant, parameter_range, prog
 pub(crate) use parameter_span::{ParameterSpan, parameter_span, two_parameter_spans};
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_decide};
-pub(crate) use section::{SectionOptions, place_in_state, places_in_state, section_failure};
+pub(crate) use section::{SectionOptions, coordinate, place_in_state, places_in_state, section_failure};
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use sweep_options::sweep_options_first;
 pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions};

@@ -137,6 +137,15 @@ pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Resul
     })
 }
 
+/// The number of the coordinate with this name.
+pub(crate) fn coordinate(model: &Model, argument: &str, name: &str) -> Result<usize, Failure> {
+    let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
+    names.iter().position(|known| *known == plain_name(name)).ok_or_else(|| {
+        let known = names.join(", ");
+        Failure::usage(argument, format!("the system has no coordinate `{}`: it has {known}", name.trim()))
+    })
+}
+
 /// Where two numbers stand in the state, by their names.
 pub(crate) fn places_in_state(model: &Model, argument: &str, names: &str) -> Result<[usize; 2], Failure> {
     match names.split(',').collect::<Vec<_>>()[..] {

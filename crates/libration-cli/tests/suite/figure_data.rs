@@ -11,7 +11,6 @@ const SECOND: &str = "#d55e00";
 const THIRD: &str = "#009e73";
 const FOURTH: &str = "#cc79a7";
 const BLACK: &str = "#000000";
-const ORANGE: &str = "#E69F00";
 const GREY: &str = "#767676";
 const ORANGE: &str = "#e69f00";
 const LAW: &str = SECOND;

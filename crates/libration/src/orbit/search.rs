@@ -17,6 +17,8 @@ pub struct OrbitSearch {
     pub period: Option<f64>,
     /// Whether the motion conserves an energy, so that orbits come in families and the start chooses one of them.
     pub conserves_energy: bool,
+    /// The coordinate whose value at the start chooses one of a family near a guess; the one farthest from zero if there is none.
+    pub held: Option<usize>,
 }
 
 /// How an orbit came about.
@@ -43,7 +45,7 @@ impl Orbit {
     /// # Examples
     /// ```
     /// use libration::orbit::{Orbit, OrbitKind, OrbitSearch};
-    /// let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false };
+    /// let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
     /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search)?;
     /// assert_eq!(kind, OrbitKind::LimitCycle);
     /// assert!((cycle.period() - 6.66328685932313).abs() < 1e-13);
@@ -112,14 +114,15 @@ impl OrbitSearch {
         if orbit.period_uncertainty() <= OPEN * orbit.period() { Ok(orbit) } else { one_of_family() }
     }
 
-    /// The numbers that keep their values: the velocity of the coordinate that is farthest from zero chooses the start on the orbit, the
-    /// coordinate itself one of a family. Without a velocity it is the coordinate, and another number.
+    /// The numbers that keep their values: the velocity of the coordinate that is held, or farthest from zero, chooses the start on the orbit,
+    /// the coordinate itself one of a family. Without a velocity it is the coordinate, and another number.
     fn fixed(&self, layout: &StateLayout) -> [usize; 2] {
         let size = |coordinate: &usize| self.start[*coordinate].abs();
-        let farthest = (0..layout.coordinates()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
-        match layout.velocity(farthest) {
-            Some(velocity) => [velocity, farthest],
-            None => [farthest, usize::from(farthest == 0)],
+        let farthest = || (0..layout.coordinates()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
+        let held = self.held.filter(|it| *it < layout.coordinates()).unwrap_or_else(farthest);
+        match layout.velocity(held) {
+            Some(velocity) => [velocity, held],
+            None => [held, usize::from(held == 0)],
         }
     }
 }

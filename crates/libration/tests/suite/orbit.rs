@@ -287,6 +287,7 @@ fn a_search_finds_the_orbit_of_each_kind() {
         start: start.to_vec(),
         period,
         conserves_energy,
+        held: None,
     };
     let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search);
     let (kind, orbit) = found("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
@@ -314,6 +315,7 @@ fn a_search_without_a_period_says_what_is_missing() {
         start: start.to_vec(),
         period: None,
         conserves_energy,
+        held: None,
     };
     let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it).unwrap_err();
     assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), NoOrbit::NoPeriod);
@@ -441,4 +443,37 @@ fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
     assert!(orbit.period_uncertainty() < 1e-13 * orbit.period());
     let other_side = orbit.state_at(0.5 * orbit.period())[0];
     assert!((other_side + 2.785_695_567_633_276_6).abs() < 1e-12, "{other_side}");
+}
+
+/// Frequencies of 2:1 couple swing and spring at any amplitude: r is largest or smallest when the angle is.
+#[test]
+fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle() {
+    // By collocation in cosines and by Taylor shooting in 130-bit floats: 30 digits; the trace of the other pair of multipliers to 9.
+    let spring =
+        equation("r'' = r*theta'^2 + cos(theta) - 3*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r");
+    let modes: [(f64, [f64; 2], f64, f64, f64); 4] = [
+        (5.0, [7.09, 1.38], 7.087437530345269647307881, 1.376323498061977629228198, 1.75407913),
+        (20.0, [6.58, 1.53], 6.583763427779130885809781, 1.531637815096400611312269, -0.774764844),
+        (5.0, [7.42, 1.29], 7.423279872261442783198011, 1.293919892111355174413307, 1.74938487),
+        (20.0, [7.93, 1.19], 7.931476467877885520678306, 1.194011222526851579063659, -0.91920993),
+    ];
+    for (degrees, [guess, place], period, start, trace) in modes {
+        let angle = f64::to_radians(degrees);
+        let search = OrbitSearch {
+            start: vec![place, angle, 0.0, 0.0],
+            period: Some(guess),
+            conserves_energy: true,
+            held: Some(1),
+        };
+        let (_, orbit) = Orbit::search(&spring, &search).unwrap();
+        assert_eq!(orbit.start()[1], angle);
+        let off = (orbit.period() / period - 1.0).abs().max((orbit.start()[0] / start - 1.0).abs());
+        assert!(off < 1e-12, "{off:e} at {degrees}");
+        // Two multipliers are 1, of deviations along the motion and along the family.
+        let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|it| it.re).sum();
+        assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
+        // What is farthest from zero is r, which would choose another one of the family.
+        let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }).unwrap().1;
+        assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
+    }
 }

@@ -1,6 +1,6 @@
 //! A mode followed in amplitude, as table, JSON and CSV.
 
-use crate::arguments::displacements;
+use crate::arguments::{coordinate, displacements};
 use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -40,14 +40,8 @@ pub(super) struct Followed {
 impl FollowOptions {
     /// The number of the coordinate.
     pub(super) fn coordinate(&self, model: &Model) -> Result<usize, Failure> {
-        let Some(name) = &self.coordinate else { return Ok(0) };
-        let plain = crate::arguments::plain_name(name);
-        model.coordinates().iter().position(|it| it.name == plain).ok_or_else(|| {
-            let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
-            let reason =
-                format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", "));
-            Failure::usage("--coordinate", reason)
-        })
+        let named = |name: &String| coordinate(model, "--coordinate", name);
+        self.coordinate.as_ref().map_or(Ok(0), named)
     }
 
     /// Ascending amplitudes.

@@ -3,7 +3,7 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, SystemOptions, count, positive};
+use crate::arguments::{InitialOptions, SystemOptions, coordinate, count, positive};
 use crate::failure::Failure;
 use crate::output::number::count as number;
 use crate::output::{FormOptions, announce};
@@ -30,11 +30,13 @@ const MOST_PERIODS: usize = 1000;
   libration orbit pendulum --initial theta=60deg --figure orbit.svg
   libration orbit double_pendulum --period 8 --json \\
     --initial theta1=0.1,theta2=0.141
+  libration orbit spring_pendulum --set kappa=3 --period 7 --hold theta \\
+    --initial r=1.4,theta=5deg
   libration orbit \"x'' + 0.05 x' + x + x^3 = 5 cos(9 t)\" --drive-periods 3 \\
     --initial x=3
 
 Where energy is conserved the start chooses one orbit of a family: its largest
-coordinate is kept, and the velocity of that one.")]
+coordinate is kept, or that of --hold, and the velocity of that one.")]
 pub(crate) struct OrbitQuestion {
     #[command(flatten)]
     system: SystemOptions,
@@ -46,6 +48,9 @@ pub(crate) struct OrbitQuestion {
     /// How many periods of the drive the orbit takes, for subharmonic answers
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
+    /// The coordinate whose value at the start is kept, of a family of orbits near a guess [default: the farthest from zero]
+    #[arg(long, value_name = "NAME", requires = "period")]
+    hold: Option<String>,
     /// Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -102,7 +107,8 @@ impl OrbitQuestion {
             let reason = "the equations have no drive with a known period: give a guess with --period";
             return Err(Failure::usage("--drive-periods", reason));
         }
-        Ok(OrbitSearch { start, period, conserves_energy: model.energy().is_ok() })
+        let held = self.hold.as_ref().map(|name| coordinate(model, "--hold", name)).transpose()?;
+        Ok(OrbitSearch { start, period, conserves_energy: model.energy().is_ok(), held })
     }
 }
 

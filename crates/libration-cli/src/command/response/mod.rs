@@ -4,7 +4,7 @@ mod fields;
 mod write;
 
 use crate::arguments::{
-    InitialOptions, ParameterSpan, SystemOptions, constant, count, parameter_span, place_in_state,
+    InitialOptions, ParameterSpan, SystemOptions, constant, coordinate, count, parameter_span,
 };
 use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
@@ -144,13 +144,8 @@ impl ResponseQuestion {
     fn computed(&self) -> Result<Answer, Failure> {
         let ParameterSpan { name, range } = &self.over;
         let model = self.system.model_with_open(&[name])?;
-        let coordinate = match &self.coordinate {
-            Some(name) => place_in_state(&model, "--coordinate", name)
-                .ok()
-                .filter(|place| *place < model.coordinates().len())
-                .ok_or_else(|| Failure::usage("--coordinate", no_coordinate(&model, name)))?,
-            None => 0,
-        };
+        let named = |name: &String| coordinate(&model, "--coordinate", name);
+        let coordinate = self.coordinate.as_ref().map(named).transpose()?.unwrap_or(0);
         interrupt::listen()?;
         let mut response = self.response(&model, coordinate)?;
         let sweeps = self.sweeps(&model, &response)?;
@@ -291,11 +286,6 @@ impl Answer {
         let middle = format!("{:?}", 0.5 * (self.range[0] + self.range[1])).parse().ok()?;
         self.model.equation().with(&[(&self.parameter, middle)]).ok()
     }
-}
-
-fn no_coordinate(model: &Model, name: &str) -> String {
-    let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
-    format!("the system has no coordinate `{}`: it has {}", name.trim(), names.join(", "))
 }
 
 fn failure(error: NoBranch) -> Failure {
