@@ -16,6 +16,7 @@ def orbit(
     initial: Values | None = None,
     period: Given | None = None,
     drive_periods: Given | None = None,
+    hold: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
@@ -40,6 +41,8 @@ def orbit(
         A guess of the period, in seconds; of a driven system the period of the answer.
     drive_periods : number or text, optional
         How many periods of the drive the orbit takes, for subharmonic answers [default: 1].
+    hold : number or text, optional
+        The coordinate whose value at the start is kept, of a family of orbits near a guess [default: the farthest from zero].
     figure : str or path, optional
         Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity.
     size : {"page", "column", "slide"}, optional

@@ -16,11 +16,13 @@ def response(
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     drive_periods: Given | None = None,
+    turns: Given | None = None,
     orders: Given | None = None,
     at: Given | None = None,
     generations: Given | None = None,
     coordinate: Given | None = None,
     digits: Given | None = None,
+    sweeps: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
@@ -45,6 +47,8 @@ def response(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
         How many periods of the drive an answer takes, for subharmonic answers [default: 1].
+    turns : number or text, optional
+        How many turns the angle of ``coordinate`` makes in an answer, for rotating answers; backwards where negative.
     orders : number or text, or several, optional
         Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2.
     at : number or text, optional
@@ -55,6 +59,8 @@ def response(
         The coordinate whose amplitude is meant [default: the first].
     digits : number or text, optional
         Compute the parameter at special points to so many digits, up to 100.
+    sweeps : number or text, optional
+        Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none].
     figure : str or path, optional
         Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
