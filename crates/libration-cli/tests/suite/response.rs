@@ -165,7 +165,8 @@ fn answers_that_go_around_are_followed() {
     let answer = json(question);
     let branches = answer["branches"].as_array().unwrap();
     let turns = |it: &Value| (it["turns"].as_i64().unwrap(), it["drive_periods"].as_i64().unwrap());
-    assert_eq!(branches.iter().map(turns).collect::<Vec<_>>(), [(1, 1), (2, 2)]);
+    // Two at the lower end, of which one is unstable throughout, and what branches off.
+    assert_eq!(branches.iter().map(turns).collect::<Vec<_>>(), [(1, 1), (1, 1), (2, 2)]);
     // By Taylor shooting in 40 digits.
     let doubling = &branches[0]["special"][0];
     assert!((number(doubling, "parameter") - 0.847446163297482).abs() < 1e-13, "{doubling}");

@@ -40,6 +40,9 @@ pub struct SweepPoint {
 
 /// The longest answers that are recognised, in periods of the drive.
 const LONGEST: usize = 8;
+/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both answers of the driven pendulum at 0.8, which without them
+/// jumps down from the one at 0.9.
+const RAMP: u32 = 16;
 /// In periods of the drive: a quality of 300 falls to 3e-5 meanwhile.
 const MOST_PERIODS: usize = 1000;
 /// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
@@ -64,7 +67,7 @@ impl SweepPoint {
 
 impl Response {
     /// The motions through which slow sweeps go, up from a stable answer at the lower end of the range and down from one at the upper end, by
-    /// integration alone: at each of so many evenly spaced values the motion goes on until it repeats itself. Where an end has no stable
+    /// integration alone: from value to value in small steps, and at each of so many evenly spaced ones until the motion repeats itself. Where an end has no stable
     /// answer there is no sweep from there.
     ///
     /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
@@ -129,9 +132,11 @@ struct Sweeping<'a> {
 
 impl Sweeping<'_> {
     fn points(&self, values: &[f64], mut state: Vec<f64>) -> Vec<SweepPoint> {
-        let mut points = vec![];
+        let mut points: Vec<SweepPoint> = vec![];
         for value in values {
-            let Some(point) = self.settled(*value, state) else { break };
+            let from = points.last().map_or(*value, |point| point.parameter);
+            let settled = self.ramped(state, [from, *value]).and_then(|state| self.settled(*value, state));
+            let Some(point) = settled else { break };
             state =
                 point.state.iter().enumerate().map(|(number, x)| x - self.whole_turns(number, *x)).collect();
             points.push(point);
@@ -140,6 +145,15 @@ impl Sweeping<'_> {
             }
         }
         points
+    }
+
+    /// The state after the parameter has gone from one value to another in small steps, each for a period of the drive: so a motion is not lost
+    /// because the next value is far.
+    fn ramped(&self, state: Vec<f64>, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+        (1..RAMP).try_fold(state, |state, step| {
+            let value = from + (to - from) * f64::from(step) / f64::from(RAMP);
+            self.family.moved_on(&state, value, [0.0, self.family.drive_period(&[value])?])
+        })
     }
 
     /// The motion at a value, followed until it repeats itself.
