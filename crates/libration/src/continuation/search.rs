@@ -8,8 +8,10 @@ use super::node::{Node, Tests};
 use super::options::ResponseOptions;
 use super::space::Space;
 use crate::algebra::BigFloat;
+use crate::chaos::angles;
 use crate::expression::{Equation, Expression};
 use crate::orbit::{NoOrbit, Orbit};
+use std::f64::consts::TAU;
 
 pub(super) struct Search<'a> {
     pub(super) equation: &'a Equation,
@@ -58,12 +60,22 @@ impl Search<'_> {
         }
         let duration = self.family.duration(self.space(), &[], &[value]).ok_or(NoOrbit::NoPeriod)?;
         let unknowns = match Orbit::driven_watched(&equation, duration, &state, self.family.watch) {
-            Ok(orbit) => orbit.start(),
+            Ok(orbit) => self.about_the_nearest_bottom(&orbit),
             // The drive has the amplitude zero.
             Err(NoOrbit::NotDriven) => state,
             Err(error) => return Err(error),
         };
         Ok(Start { unknowns, space: self.space() })
+    }
+
+    /// The start of an orbit, whose angles have gone around on the way to it, as many turns back: its mirror image is one about zero.
+    fn about_the_nearest_bottom(&self, orbit: &Orbit) -> Vec<f64> {
+        let is_angle = angles(self.equation).into_iter().chain(std::iter::repeat(false));
+        let moved = |(number, (x, is_angle)): (usize, (f64, bool))| {
+            let (low, high) = orbit.range(number);
+            if is_angle { x - TAU * libm::rint(0.5 * (low + high) / TAU) } else { x }
+        };
+        orbit.start().into_iter().zip(is_angle).enumerate().map(moved).collect()
     }
 
     pub(super) fn space(&self) -> Space {

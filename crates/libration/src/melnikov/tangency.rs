@@ -32,6 +32,8 @@ pub struct Tangency {
     pub phase: f64,
     /// The velocity of that motion there, in rad/s.
     pub velocity: f64,
+    /// The phase may be wrong by so much, and the velocity likewise: what the last correction of the phase and rounding change.
+    pub place_error: f64,
 }
 
 /// Of the starts from the saddle, in radians: its square times the strength of the perturbation is below the last digit.
@@ -80,6 +82,14 @@ struct Nearest {
     velocity: f64,
 }
 
+/// A passage of the bottom by both manifolds.
+struct Place {
+    time: f64,
+    velocity: f64,
+    /// Of the time.
+    error: f64,
+}
+
 impl Approach<'_> {
     /// By the secant through the last two values, from the threshold on.
     fn tangency(&self, threshold: f64) -> Result<Tangency, NoTangency> {
@@ -110,12 +120,15 @@ impl Approach<'_> {
                 let rounding = ROUNDING * nearest.velocity * nearest.velocity;
                 let error =
                     change.min(before) + ((farther - nearest.separation).abs() + rounding) / slope.abs();
-                let phase = self.frequency(value)? * nearest.time;
+                let frequency = self.frequency(value)?;
+                let place = self.place(value, frequency, nearest.time)?;
+                let phase = frequency * place.time;
                 return Ok(Tangency {
                     value,
                     error,
                     phase: phase.rem_euclid(TAU),
-                    velocity: nearest.velocity,
+                    velocity: place.velocity,
+                    place_error: frequency * place.error + error,
                 });
             }
             last = (value, nearest.separation);
@@ -143,6 +156,32 @@ impl Approach<'_> {
 
     fn frequency(&self, value: f64) -> Result<f64, NoTangency> {
         Ok(self.melnikov(value)?.frequency)
+    }
+
+    /// The time of the extreme to more digits, by differences of five times: these leave the fourth power of the interval, and rounding over it,
+    /// some 1e-11 each. The last correction is what the longer interval has left.
+    fn place(&self, value: f64, frequency: f64, time: f64) -> Result<Place, NoTangency> {
+        const INTERVALS: [f64; 2] = [1.0 / 1024.0, 1.0 / 2048.0];
+        let equation = with_value(self.equation, self.parameter, value)?;
+        let omega0 = PerturbedPendulum::new(&equation)?.omega0();
+        let manifolds = Manifolds::new(&equation, [self.direction, omega0, frequency], DISTANCE, self.watch)?;
+        let mut delays: Delays = manifolds.delays();
+        let mut place = Place { time, velocity: 0.0, error: f64::INFINITY };
+        for part in INTERVALS {
+            let interval = part * TAU / frequency;
+            let mut at = |side: f64| manifolds.separation(place.time + side * interval, &mut delays);
+            let [[a, _], [b, _], [middle, velocity], [c, _], [d, _]] =
+                [at(-2.0)?, at(-1.0)?, at(0.0)?, at(1.0)?, at(2.0)?];
+            let slope = (8.0 * (c - b) - (d - a)) / 12.0;
+            let bend = (16.0 * (b + c) - 30.0 * middle - (a + d)) / 12.0;
+            let shift = -slope / bend;
+            if shift.is_nan() || shift.abs() > 1.0 {
+                return Err(NoTangency::NoConvergence);
+            }
+            let error = (shift.abs() + ROUNDING * velocity * velocity / bend.abs()) * interval;
+            place = Place { time: place.time + shift * interval, velocity, error };
+        }
+        Ok(place)
     }
 
     /// The extreme of the separation near a time, by parabolas through three times that draw together.

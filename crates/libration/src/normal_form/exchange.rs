@@ -55,11 +55,12 @@ pub enum NoExchange {
     Integration(#[from] IntegrationError),
 }
 
-/// Exchanges over which frequencies are averaged, and samples in each: with half as many, harmonics of the modes pass for slow changes.
-const EXCHANGES: usize = 48;
+/// Exchanges over which frequencies are averaged, which leaves 1e-12 of them (48 leave 1e-11), and samples in each: with half as many, harmonics of
+/// the modes pass for slow changes.
+const EXCHANGES: usize = 96;
 const SAMPLES: usize = 96;
 /// What the tolerance of the integration leaves of a mean frequency, in parts of it.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 1e-12;
 /// Periods of the slowest mode that are waited for an exchange.
 const LONGEST: usize = 2000;
 

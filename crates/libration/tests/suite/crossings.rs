@@ -1,6 +1,7 @@
 //! Where branches of periodic motions cross, and what looks like it; beside closed forms and integrations by other programs.
 
 use libration::continuation::{Branch, Ending, NoBranch, Response, ResponseOptions, SpecialKind};
+use libration::expression::Equation;
 use std::f64::consts::PI;
 
 fn over(equation: &str, parameter: &str, range: [f64; 2], options: ResponseOptions) -> Response {
@@ -82,4 +83,25 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
     let circles = "x'' = -x + mu*0".parse().unwrap();
     let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default());
     assert_eq!(none.unwrap_err(), NoBranch::Family);
+}
+
+/// The motion from rest goes seven turns around before it settles on an answer that has lost its symmetry: it is the one about the bottom.
+#[test]
+fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
+    let pendulum: Equation = "theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)".parse().unwrap();
+    let response = Response::over(&pendulum, "A", [0.0, 0.6], &ResponseOptions::default()).unwrap();
+    let all = || response.branches.iter().flat_map(|branch| &branch.special);
+    // By Fourier collocation and Taylor shooting 0.528969001376244; the branch that comes back to it ends there.
+    let lost: Vec<f64> =
+        all().filter(|it| it.kind == SpecialKind::SymmetryBreaking).map(|it| it.point.parameter).collect();
+    assert!(lost.iter().any(|it| (it - 0.528969001376244).abs() < 1e-13), "{lost:?}");
+    assert!(
+        all().all(|it| it.kind != SpecialKind::BranchPoint),
+        "{:?}",
+        all().map(|it| it.kind).collect::<Vec<_>>()
+    );
+    let doublings = all().filter(|it| it.kind == SpecialKind::PeriodDoubling);
+    let mut values: Vec<f64> = doublings.map(|it| it.point.parameter).collect();
+    values.sort_by(f64::total_cmp);
+    assert!(values.windows(2).all(|pair| pair[1] - pair[0] > 1e-9), "{values:?}");
 }

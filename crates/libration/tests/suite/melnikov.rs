@@ -270,3 +270,22 @@ fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
     let upper = thresholds(&equation, "A", [0.0, 100.0]).unwrap()[0];
     assert!(upper.tangency(&equation, "A").is_err());
 }
+
+/// Where the manifolds touch, against Taylor series and Newton's method in 200 bits from two distances.
+#[test]
+fn the_place_of_a_tangency_is_known_to_its_stated_error() {
+    use libration::taylor::{Effort, Moment, System, integrate};
+    let equation: Equation = "x'' + 0.1 x' + sin(x) = A cos(t)".parse().unwrap();
+    let [upper, _] = &thresholds(&equation, "A", [0.0, 1.0]).unwrap()[..] else { panic!() };
+    let touching = upper.tangency(&equation, "A").unwrap();
+    assert!((touching.value - 0.319_869_600_087_485_03).abs() < 1e-12);
+    assert!(touching.place_error < 1e-10, "{touching:?}");
+    let system =
+        System::new(&equation.with(&[("A", "0.319869600087485".parse().unwrap())]).unwrap()).unwrap();
+    let start = Moment { time: touching.phase, state: vec![0.0, touching.velocity] };
+    let end = integrate(&system, &start, &[TAU], &Effort::to_tolerance(1e-15)).unwrap().end.state;
+    let expected = [0.042_517_821_156_603_723, 2.002_152_029_089_374_6];
+    let off = (end[0] - expected[0]).abs().max((end[1] - expected[1]).abs());
+    // On the way the angle changes by the velocity times what the phase is off.
+    assert!(off < 3.0 * touching.place_error, "{off:e} for {touching:?}");
+}

@@ -165,6 +165,12 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
         Of::nullable("tangency_velocity_rad_s", "rad/s", "its velocity there, or null", |it| {
             it.tangency.as_ref().ok().map(|it| it.velocity)
         }),
+        Of::nullable(
+            "tangency_place_error",
+            "",
+            "phase and velocity there may be wrong by so much, in rad and rad/s, or null",
+            |it| it.tangency.as_ref().ok().map(|it| it.place_error),
+        ),
         Of::value("no_tangency", "", "why no tangency is known, or null", |it| {
             it.tangency.as_ref().err().map(ToString::to_string).into()
         }),
