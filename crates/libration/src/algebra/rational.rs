@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;
 
-use dashu::base::{BitTest, Sign};
+use dashu::base::{Approximation, BitTest, Sign};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 
@@ -59,6 +59,11 @@ impl Rational {
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         self.0.to_f64().value()
+    }
+
+    /// Whether double precision holds it as it is.
+    pub(crate) fn is_double(&self) -> bool {
+        matches!(self.0.to_f64(), Approximation::Exact(_))
     }
 
     /// `numerator / denominator`, the latter not zero.

@@ -74,8 +74,19 @@ mod partial_solution;
 mod accepted_step;
 mod both_ways;
 mod dense_solution;
-mod ending;
 mod integrate;
+
+mod growth;
+mod roundings;
+mod roundings_of_steps;
+
+mod survey;
+
+mod outcome;
+
+mod gathered;
+
+mod ending;
 
 mod ensemble;
 

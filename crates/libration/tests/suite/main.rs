@@ -27,6 +27,7 @@ mod crossings;
 mod decay;
 mod elliptic;
 mod elliptic_batches;
+mod endings;
 mod ensemble;
 mod equation;
 mod events;

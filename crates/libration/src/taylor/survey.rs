@@ -1,0 +1,58 @@
+//! A motion gone through once, so that its steps can be gone through again from the last to the first.
+
+use std::ops::ControlFlow;
+
+use super::roundings_of_steps::terms;
+use super::{
+    Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Start, System, integrate_from,
+};
+
+/// Where the motion can be begun again, and its end.
+#[derive(Debug)]
+pub(super) struct Survey {
+    /// Where it can be, after some thousand steps each.
+    pub(super) stretches: Vec<Stretch>,
+    pub(super) solution: Solution,
+    /// The event that ended it.
+    pub(super) ending: Option<Occurrence>,
+    /// Of each number of the state the sum of the sizes of all its terms in the last step.
+    pub(super) sizes: Vec<f64>,
+}
+
+/// Some steps that follow each other.
+#[derive(Debug)]
+pub(super) struct Stretch {
+    pub(super) start: Start,
+    pub(super) steps: usize,
+}
+
+impl Survey {
+    pub(super) fn new(
+        system: &System,
+        start: &Moment,
+        last: f64,
+        effort: &Effort,
+    ) -> Result<Self, IntegrationError> {
+        /// So many steps are kept at a time: those of most motions, in a few megabytes.
+        const STEPS: usize = 4096;
+        let start = Start::State(start.clone());
+        let (mut stretches, mut ending, mut sizes) = (vec![], None, vec![]);
+        let mut stretch = Stretch { start: start.clone(), steps: 0 };
+        let mut next = None::<Checkpoint>;
+        let solution = integrate_from(system, &start, &[last], effort, |accepted| {
+            if let Some(checkpoint) = next.take() {
+                let next = Stretch { start: Start::Checkpoint(checkpoint), steps: 0 };
+                stretches.push(std::mem::replace(&mut stretch, next));
+            }
+            stretch.steps += 1;
+            next = if stretch.steps < STEPS { None } else { accepted.checkpoint() };
+            let (step, ended) = (accepted.step(), accepted.ended_at());
+            ending = ended.and_then(|_| accepted.events().last().cloned());
+            let length = ended.unwrap_or(step.end()) - step.start();
+            sizes = (0..step.numbers()).map(|number| terms(step, number, 0, length)).collect();
+            ControlFlow::Continue(())
+        })?;
+        stretches.push(stretch);
+        Ok(Self { stretches, solution, ending, sizes })
+    }
+}

@@ -1,0 +1,173 @@
+//! The error that is stated of the end of a motion, beside the error that it has.
+
+use libration::pendulum::{Motion, Pendulum};
+use libration::quantity::Angle;
+use libration::taylor::{Effort, Event, Moment, System, ending_error, integrate};
+use std::f64::consts::PI;
+
+const TOLERANCES: [f64; 5] = [1e-6, 1e-9, 1e-12, 1e-15, 1e-16];
+
+/// A number at the end, what it is, and by how much it may be wrong as is stated.
+type Compared = [f64; 3];
+
+/// The end of a motion that an event sets, and its stated error.
+fn ended(equation: &str, start: &[(&str, f64)], ending: &Event, tolerance: f64) -> [Moment; 2] {
+    let system = System::new(&equation.parse().unwrap()).unwrap();
+    let system = system.with_events(std::slice::from_ref(ending)).unwrap();
+    let (start, effort) = (system.start(start).unwrap(), Effort::to_tolerance(tolerance));
+    let end = integrate(&system, &start, &[1000.0], &effort).unwrap().end;
+    let error = ending_error(&system, &start, 1000.0, &effort, &end).unwrap();
+    [end, error]
+}
+
+fn first_zero_of(formula: &str) -> Event {
+    Event { ends_at: Some(1), ..Event::zero_of(formula.parse().unwrap()) }
+}
+
+/// Of a pendulum at a given time, and at the last passage of the bottom before.
+fn of_pendulum(amplitude: f64, exact: &Motion, last: f64, tolerance: f64) -> [Compared; 4] {
+    const EQUATION: &str = "theta'' = -sin(theta)";
+    let start = [("theta", amplitude)];
+    let [end, error] = ended(EQUATION, &start, &first_zero_of(&format!("t - {last}")), tolerance);
+    let there = exact.state_at(last);
+    let swings = (2.0 * last / exact.period()).floor();
+    let passages = (1..).zip(0..=1000).find(|(_, before)| f64::from(*before) >= swings).unwrap().0;
+    let bottom = Event { ends_at: Some(passages), ..first_zero_of("theta") };
+    let [at_bottom, error_there] = ended(EQUATION, &start, &bottom, tolerance);
+    let when = exact.period() / 4.0 * (2.0 * swings + 1.0);
+    let speed = 2.0 * libm::sin(0.5 * amplitude);
+    [
+        [end.state[0], there.angle, error.state[0]],
+        [end.state[1], there.velocity, error.state[1]],
+        [at_bottom.time, when, error_there.time],
+        [at_bottom.state[1].abs(), speed, error_there.state[1]],
+    ]
+}
+
+/// Roundings of the closed forms beside which motions are held.
+fn slack(truth: f64) -> f64 {
+    2.0 * f64::EPSILON * truth.abs()
+}
+
+/// From next to the bottom to next to the top, where roundings grow a thousandfold in each swing.
+#[test]
+fn stated_errors_of_pendulums_hold_and_are_not_far_too_large() {
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+    for amplitude in [0.5, 2.0, 2.9, 3.0, 3.1, 3.14] {
+        let exact = pendulum.released_from(Angle::from_radians(amplitude).unwrap()).unwrap();
+        for tolerance in TOLERANCES {
+            let (mut largest, mut largest_stated) = (0.0, 0.0);
+            for last in [10.0, 31.0, 100.0, 316.0] {
+                for [found, truth, stated] in of_pendulum(amplitude, &exact, last, tolerance) {
+                    let off = (found - truth).abs();
+                    assert!(
+                        off <= stated + slack(truth),
+                        "{amplitude} {tolerance:e} {last}: {off:e} {stated:e}"
+                    );
+                    largest = f64::max(largest, off);
+                    largest_stated = f64::max(largest_stated, stated);
+                }
+            }
+            // Above the roundings the second integration tells the error, among them a sum of bounds, 826 times too large at worst.
+            let most = if tolerance > 1e-10 { 1.6 } else { 1000.0 };
+            assert!(
+                largest_stated <= most * largest,
+                "{amplitude} {tolerance:e}: {largest:e} {largest_stated:e}"
+            );
+        }
+    }
+}
+
+/// A ball that is drawn to zero by the same force from both sides, from 1 on.
+fn drawn_to_zero(time: f64) -> Vec<f64> {
+    let half = 2.0 * libm::sqrt(2.0);
+    let number = libm::round(time / half);
+    let since = time - half * number;
+    let side = if number % 2.0 == 0.0 { 1.0 } else { -1.0 };
+    vec![side * (1.0 - 0.5 * since * since), -side * since]
+}
+
+/// A spring of stiffness 3/2 on one side and 1/2 on the other.
+fn two_springs(time: f64) -> Vec<f64> {
+    let (stiff, soft) = (libm::sqrt(1.5), libm::sqrt(0.5));
+    let period = PI / stiff + PI / soft;
+    let time = time - period * (time / period).floor();
+    let quarter = 0.5 * PI / stiff;
+    if time < quarter {
+        return vec![libm::cos(stiff * time), -stiff * libm::sin(stiff * time)];
+    }
+    if time < quarter + PI / soft {
+        let since = time - quarter;
+        return vec![-stiff / soft * libm::sin(soft * since), -stiff * libm::cos(soft * since)];
+    }
+    let since = time - quarter - PI / soft;
+    vec![libm::sin(stiff * since), stiff * libm::cos(stiff * since)]
+}
+
+struct Known {
+    equation: &'static str,
+    start: &'static [(&'static str, f64)],
+    state: fn(f64) -> Vec<f64>,
+}
+
+/// Terms that cancel, constants that are no doubles, quotients, forces that jump and bend.
+const KNOWN: [Known; 9] = [
+    Known { equation: "x' = 0.1", start: &[("x", 1.0)], state: |t| vec![1.0 + t / 10.0] },
+    Known { equation: "x' = -x", start: &[("x", 1.0)], state: |t| vec![libm::exp(-t)] },
+    Known { equation: "x' = 1 - x^2", start: &[("x", 0.0)], state: |t| vec![libm::tanh(t)] },
+    Known {
+        equation: "x'' = -x*0.01",
+        start: &[("x", 1.0)],
+        state: |t| vec![libm::cos(0.1 * t), -0.1 * libm::sin(0.1 * t)],
+    },
+    Known {
+        equation: "x'' = -x + cos(3*t)*8",
+        start: &[("x", -1.0)],
+        state: |t| vec![-libm::cos(3.0 * t), 3.0 * libm::sin(3.0 * t)],
+    },
+    Known { equation: "x'' = -sign(x)", start: &[("x", 1.0)], state: drawn_to_zero },
+    Known { equation: "x'' = -x - abs(x)/2", start: &[("x", 1.0)], state: two_springs },
+    Known {
+        equation: "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)",
+        start: &[("x", 1.0), ("y'", 1.0)],
+        state: |t| vec![libm::cos(t), libm::sin(t), -libm::sin(t), libm::cos(t)],
+    },
+    Known {
+        equation: "x'' = x",
+        start: &[("x", 1.0), ("x'", -1.0)],
+        state: |t| vec![libm::exp(-t), -libm::exp(-t)],
+    },
+];
+
+#[test]
+fn stated_errors_of_other_motions_hold() {
+    for Known { equation, start, state } in KNOWN {
+        for last in [3.7, 37.3, 373.1] {
+            for tolerance in TOLERANCES {
+                let ending = first_zero_of(&format!("t - {last:?}"));
+                let [end, error] = ended(equation, start, &ending, tolerance);
+                for ((found, truth), stated) in end.state.iter().zip(state(last)).zip(&error.state) {
+                    let off = (found - truth).abs();
+                    // The closed forms take the time times a frequency, a part of 2⁻⁵² of which is lost in the phase.
+                    let slack = slack(1.0f64.max(truth.abs())) + f64::EPSILON * last;
+                    assert!(
+                        off <= stated + slack,
+                        "{equation} {last} {tolerance:e}: {found} {truth} {off:e} {stated:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Where a formula touches zero, its rate of change passes through it.
+#[test]
+fn the_time_of_a_touch_is_right_to_what_is_stated() {
+    let touch = Event { ends_at: Some(2), ..first_zero_of("x + 1") };
+    for tolerance in TOLERANCES {
+        let [end, error] = ended("x'' = -x", &[("x", 1.0)], &touch, tolerance);
+        let off = (end.time - 3.0 * PI).abs();
+        assert!(off <= error.time + slack(end.time), "{tolerance:e}: {off:e} {error:?}");
+        assert!(error.time < 1e4 * tolerance.max(1e-16), "{tolerance:e}: {error:?}");
+    }
+}
