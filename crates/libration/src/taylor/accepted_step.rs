@@ -39,12 +39,6 @@ impl<'a> AcceptedStep<'a> {
         self.taken.solution.ended_at()
     }
 
-    /// The signs that the arguments of all |…| have in it.
-    pub(super) fn signs(&self) -> Vec<f64> {
-        let LaneStep { stepper, lane, .. } = self.taken;
-        stepper.surroundings.signs.iter().map(|signs| signs[lane]).collect()
-    }
-
     /// Its end, to be gone on from; `None` when this or an earlier step ended only because the last of the times is so near,
     /// and on the way to later times would have ended elsewhere, and where an event ended it.
     #[must_use]

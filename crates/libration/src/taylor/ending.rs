@@ -12,8 +12,9 @@ use super::{Effort, IntegrationError, Moment, System, integrate};
 /// that has otherwise, and half as much again. What the steps lose by rounding is bounded step by step, from the terms of their series and
 /// from each operation of the forces, and followed to the end by how small deviations of this motion grow, which motions beside it tell. All
 /// these are added as if they had the same sign: where roundings are all there is, a pendulum's error is stated some ten to a hundred times
-/// too large. Where a motion beside it stops, as next to the end of a formula, or where the steps times the square of how many numbers the
-/// state has are above a million, the difference of the two integrations is taken ten times instead.
+/// too large. Where a motion beside it stops, as next to the end of a formula, where deviations grow beyond all numbers, as in long chaotic
+/// motions, or where the steps times the square of how many numbers the state has are above a million, the difference of the two
+/// integrations is taken ten times instead.
 ///
 /// # Errors
 /// As [`integrate()`].
