@@ -1,6 +1,8 @@
 //! `libration response`: the periodic answers of a driven system, or the limit cycles of a self-excited one, over a parameter.
 
+mod branch_fields;
 mod fields;
+mod sweep_fields;
 mod write;
 
 use crate::arguments::{

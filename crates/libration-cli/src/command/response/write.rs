@@ -1,9 +1,9 @@
 //! A response as a sheet with its special points and words, JSON and CSV.
 
 use super::Answer;
-use super::fields::{
-    Jumping, Numbered, Row, ending, of_answer, of_branch, of_row, of_special, of_swept, origin,
-};
+use super::branch_fields::{Numbered, ending, of_branch, of_special, origin};
+use super::fields::{Row, of_answer, of_row};
+use super::sweep_fields::{Jumping, of_swept};
 use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};

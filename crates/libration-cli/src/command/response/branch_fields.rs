@@ -1,0 +1,233 @@
+//! What is said of branches, their points and special points.
+
+use super::{Answer, Decimal};
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use crate::output::number::at_most;
+use libration::algebra::Complex;
+use libration::continuation::{Branch, BranchPoint, Ending, Origin, SpecialPoint};
+use serde_json::Value;
+
+/// A branch of an answer, with its number from 1.
+pub(super) struct Numbered<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) number: usize,
+    pub(super) branch: &'a Branch,
+}
+
+/// A point of a branch, or a special one.
+pub(super) struct Place<'a> {
+    pub(super) of: &'a Numbered<'a>,
+    pub(super) point: &'a BranchPoint,
+    pub(super) special: Option<&'a SpecialPoint>,
+    /// The parameter there, where more digits were asked for.
+    pub(super) precise: Option<&'a Decimal>,
+}
+
+impl Answer {
+    pub(super) fn numbered(&self) -> impl Iterator<Item = Numbered<'_>> {
+        let numbered = (1..).zip(self.branches());
+        numbered.map(move |(number, branch)| Numbered { answer: self, number, branch })
+    }
+}
+
+impl<'a> Numbered<'a> {
+    pub(super) fn points(&'a self) -> impl Iterator<Item = Place<'a>> {
+        self.branch.points.iter().map(move |point| Place { of: self, point, special: None, precise: None })
+    }
+
+    pub(super) fn special(&'a self) -> impl Iterator<Item = Place<'a>> {
+        let precise = self.answer.precise.get(self.number - 1);
+        let special = self.branch.special.iter().enumerate();
+        special.map(move |(place, special)| Place {
+            of: self,
+            point: &special.point,
+            special: Some(special),
+            precise: precise.and_then(|all| all.get(place)?.as_ref()),
+        })
+    }
+
+    /// Points and special points in their order.
+    pub(super) fn places(&'a self) -> Vec<Place<'a>> {
+        let mut places: Vec<(usize, Place<'a>)> =
+            self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
+        places.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
+        places.sort_by_key(|(order, _)| *order);
+        places.into_iter().map(|(_, place)| place).collect()
+    }
+}
+
+impl Place<'_> {
+    /// The parameter to the digits that were asked for.
+    pub(super) fn digits_text(&self) -> Option<String> {
+        let (precise, special) = (self.precise?, self.special?);
+        let name = &self.of.answer.parameter;
+        Some(format!(
+            "{} on branch {}: {name} = {} to {}",
+            special.kind,
+            self.of.number,
+            precise.text,
+            at_most(precise.error)
+        ))
+    }
+
+    pub(super) fn amplitude(&self) -> f64 {
+        self.of.answer.amplitude(self.point)
+    }
+
+    fn range(&self) -> [f64; 2] {
+        self.point.ranges[self.of.answer.coordinate]
+    }
+}
+
+pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
+    type Of<'a> = Field<Numbered<'a>>;
+    Fields::from([
+        Of::value(
+            "kind",
+            "",
+            "where it comes from: primary, from an end of the range; free_oscillation; symmetry_breaking; period_doubling",
+            |it| origin(it.branch.origin)[0].into(),
+        ),
+        Of::value("closed", "", "whether it comes back to its beginning", |it| {
+            (it.branch.ending == Ending::Closed).into()
+        }),
+        Of::value("symmetric", "", "whether the mirror image half a period later is the same motion", |it| {
+            it.branch.space.mirrored.into()
+        }),
+        Of::value(
+            "drive_periods",
+            "1",
+            "periods of the drive in one of the answer; without a drive, turns of the first coordinate",
+            |it| it.branch.space.drive_periods().into(),
+        ),
+        Of::value(
+            "turns",
+            "1",
+            "whole turns that the coordinate makes in an answer; zero where it oscillates",
+            |it| it.answer.turns(it.branch).into(),
+        ),
+        Of::value(
+            "ending",
+            "",
+            "why it ends: range_end, closed, branch_point, rest, slow_drive, point_limit, lost or interrupted",
+            |it| ending(it.branch.ending)[0].into(),
+        ),
+        Of::value("beginning", "", "why it does not go on before its first point, in the same words", |it| {
+            ending(it.branch.beginning)[0].into()
+        }),
+        Of::nested("points[].", &of_place(), |it| {
+            json::records(it.points().map(|place| of_place().record(&place)))
+        }),
+        Of::nested("special[].", &of_special(), |it| {
+            json::records(it.special().map(|place| of_special().record(&place)))
+        }),
+    ])
+}
+
+fn of_place<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter),
+        Of::number(
+            "amplitude_max",
+            "",
+            "largest displacement, of angles from the nearest bottom, in rad; of rotating ones half of what they depart from an even rotation",
+            Place::amplitude,
+        ),
+        Of::number(
+            "minimum",
+            "",
+            "least value of the coordinate; where it rotates, of what it is ahead of an even rotation from t = 0 on",
+            |it| it.range()[0],
+        ),
+        Of::number("maximum", "", "greatest value, likewise", |it| it.range()[1]),
+        Of::number("period_s", "s", "period of the answer", |it| it.point.period),
+        Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
+        Of::value(
+            "multipliers[][]",
+            "1",
+            "Floquet multipliers of the whole period by descending magnitude, real and imaginary part; below 1e-13 of the first they are rounding",
+            |it| json::list(it.point.multipliers.iter().map(pair)),
+        ),
+        Of::number(
+            "error",
+            "",
+            "the state may be wrong by so much: what another tolerance and rounding change",
+            |it| it.point.error,
+        ),
+        Of::value(
+            "start[]",
+            "",
+            "state at the phase zero of the drive, in the order of the names; without a drive at a turn of the first coordinate",
+            |it| json::numbers(&it.point.state),
+        ),
+    ])
+}
+
+/// A special point, whose error is that of its parameter.
+pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
+    type Of<'a> = Field<Place<'a>>;
+    Fields::from([
+        Of::value(
+            "kind",
+            "",
+            "fold, symmetry_breaking, period_doubling, neimark_sacker, neutral_saddle, branch_point or hopf",
+            |it| it.special.map(|special| special.kind.key()).into(),
+        )
+        .words("special point", |it| it.special.map_or_else(String::new, |special| special.kind.to_string())),
+        Of::value("branch", "1", "number of its branch, from 1", |it| it.of.number.into())
+            .numeral("branch", |it| it.of.number.to_string()),
+        Of::number("parameter", "", "value of the parameter there", |it| it.point.parameter)
+            .rounded("parameter", 16),
+        Of::number("error", "", "bound on the error of that value", |it| {
+            it.special.map_or(f64::NAN, |it| it.error)
+        })
+        .numeral("to", |it| at_most(it.special.map_or(f64::NAN, |it| it.error))),
+        Of::value(
+            "parameter_digits",
+            "",
+            "the value to the digits that --digits asks for, as text; null where none are asked for or known",
+            |it| it.precise.map(|it| it.text.clone()).into(),
+        ),
+        Of::value("parameter_digits_error", "", "bound on the error of this text", |it| {
+            it.precise.map_or(Value::Null, |it| json::number(it.error))
+        }),
+        Of::number("amplitude_max", "", "largest displacement there", Place::amplitude)
+            .rounded("amplitude", 8),
+        Of::number("period_s", "s", "period of the answer there", |it| it.point.period),
+        Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {
+            json::list(it.point.multipliers.iter().map(pair))
+        }),
+        Of::value("start[]", "", "state at the phase zero of the drive there", |it| {
+            json::numbers(&it.point.state)
+        }),
+    ])
+}
+
+/// For machines, and for people.
+pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
+    match origin {
+        Origin::Primary => ["primary", "from an end of the range"],
+        Origin::FreeOscillation => ["free_oscillation", "from a free oscillation"],
+        Origin::SymmetryBreaking => ["symmetry_breaking", "from a loss of symmetry"],
+        Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
+    }
+}
+
+pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
+    match ending {
+        Ending::RangeEnd => ["range_end", "leaves the range"],
+        Ending::Closed => ["closed", "is a closed curve"],
+        Ending::BranchPoint => ["branch_point", "ends in another branch"],
+        Ending::Rest => ["rest", "ends in a state of rest"],
+        Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero"],
+        Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
+        Ending::Lost => ["lost", "cannot be followed farther"],
+        Ending::Interrupted => ["interrupted", "is interrupted"],
+    }
+}
+
+fn pair(number: &Complex) -> Value {
+    json::numbers(&[number.re, number.im])
+}

@@ -1,0 +1,98 @@
+//! What is said of slow sweeps: where they lead and jump.
+
+use super::Answer;
+use crate::output::field::{Field, Fields};
+use crate::output::json;
+use libration::continuation::{BranchPoint, Jump, SweepPoint};
+use serde_json::Value;
+
+/// A jump of a slow sweep.
+pub(super) struct Jumping<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) jump: &'a Jump,
+}
+
+/// Where a slow sweep leads at one value.
+pub(super) struct Swept<'a> {
+    pub(super) answer: &'a Answer,
+    pub(super) rising: bool,
+    pub(super) point: &'a SweepPoint,
+}
+
+impl Answer {
+    pub(super) fn jumps(&self) -> impl Iterator<Item = Jumping<'_>> {
+        self.response.jumps.iter().map(|jump| Jumping { answer: self, jump })
+    }
+
+    pub(super) fn swept(&self) -> impl Iterator<Item = Swept<'_>> {
+        self.sweeps.iter().flat_map(|sweep| {
+            sweep.points.iter().map(|point| Swept { answer: self, rising: sweep.rising, point })
+        })
+    }
+}
+
+impl Jumping<'_> {
+    fn of_landings(&self, value: fn(&Answer, &BranchPoint) -> f64) -> Value {
+        json::numbers(&self.jump.to.iter().map(|point| value(self.answer, point)).collect::<Vec<_>>())
+    }
+}
+
+impl Swept<'_> {
+    pub(super) fn direction(&self) -> &'static str {
+        direction(self.rising)
+    }
+
+    pub(super) fn amplitude(&self) -> f64 {
+        self.point.amplitude(self.answer.coordinate, self.answer.is_angle()).unwrap_or(f64::NAN)
+    }
+}
+
+/// Of a sweep, for machines.
+fn direction(rising: bool) -> &'static str {
+    if rising { "up" } else { "down" }
+}
+
+/// Where slow sweeps lead.
+pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
+    type Of<'a> = Field<Swept<'a>>;
+    Fields::from([
+        Of::value("direction", "", "up or down: how the parameter goes in this sweep by integration", |it| {
+            it.direction().into()
+        })
+        .words("sweep", |it| it.direction().to_owned()),
+        Of::number("parameter", "", "value of the parameter", |it| it.point.parameter)
+            .rounded("parameter", 10),
+        Of::number(
+            "amplitude_max",
+            "",
+            "amplitude of the motion that is settled there; null where it goes over the top again and again without repeating itself",
+            Swept::amplitude,
+        )
+        .rounded("amplitude", 8),
+        Of::value(
+            "drive_periods",
+            "1",
+            "periods of the drive after which it repeats itself to a millionth; null where it does not",
+            |it| it.point.drive_periods.into(),
+        )
+        .numeral("periods", |it| it.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())),
+        Of::value("turns", "1", "turns that the coordinate makes meanwhile", |it| {
+            it.point.rotation.map_or(0, |rotation| rotation.turns_of(it.answer.coordinate)).into()
+        }),
+    ])
+}
+
+pub(super) fn of_jump<'a>() -> Fields<Jumping<'a>> {
+    type Of<'a> = Field<Jumping<'a>>;
+    Fields::from([
+        Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.jump.from.parameter),
+        Of::value("sweep", "", "up or down: how the parameter goes", |it| direction(it.jump.rising).into()),
+        Of::number("from", "", "amplitude that is left", |it| it.answer.amplitude(&it.jump.from)),
+        Of::value("to[]", "", "amplitudes of the other stable answers there", |it| {
+            it.of_landings(Answer::amplitude)
+        }),
+        Of::value("to_error[]", "", "the states of these answers may be wrong by so much", |it| {
+            it.of_landings(|_, point| point.error)
+        }),
+    ])
+}
