@@ -36,6 +36,14 @@ def test_answers_are_those_of_the_command(arguments):
     assert told.returncode == 0 and answer
 
 
+def test_many_amplitudes_have_what_each_has_alone():
+    """A compiler optimised code of the batches wrongly that people get, and not that of the tests in Rust, which has other options."""
+    amplitudes = [f"{degrees}deg" for degrees in range(0, 180, 5)] + ["pi-1e-6", "pi-1e-300", "1e-9"]
+    many = json.loads(_native.ask(["period", *amplitudes, "--json"])[0])["results"]
+    each = [json.loads(_native.ask(["period", amplitude, "--json"])[0])["results"] for amplitude in amplitudes]
+    assert [[found] for found in many] == each
+
+
 @pytest.mark.parametrize("arguments, kind, status", [(["period", "60degg"], lb.errors.UsageError, 2), (["period", "200deg"], lb.errors.NoAnswer, 1)])
 def test_errors_have_the_message_of_the_command(arguments, kind, status):
     answer, _, error = _native.ask(arguments)

@@ -3,9 +3,9 @@
 use super::{bare, lines};
 use crate::failure::Failure;
 use libration::pendulum::Amplitude;
-use libration::quantity::{Angle, AngleRange, BareRadians, QuantityError, RangeError, angles};
-use std::cell::Cell;
-use std::path::PathBuf;
+use libration::quantity::{Angle, AngleRange, BareRadians, RangeError, angles};
+use std::f64::consts::PI;
+use std::path::{Path, PathBuf};
 
 /// The options that say which amplitudes.
 #[derive(Clone, Debug, clap::Args)]
@@ -33,10 +33,7 @@ pub(crate) struct Amplitudes(Vec<AngleSet>);
 impl AmplitudeOptions {
     pub(crate) fn read(&self) -> Result<Amplitudes, Failure> {
         let sets = match &self.from_file {
-            Some(path) => {
-                let said = Cell::new(false);
-                vec![AngleSet::List(lines::read(path, |text| angle_in_file(&said, text))?)]
-            }
+            Some(path) => vec![AngleSet::List(angles_in_file(path)?)],
             None => self.amplitudes.clone(),
         };
         let is_amplitude = |angle| Amplitude::new(angle).map(|_| ());
@@ -107,12 +104,14 @@ fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
     Ok(set)
 }
 
-/// Reads an angle from a file, and says of the first one that may have been meant in degrees how it is taken.
-fn angle_in_file(said: &Cell<bool>, text: &str) -> Result<Angle, QuantityError> {
-    let angle: Angle = text.parse()?;
-    if !said.get() && BareRadians::in_text(text).is_some() {
-        said.set(true);
-        bare::say(text);
+/// Reads the angles of a file, and says of the first one that may have been meant in degrees how it is taken.
+fn angles_in_file(path: &Path) -> Result<Vec<Angle>, Failure> {
+    let text = lines::text(path)?;
+    let angles = lines::values(path, &text, str::parse::<Angle>)?;
+    // Only such angles are doubted.
+    if angles.iter().any(|angle| angle.radians().abs() > PI) {
+        let doubtful = |line: &&str| BareRadians::in_text(line).is_some();
+        lines::numbered(&text).map(|(_, line)| line).find(doubtful).into_iter().for_each(bare::say);
     }
-    Ok(angle)
+    Ok(angles)
 }

@@ -22,6 +22,24 @@ fn a_file_of_amplitudes_that_is_no_list_is_refused_with_its_line() {
     }
 }
 
+/// More lines than one core reads at a time.
+#[test]
+fn of_a_long_file_the_first_wrong_line_is_named() {
+    let path = directory("files").join("long.txt");
+    let lines: Vec<String> = (1..=20_000).map(|line| format!("{line}e-5")).collect();
+    fs::write(&path, lines.join("\n")).unwrap();
+    let question = format!("period --csv --formulas molina --from-file {}", path.display());
+    let rows = crate::command::text(&question);
+    let radians: Vec<f64> =
+        rows.lines().skip(1).map(|row| row.split(',').next().unwrap().parse().unwrap()).collect();
+    assert!(radians.iter().zip(&lines).all(|(read, line)| *read == line.parse::<f64>().unwrap()));
+    assert_eq!(radians.len(), lines.len());
+    let wrong = |line: usize| if line == 9000 || line == 15_000 { "sixty" } else { &lines[line] };
+    fs::write(&path, (0..lines.len()).map(wrong).collect::<Vec<_>>().join("\n")).unwrap();
+    let output = libration(&question);
+    assert!(message(&output).contains("line 9001:"), "{}", message(&output));
+}
+
 #[test]
 fn an_older_picture_outlives_a_bad_question() {
     let picture = directory("older").join("picture.svg");

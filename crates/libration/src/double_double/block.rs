@@ -17,6 +17,7 @@ pub(crate) struct Words {
 
 impl Words {
     pub(crate) const ZERO: Self = Self { hi: [0.0; BLOCK], lo: [0.0; BLOCK] };
+    pub(crate) const ONE: Self = Self { hi: [1.0; BLOCK], lo: [0.0; BLOCK] };
 
     #[inline(always)]
     pub(crate) fn set(&mut self, i: usize, x: DoubleDouble) {

@@ -1,6 +1,7 @@
 //! Elementary functions in two words, relative error about 2⁻¹⁰⁰. Slow: for what is prepared once.
 
 use crate::dispatch::{Kernel, dispatch};
+use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, fast_two_sum};
 
 /// sin x and cos x for |x| ≤ π/2 or a little more, each relatively accurate except next to its far zero.
@@ -97,10 +98,35 @@ pub(crate) fn sin_cos_series(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let y = -x.square();
     let (mut sine, mut cosine) = (DoubleDouble::ONE, DoubleDouble::ONE);
     for (of_cosine, of_sine) in OF_COSINE.iter().zip(&OF_SINE).rev() {
-        cosine = DoubleDouble::ONE.plus_smaller(y * cosine * *of_cosine);
-        sine = DoubleDouble::ONE.plus_smaller(y * sine * *of_sine);
+        cosine = next_sum(y, cosine, *of_cosine);
+        sine = next_sum(y, sine, *of_sine);
     }
     (x * sine, cosine)
+}
+
+/// 1 + y·sum·factor.
+#[inline(always)]
+fn next_sum(y: DoubleDouble, sum: DoubleDouble, factor: DoubleDouble) -> DoubleDouble {
+    DoubleDouble::ONE.plus_smaller(y * sum * factor)
+}
+
+/// [`sin_cos_series`] of a block, bit for bit. Term by term, as a loop over terms within one over elements is not made into vectors.
+#[inline(always)]
+pub(crate) fn sin_cos_series_of_block(angles: &Words, sines: &mut Words, cosines: &mut Words) {
+    let mut squares = Words::ZERO;
+    (*sines, *cosines) = (Words::ONE, Words::ONE);
+    for i in 0..BLOCK {
+        squares.set(i, -angles.get(i).square());
+    }
+    for (of_cosine, of_sine) in OF_COSINE.iter().zip(&OF_SINE).rev() {
+        for i in 0..BLOCK {
+            cosines.set(i, next_sum(squares.get(i), cosines.get(i), *of_cosine));
+            sines.set(i, next_sum(squares.get(i), sines.get(i), *of_sine));
+        }
+    }
+    for i in 0..BLOCK {
+        sines.set(i, angles.get(i) * sines.get(i));
+    }
 }
 
 /// eˣ for −745.2 ≤ x ≤ 709; below −700 the second word begins to underflow, which costs nothing once rounded.

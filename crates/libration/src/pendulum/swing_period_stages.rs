@@ -109,10 +109,16 @@ impl Block {
 
     #[inline(always)]
     fn halves(&mut self) {
+        let is_low = |complement: DoubleDouble| complement.hi > std::f64::consts::FRAC_PI_2;
+        let (mut halves, mut sines, mut cosines) = (Words::ZERO, Words::ZERO, Words::ZERO);
         for i in 0..BLOCK {
             let (amplitude, complement) = (self.amplitude.get(i), self.complement.get(i));
-            let low = complement.hi > std::f64::consts::FRAC_PI_2;
-            let (sine, cosine) = two_word::sin_cos_series(pick(low, amplitude, complement).scaled(0.5));
+            halves.set(i, pick(is_low(complement), amplitude, complement).scaled(0.5));
+        }
+        two_word::sin_cos_series_of_block(&halves, &mut sines, &mut cosines);
+        for i in 0..BLOCK {
+            let (sine, cosine) = (sines.get(i), cosines.get(i));
+            let low = is_low(self.complement.get(i));
             self.sine.set(i, pick(low, sine, cosine));
             self.cosine.set(i, pick(low, cosine, sine));
         }

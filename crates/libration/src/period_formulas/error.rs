@@ -2,10 +2,9 @@
 //! as many bits as leave 60 good ones in it.
 
 use super::law::Law;
+use super::quick::Quick;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::BigFloat;
-use crate::dispatch::{Kernel, dispatch};
-use crate::double_double::DoubleDouble;
 
 /// Bits of the fractional error that are certain before it is rounded.
 const GOOD_BITS: isize = 64;
@@ -23,49 +22,6 @@ pub(super) struct Exact {
     prepared: Vec<Prepared>,
 }
 
-/// The same in two words.
-struct Quick {
-    swing: Swing<DoubleDouble>,
-    exact: DoubleDouble,
-}
-
-/// 2⁻⁹⁶: what two words are off, relatively, with all formulas of the catalogue and distances of 2⁻² to 2⁻³⁹ from the top is 2⁻⁹⁹·⁸ at most.
-const QUICK_ERROR: f64 = 1.262177448353619e-29;
-/// Towards the bottom differences of what is near one are divided by θ0²: 2⁻¹⁰¹·¹ at 1/4, 2⁻⁹⁵·⁵ at 2⁻⁵, 2⁻⁸⁵·⁸ at 2⁻¹⁰.
-const FULL_ABOVE: f64 = 0.25;
-
-impl Quick {
-    fn new(amplitude: SwingAmplitude) -> Option<Self> {
-        dispatch(InTwoWords(amplitude))
-    }
-
-    /// formula/exact − 1, if all that it may be rounds to one number.
-    fn fractional_error(&self, law: &Law) -> Option<f64> {
-        let error = (law.ratio(&self.swing) - self.exact) / self.exact;
-        let off = self.off(&error);
-        let (below, above) = (error.hi + (error.lo - off), error.hi + (error.lo + off));
-        (below.to_bits() == above.to_bits() && below.is_finite()).then_some(below)
-    }
-
-    /// By how much a fractional error may be wrong.
-    fn off(&self, error: &DoubleDouble) -> f64 {
-        let lost = f64::max(1.0, FULL_ABOVE / self.swing.amplitude.hi);
-        QUICK_ERROR * (1.0 + error.hi.abs()) * lost * lost
-    }
-}
-
-struct InTwoWords(SwingAmplitude);
-
-impl Kernel for InTwoWords {
-    type Output = Option<Quick>;
-    #[inline(always)]
-    fn run(self) -> Option<Quick> {
-        let swing = Swing::in_two_words(self.0)?;
-        let exact = swing.exact_ratio();
-        Some(Quick { swing, exact })
-    }
-}
-
 struct Prepared {
     precision: usize,
     swing: Swing<BigFloat>,
@@ -74,12 +30,16 @@ struct Prepared {
 
 impl Exact {
     pub(super) fn new(amplitude: SwingAmplitude) -> Self {
-        Self { amplitude, quick: Quick::new(amplitude), prepared: Vec::new() }
+        Self::from_quick(amplitude, Quick::new(amplitude))
+    }
+
+    pub(super) fn from_quick(amplitude: SwingAmplitude, quick: Option<Quick>) -> Self {
+        Self { amplitude, quick, prepared: Vec::new() }
     }
 
     /// formula/exact − 1, rounded from at least 60 good bits; zero when the two agree to 2⁻¹¹²⁸.
     pub(super) fn fractional_error(&mut self, law: &Law) -> f64 {
-        let quick = self.quick.as_ref().and_then(|quick| quick.fractional_error(law));
+        let quick = self.quick.and_then(|quick| quick.fractional_error(law));
         quick.unwrap_or_else(|| self.fractional_error_in_floats(law))
     }
 
@@ -130,6 +90,8 @@ fn signed(precision: usize) -> isize {
 mod tests {
     use super::super::swing::{NEAREST_BOTTOM, NEAREST_TOP};
     use super::*;
+    use crate::double_double::DoubleDouble;
+    use crate::double_double::block::BLOCK;
     use crate::period_formulas::family::Family;
     use crate::period_formulas::{PeriodFormula, catalogue};
 
@@ -187,5 +149,34 @@ mod tests {
             }
         }
         assert!(3 * decided > 2 * asked, "{decided} of {asked}");
+    }
+
+    /// One ulp to both sides of where two words begin and end, between amplitudes that take one step of the mean and ten, and beside places
+    /// without an amplitude.
+    #[test]
+    fn a_block_finds_what_one_amplitude_finds() {
+        let beside = |x: f64| [x.next_down(), x, x.next_up()].map(DoubleDouble::from);
+        let seams = beside(NEAREST_BOTTOM).map(SwingAmplitude::FromBottom);
+        let seams = seams.into_iter().chain(beside(NEAREST_TOP).map(SwingAmplitude::FromTop));
+        let all: Vec<_> = seams.chain(amplitudes()).map(Some).chain([None, None]).collect();
+        let (mut found, mut outside) = (0, 0);
+        for seed in 0..7 {
+            let start = all.iter().cycle().skip(seed).step_by(1 + 10 * seed).copied();
+            for count in [1, 2, BLOCK - 1, BLOCK] {
+                let block: Vec<_> = start.clone().take(count).collect();
+                for (amplitude, quick) in block.iter().zip(Quick::block(&block)) {
+                    let one = amplitude.and_then(Quick::new);
+                    assert_eq!(one.map(words), quick.map(words), "{amplitude:?}");
+                    found += usize::from(quick.is_some());
+                    outside += usize::from(quick.is_none());
+                }
+            }
+        }
+        assert!(found > 700 && outside > 7, "{found}, {outside}");
+    }
+
+    fn words(quick: Quick) -> [[u64; 2]; 5] {
+        let Swing { amplitude, complement, cos_half, sin_half } = quick.swing;
+        [amplitude, complement, cos_half, sin_half, quick.exact].map(|it| [it.hi.to_bits(), it.lo.to_bits()])
     }
 }

@@ -4,9 +4,11 @@ use std::fmt;
 
 use super::error::Exact;
 use super::law::Law;
+use super::quick::Quick;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::Rational;
 use crate::catalogue::Named;
+use crate::double_double::block::BLOCK;
 use crate::quantity::Angle;
 
 /// An approximation to T/T0, the period over that of small swings, with what is known about it.
@@ -219,13 +221,31 @@ impl LeadingError {
     }
 }
 
-/// The fractional error of each formula at one amplitude, as [`PeriodFormula::fractional_error`] gives it; the
-/// exact period is worked out once for all of them.
+/// The fractional errors of the formulas at each amplitude in turn, as [`PeriodFormula::fractional_error`] gives them: a row of
+/// `formulas.len()` numbers for the first amplitude, one for the second, and so on. The exact period is worked out once for all formulas, and
+/// for many amplitudes at a time.
+///
+/// # Examples
+/// ```
+/// use libration::period_formulas::{catalogue, fractional_errors};
+/// use libration::quantity::Angle;
+/// let amplitudes = [Angle::from_degrees(60.0)?, Angle::from_degrees(120.0)?];
+/// let errors = fractional_errors(&catalogue()[..3], &amplitudes);
+/// assert_eq!(errors[3 + 2], catalogue()[2].fractional_error(&amplitudes[1]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
-pub fn fractional_errors(formulas: &[PeriodFormula], amplitude: &Angle) -> Vec<f64> {
-    let Some(amplitude) = SwingAmplitude::from_angle(amplitude) else {
-        return vec![f64::NAN; formulas.len()];
-    };
-    let mut exact = Exact::new(amplitude);
-    formulas.iter().map(|formula| formula.error_beside(amplitude, &mut exact)).collect()
+pub fn fractional_errors(formulas: &[PeriodFormula], amplitudes: &[Angle]) -> Vec<f64> {
+    let mut errors = Vec::with_capacity(formulas.len() * amplitudes.len());
+    for block in amplitudes.chunks(BLOCK) {
+        let block: Vec<_> = block.iter().map(SwingAmplitude::from_angle).collect();
+        for (amplitude, quick) in block.iter().zip(Quick::block(&block)) {
+            let mut exact = amplitude.map(|amplitude| (amplitude, Exact::from_quick(amplitude, quick)));
+            errors.extend(formulas.iter().map(|formula| match &mut exact {
+                Some((amplitude, exact)) => formula.error_beside(*amplitude, exact),
+                None => f64::NAN,
+            }));
+        }
+    }
+    errors
 }

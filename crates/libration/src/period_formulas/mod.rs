@@ -23,6 +23,7 @@ mod grid;
 mod known;
 mod law;
 mod maximum;
+mod quick;
 mod real;
 mod search;
 mod swing;

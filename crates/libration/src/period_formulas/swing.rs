@@ -3,7 +3,6 @@
 use super::real::Real;
 use crate::algebra::BigFloat;
 use crate::double_double::DoubleDouble;
-use crate::elementary::two_word;
 use crate::quantity::Angle;
 
 /// An amplitude within [0, π), given by what is smaller of it and its complement.
@@ -54,7 +53,7 @@ impl SwingAmplitude {
 }
 
 /// What the formulas are written in: the amplitude and the functions of it that several share.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Swing<R> {
     /// θ0.
     pub(super) amplitude: R,
@@ -93,21 +92,58 @@ pub(super) const NEAREST_BOTTOM: f64 = 0.0009765625;
 /// 2⁻³⁶.
 pub(super) const NEAREST_TOP: f64 = 1.4551915228366852e-11;
 
-impl Swing<DoubleDouble> {
-    /// `None` next to the bottom, where errors are so small that two words do not show them, and so near the top that its digits were not
+impl SwingAmplitude {
+    /// Half of what is smaller of the amplitude and its complement.
+    #[inline(always)]
+    pub(super) fn half_distance(self) -> DoubleDouble {
+        let (Self::FromBottom(distance) | Self::FromTop(distance)) = self;
+        distance.scaled(0.5)
+    }
+
+    /// False next to the bottom, where errors are so small that two words do not show them, and so near the top that its digits were not
     /// tried.
     #[inline(always)]
-    pub(super) fn in_two_words(amplitude: SwingAmplitude) -> Option<Self> {
+    pub(super) fn suits_two_words(self) -> bool {
+        match self {
+            Self::FromBottom(amplitude) => amplitude.hi >= NEAREST_BOTTOM,
+            Self::FromTop(complement) => complement.hi >= NEAREST_TOP,
+        }
+    }
+}
+
+/// Two means that differ by less agree in all their digits two steps later, of which the second takes only the arithmetic one.
+pub(super) const AGREEING: f64 = 1e-9;
+
+/// A step of the arithmetic-geometric mean.
+#[inline(always)]
+pub(super) fn next_means(a: DoubleDouble, b: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    ((a + b).scaled(0.5), (a * b).sqrt())
+}
+
+/// One over the arithmetic-geometric mean of two numbers that differ by [`AGREEING`] at most.
+#[inline(always)]
+pub(super) fn inverse_of_agreeing(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let (a, b) = next_means(a, b);
+    DoubleDouble::ONE / (a + b).scaled(0.5)
+}
+
+impl Swing<DoubleDouble> {
+    /// With the sine and the cosine of [`SwingAmplitude::half_distance`].
+    #[inline(always)]
+    pub(super) fn in_two_words(
+        amplitude: SwingAmplitude,
+        (sine, cosine): (DoubleDouble, DoubleDouble),
+    ) -> Self {
         match amplitude {
-            SwingAmplitude::FromBottom(amplitude) if amplitude.hi >= NEAREST_BOTTOM => {
-                let (sin_half, cos_half) = two_word::sin_cos_inline(amplitude.scaled(0.5));
-                Some(Self { amplitude, complement: DoubleDouble::PI - amplitude, cos_half, sin_half })
+            SwingAmplitude::FromBottom(amplitude) => {
+                Self { amplitude, complement: DoubleDouble::PI - amplitude, cos_half: cosine, sin_half: sine }
             }
-            SwingAmplitude::FromTop(complement) if complement.hi >= NEAREST_TOP => {
-                let (cos_half, sin_half) = two_word::sin_cos_inline(complement.scaled(0.5));
-                Some(Self { amplitude: DoubleDouble::PI - complement, complement, cos_half, sin_half })
-            }
-            _ => None,
+            SwingAmplitude::FromTop(complement) => Self {
+                amplitude: DoubleDouble::PI - complement,
+                complement,
+                cos_half: sine,
+                sin_half: cosine,
+            },
         }
     }
 
@@ -115,12 +151,10 @@ impl Swing<DoubleDouble> {
     #[inline(always)]
     pub(super) fn exact_ratio(&self) -> DoubleDouble {
         let (mut a, mut b) = (DoubleDouble::ONE, self.cos_half);
-        while a.hi - b.hi > 1e-9 {
-            (a, b) = ((a + b).scaled(0.5), (a * b).sqrt());
+        while a.hi - b.hi > AGREEING {
+            (a, b) = next_means(a, b);
         }
-        // Two more steps double the digits that agree, of which the second takes only the mean.
-        (a, b) = ((a + b).scaled(0.5), (a * b).sqrt());
-        DoubleDouble::ONE / (a + b).scaled(0.5)
+        inverse_of_agreeing(a, b)
     }
 }
 

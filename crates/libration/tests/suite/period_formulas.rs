@@ -277,14 +277,21 @@ fn a_search_can_be_stopped_and_keeps_what_it_has() {
 
 #[test]
 fn errors_that_share_the_exact_period_are_those_of_each_formula_alone() {
-    for text in ["0", "1e-9", "60deg", "170deg", "pi-1e-12"] {
-        let amplitude: Angle = text.parse().unwrap();
-        for (formula, shared) in catalogue().iter().zip(fractional_errors(catalogue(), &amplitude)) {
-            let alone = formula.fractional_error(&amplitude);
-            let same = shared == alone || (shared - alone).abs() <= 2.0 * f64::EPSILON * alone.abs();
-            assert!(same, "{} at {text}: {shared} beside {alone}", formula.key());
+    let seldom = ["0", "1e-9", "60deg", "170deg", "pi-1e-12", "pi", "pi-1e-300", "540deg", "-60deg"];
+    let seldom = seldom.map(|text| text.parse().unwrap());
+    let often = (0..150).map(|degrees| Angle::from_degrees(f64::from(degrees)).unwrap());
+    let amplitudes: Vec<Angle> = often.chain(seldom).collect();
+    let shared = fractional_errors(catalogue(), &amplitudes);
+    assert_eq!(shared.len(), amplitudes.len() * catalogue().len());
+    for (amplitude, shared) in amplitudes.iter().zip(shared.chunks(catalogue().len())) {
+        for (formula, &shared) in catalogue().iter().zip(shared) {
+            let alone = formula.fractional_error(amplitude);
+            let near = shared == alone || (shared - alone).abs() <= 2.0 * f64::EPSILON * alone.abs();
+            let same = near || shared.is_nan() && alone.is_nan();
+            assert!(same, "{} at {amplitude}: {shared} beside {alone}", formula.key());
         }
     }
+    assert!(fractional_errors(catalogue(), &[]).is_empty() && fractional_errors(&[], &amplitudes).is_empty());
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crate::interrupt;
 use crate::output::{Form, FormOptions};
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
+use libration::quantity::Angle;
 use std::io::Write;
 use table::Swings;
 
@@ -73,14 +74,17 @@ impl Period {
     }
 }
 
-/// What the formulas say, in the order of the formulas.
-fn estimates<'a>(swing: &Swing, formulas: &'a [PeriodFormula]) -> Vec<Estimate<'a>> {
-    let angle = swing.amplitude.angle();
-    let errors = fractional_errors(formulas, &angle);
-    let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| {
-        let ratio = formula.period_ratio(&angle);
-        let period = swing.small_angle_period * ratio;
-        Estimate { formula, period, ratio, fractional_error }
+/// What the formulas say of each swing, in the order of the formulas.
+fn estimates<'a>(swings: &[Swing], formulas: &'a [PeriodFormula]) -> Vec<Vec<Estimate<'a>>> {
+    let angles: Vec<Angle> = swings.iter().map(|swing| swing.amplitude.angle()).collect();
+    let mut errors = fractional_errors(formulas, &angles).into_iter();
+    let mut of_swing = |(swing, angle): (&Swing, &Angle)| {
+        let estimate = |(formula, fractional_error): (&'a PeriodFormula, f64)| {
+            let ratio = formula.period_ratio(angle);
+            let period = swing.small_angle_period * ratio;
+            Estimate { formula, period, ratio, fractional_error }
+        };
+        formulas.iter().zip(errors.by_ref()).map(estimate).collect()
     };
-    formulas.iter().zip(errors).map(estimate).collect()
+    swings.iter().zip(&angles).map(&mut of_swing).collect()
 }

@@ -4,6 +4,7 @@ use super::fields::{self, Swing};
 use super::{Order, Period, estimates};
 use crate::output::table::{self, Table};
 use std::io::{self, Write};
+use std::slice;
 
 pub(super) fn write(out: &mut dyn Write, question: &Period, swing: &Swing) -> io::Result<()> {
     table::sheet(out, &lines(question, swing))?;
@@ -14,7 +15,8 @@ pub(super) fn write(out: &mut dyn Write, question: &Period, swing: &Swing) -> io
     writeln!(out, "\nFormulas, {order} (error = T / T exact − 1):\n")?;
     let fields = fields::of_formula();
     let mut table = Table::new(fields.columns());
-    for estimate in question.sorted(estimates(swing, question.formulas.chosen_or_all())) {
+    let estimates = estimates(slice::from_ref(swing), question.formulas.chosen_or_all()).concat();
+    for estimate in question.sorted(estimates) {
         table.row(out, fields.cells(&estimate))?;
     }
     table.finish(out)

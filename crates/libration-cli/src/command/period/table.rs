@@ -1,6 +1,6 @@
 //! Many amplitudes: one row each, with the errors of the formulas asked for.
 
-use super::fields::{self, DIGITS, SMALL_ANGLE_PERIOD, Swing};
+use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
 use crate::arguments::Amplitudes;
 use crate::output::json::{self, Record};
@@ -9,7 +9,7 @@ use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use crate::parallel;
 use libration::pendulum::{Amplitude, Pendulum};
-use libration::period_formulas::fractional_errors;
+use libration::period_formulas::{PeriodFormula, fractional_errors};
 use std::io::{self, Write};
 
 /// The answer for many amplitudes.
@@ -34,7 +34,7 @@ impl Swings<'_> {
         let errors = formulas.iter().map(|formula| Column::numbers(format!("error of {}", formula.key())));
         let mut table = Table::new(exact.columns().into_iter().chain(errors).collect());
         for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
-            let errors = fractional_errors(formulas, &amplitude.angle());
+            let errors = fractional_errors(formulas, &[amplitude.angle()]);
             let errors = errors.into_iter().map(|error| number::rounded(error, 3));
             let swing = Swing::new(amplitude, pendulum);
             table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
@@ -47,14 +47,14 @@ impl Swings<'_> {
         let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
         let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
         csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
-        let row = |text: &mut Vec<u8>, swing: &Swing| {
+        let row = |text: &mut Vec<u8>, swing: &Swing, estimates: Vec<_>| {
             exact.write_csv_cells(text, swing);
-            for estimate in estimates(swing, formulas) {
+            for estimate in estimates {
                 text.push(b',');
                 of_formula.write_csv_cells(text, &estimate);
             }
         };
-        self.in_pieces(b"\n", row, |text| {
+        self.in_pieces(formulas, b"\n", row, |text| {
             out.write_all(text)?;
             out.write_all(b"\n")
         })
@@ -64,24 +64,25 @@ impl Swings<'_> {
         let question = self.question;
         let formulas = question.formulas.chosen_or_all();
         let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
-        let item = |text: &mut Vec<u8>, swing: &Swing| {
-            let estimates = question.sorted(estimates(swing, formulas));
+        let item = |text: &mut Vec<u8>, swing: &Swing, estimates: Vec<_>| {
+            let estimates = question.sorted(estimates);
             let record = of_swing.record(swing).with("formulas", of_formula.records(&estimates));
             json::write_item(text, record);
         };
         json::begin_document(out, question.pendulum.record())?;
         let mut list = json::List::default();
         list.begin(out, "results")?;
-        self.in_pieces(json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
+        self.in_pieces(formulas, json::BETWEEN_ITEMS, item, |text| list.items(out, text))?;
         list.end(out)?;
         json::end_document(out, Record::new())
     }
 
     /// Hands the texts of the amplitudes on, each of several with something between them, in their order.
-    fn in_pieces(
+    fn in_pieces<'a>(
         &self,
+        formulas: &'a [PeriodFormula],
         between: &[u8],
-        write: impl Fn(&mut Vec<u8>, &Swing) + Sync,
+        write: impl Fn(&mut Vec<u8>, &Swing, Vec<Estimate<'a>>) + Sync,
         mut hand_on: impl FnMut(&[u8]) -> io::Result<()>,
     ) -> io::Result<()> {
         let Self { amplitudes, pendulum, .. } = *self;
@@ -89,9 +90,11 @@ impl Swings<'_> {
         let texts = |piece: usize| {
             let places = piece * PIECE..all.min((piece + 1) * PIECE);
             let found: Vec<Amplitude> = places.filter_map(|place| amplitudes.get(place)).collect();
-            Swing::all(&found, pendulum).iter().fold(vec![], |mut text, swing| {
+            let swings = Swing::all(&found, pendulum);
+            let estimates = estimates(&swings, formulas);
+            swings.iter().zip(estimates).fold(vec![], |mut text, (swing, estimates)| {
                 text.extend_from_slice(if text.is_empty() { b"" } else { between });
-                write(&mut text, swing);
+                write(&mut text, swing, estimates);
                 text
             })
         };
