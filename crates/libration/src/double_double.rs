@@ -140,6 +140,15 @@ impl DoubleDouble {
         fast_two_sum(sum.hi, sum.lo + (self.lo + smaller.lo))
     }
 
+    /// self + a·b for |a·b| ≤ |self|/16, relative error below 2⁻¹⁰⁴: the second word may exceed half an ulp by a sixteenth.
+    #[inline(always)]
+    pub(crate) fn plus_product(self, a: Self, b: Self) -> Self {
+        let product = two_prod(a.hi, b.hi);
+        let cross = a.hi.fma(b.lo, a.lo.fma(b.hi, product.lo));
+        let sum = fast_two_sum(self.hi, product.hi);
+        Self::new(sum.hi, sum.lo + (self.lo + cross))
+    }
+
     #[inline(always)]
     pub(crate) fn recip(self) -> Self {
         Self::ONE / self

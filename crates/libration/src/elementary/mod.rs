@@ -19,7 +19,7 @@ mod sine;
 
 pub(crate) use arctangent::{ReducedArctangent, atan_of_ratio};
 pub(crate) use exponential::exp;
-pub(crate) use fine_logarithm::fine_logarithm;
+pub(crate) use fine_logarithm::{FineLogarithm, FineLogarithms, fine_logarithm};
 pub(crate) use fine_sine::fine_sin_cos;
 pub(crate) use hyperbolic::sinh_cosh;
 pub(crate) use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};

@@ -9,7 +9,7 @@
 
 use super::nearer::Nearer;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
-use crate::elementary::fine_logarithm;
+use crate::elementary::{FineLogarithm, fine_logarithm};
 use crate::fused::FusedMultiplyAdd;
 
 /// 2K/π of the modulus 4ε².
@@ -96,7 +96,12 @@ impl Descent {
     /// ln(1/q), infinite for q = 0; relative error below 2⁻¹⁰⁰.
     #[inline(always)]
     pub(crate) fn log_inverse_nome(&self, raised: bool) -> DoubleDouble {
-        let log = fine_logarithm(self.epsilon);
+        self.log_from(&fine_logarithm(self.epsilon), raised)
+    }
+
+    /// The same, given ln ε.
+    #[inline(always)]
+    pub(crate) fn log_from(&self, log: &FineLogarithm, raised: bool) -> DoubleDouble {
         let exponent = log.exponent - if raised { 1200.0 } else { 0.0 };
         // An integer times ln 2 in three words of which the first is short.
         let powers = two_prod(-exponent, DoubleDouble::LN_2.hi);
@@ -105,15 +110,20 @@ impl Descent {
         if self.epsilon.hi == 0.0 { DoubleDouble::from(f64::INFINITY) } else { sum }
     }
 
-    /// q, raised as the parameter is.
+    /// q, raised as the parameter is; relative error below 2⁻⁶⁹.
     #[inline(always)]
     pub(crate) fn nome(&self) -> DoubleDouble {
-        self.epsilon * series(self.fourth, &NOME)
+        self.epsilon * short_series(self.fourth, &NOME)
     }
 
-    /// √q, given by what the root of the parameter is to be lowered.
+    /// √q, given by what the root of the parameter is to be lowered; relative error below 2⁻⁶⁹.
     #[inline(always)]
     pub(crate) fn root_of_nome(&self, lowering: f64) -> DoubleDouble {
+        (self.epsilon.sqrt() * short_series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
+    }
+
+    /// The same to 2⁻¹⁰².
+    pub(crate) fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
@@ -140,9 +150,21 @@ fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDou
         tail = x.hi.fma(tail, coefficients[i]);
     }
     let third = fast_two_sum(coefficients[3], x.hi * tail);
-    let second = DoubleDouble::from(coefficients[2]).plus_smaller(x * third);
-    let first = DoubleDouble::from(coefficients[1]).plus_smaller(x * second);
-    DoubleDouble::from(coefficients[0]).plus_smaller(x * first)
+    let second = DoubleDouble::from(coefficients[2]).plus_product(x, third);
+    let first = DoubleDouble::from(coefficients[1]).plus_product(x, second);
+    DoubleDouble::from(coefficients[0]).plus_product(x, first)
+}
+
+/// The same with a first coefficient of one and all others in one word, which leaves 2⁻⁷⁰ at x = 3.5e-6.
+#[inline(always)]
+fn short_series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
+    let mut tail = 0.0;
+    let mut i = N;
+    while i > 1 {
+        i -= 1;
+        tail = x.hi.fma(tail, coefficients[i]);
+    }
+    fast_two_sum(coefficients[0], x.hi * tail)
 }
 
 #[cfg(test)]
@@ -186,16 +208,18 @@ mod tests {
             let nome = (word(0.0) - exact_log.clone()).exp();
             let raise = word(nearer.lowering());
             let nome_raised = nome.clone() / (raise.clone() * raise);
-            let root = descent.root_of_nome(nearer.lowering());
+            let [root, precise_root] = [Descent::root_of_nome, Descent::precise_root_of_nome]
+                .map(|root| relative(root(&descent, nearer.lowering()), &nome.clone().sqrt()));
+            // The lower half of a second word may be below the smallest number.
+            let short = [relative(descent.nome(), &nome_raised), if m > 1e-200 { root } else { 0.0 }];
+            assert!(short.iter().all(|error| *error < libm::exp2(-69.0)), "{m:e}: {short:?}");
             let errors = [
                 relative(descent.near_quarter(), &near),
                 relative(descent.near_frequency(), &(word(0.25) / near.clone())),
                 relative(log, &exact_log),
                 relative(Descent::far_quarter(descent.near_quarter(), log), &far),
                 relative(descent.far_frequency(log), &(word(0.25) / far)),
-                relative(descent.nome(), &nome_raised),
-                // The lower half of its second word may be below the smallest number.
-                if m > 1e-200 { relative(root, &nome.sqrt()) } else { 0.0 },
+                if m > 1e-200 { precise_root } else { 0.0 },
             ];
             for error in errors {
                 assert!(error < libm::exp2(-102.0), "{m:e}: {errors:?}");

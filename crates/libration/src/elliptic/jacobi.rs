@@ -31,7 +31,6 @@ pub(crate) struct Quotients {
     clock: PhaseClock,
     /// z of the theta functions per turn of 4K.
     scale: DoubleDouble,
-    root: DoubleDouble,
     series: ThetaSeries,
     factors: Factors,
     degenerate: bool,
@@ -72,7 +71,6 @@ impl Quotients {
         Self {
             clock: PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO },
             scale: pick(nearer.above, log.scaled(2.0), DoubleDouble::PI.scaled(2.0)),
-            root,
             series: ThetaSeries::new(nome.to_f64()),
             factors: Factors::new(nearer.above, nome, root),
             degenerate: nearer.above && nearer.smaller.hi == 0.0,
@@ -89,10 +87,6 @@ impl Quotients {
     #[inline(always)]
     pub(crate) fn nome(nearer: &Nearer, descent: &Descent) -> DoubleDouble {
         descent.nome().scaled(nearer.lowering()).scaled(nearer.lowering())
-    }
-
-    pub(crate) fn root_of_nome(&self) -> DoubleDouble {
-        self.root
     }
 
     pub(crate) fn turn_scale(&self) -> DoubleDouble {

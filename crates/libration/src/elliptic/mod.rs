@@ -286,7 +286,7 @@ impl Modulus {
 
     /// The square root of the smaller nome.
     pub(crate) fn root_of_smaller_nome(&self) -> DoubleDouble {
-        self.quotients.root_of_nome()
+        Descent::new(&self.nearer).precise_root_of_nome(self.nearer.lowering())
     }
 
     /// z of the theta functions per turn of 4K.

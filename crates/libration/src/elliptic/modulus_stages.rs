@@ -4,6 +4,7 @@ use super::descent::Descent;
 use super::moduli::Moduli;
 use super::nearer::Nearer;
 use crate::double_double::block::{BLOCK, Words};
+use crate::elementary::FineLogarithms;
 
 /// What one stage leaves for the next.
 #[repr(align(64))]
@@ -75,8 +76,9 @@ impl ModulusStages {
     /// After [`Self::descend`].
     #[inline(always)]
     pub(super) fn logarithms(&mut self) {
+        let logs = FineLogarithms::new(&self.epsilon);
         for i in 0..BLOCK {
-            let log = self.descent(i).log_inverse_nome(self.raised[i] > 0.5);
+            let log = self.descent(i).log_from(&logs.get(i), self.raised[i] > 0.5);
             self.log.set(i, log);
         }
     }
