@@ -73,10 +73,10 @@ impl Kernel for Block<'_> {
         two_word::sin_cos_series_of_block(&halves, &mut sines, &mut cosines);
         let mut swings = [None; BLOCK];
         let mut smaller = Words::ZERO;
-        for i in 0..BLOCK {
+        for (i, kept) in swings.iter_mut().enumerate() {
             let swing = Swing::in_two_words(suited(i).unwrap_or(INSTEAD), (sines.get(i), cosines.get(i)));
             smaller.set(i, swing.cos_half);
-            swings[i] = suited(i).map(|_| swing);
+            *kept = suited(i).map(|_| swing);
         }
         let exact = exact_ratios(smaller);
         std::array::from_fn(|i| swings[i].map(|swing| Quick { swing, exact: exact.get(i) }))
