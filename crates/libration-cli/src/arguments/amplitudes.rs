@@ -4,7 +4,6 @@ use super::{bare, lines};
 use crate::failure::Failure;
 use libration::pendulum::Amplitude;
 use libration::quantity::{Angle, AngleRange, BareRadians, RangeError, angles};
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 /// The options that say which amplitudes.
@@ -107,11 +106,11 @@ fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
 /// Reads the angles of a file, and says of the first one that may have been meant in degrees how it is taken.
 fn angles_in_file(path: &Path) -> Result<Vec<Angle>, Failure> {
     let text = lines::text(path)?;
-    let angles = lines::values(path, &text, str::parse::<Angle>)?;
-    // Only such angles are doubted.
-    if angles.iter().any(|angle| angle.radians().abs() > PI) {
-        let doubtful = |line: &&str| BareRadians::in_text(line).is_some();
-        lines::numbered(&text).map(|(_, line)| line).find(doubtful).into_iter().for_each(bare::say);
+    let read = |line: &str| line.parse().map(|angle: Angle| (angle, BareRadians::in_text(line).is_some()));
+    let angles = lines::values(path, &text, read)?;
+    let doubtful = angles.iter().position(|(_, is_doubtful)| *is_doubtful);
+    if let Some((_, line)) = doubtful.and_then(|place| lines::numbered(&text).nth(place)) {
+        bare::say(line);
     }
-    Ok(angles)
+    Ok(angles.into_iter().map(|(angle, _)| angle).collect())
 }

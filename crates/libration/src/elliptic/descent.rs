@@ -143,28 +143,28 @@ impl Descent {
 /// Σ coefficientsᵢ·xⁱ for 0 ≤ x ≤ 3.5e-6: from the fourth power on, which is below 2⁻⁵⁹ of the sum, in one word.
 #[inline(always)]
 fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
-    let mut tail = 0.0;
-    let mut i = N;
-    while i > 4 {
-        i -= 1;
-        tail = x.hi.fma(tail, coefficients[i]);
-    }
-    let third = fast_two_sum(coefficients[3], x.hi * tail);
+    let third = fast_two_sum(coefficients[3], x.hi * from_power(4, x.hi, coefficients));
     let second = DoubleDouble::from(coefficients[2]).plus_product(x, third);
     let first = DoubleDouble::from(coefficients[1]).plus_product(x, second);
     DoubleDouble::from(coefficients[0]).plus_product(x, first)
 }
 
-/// The same with a first coefficient of one and all others in one word, which leaves 2⁻⁷⁰ at x = 3.5e-6.
+/// The same from the first power on in one word, which leaves 2⁻⁷⁰ of the sum at x = 3.5e-6.
 #[inline(always)]
 fn short_series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
-    let mut tail = 0.0;
+    fast_two_sum(coefficients[0], x.hi * from_power(1, x.hi, coefficients))
+}
+
+/// The terms from a power on, divided by that power.
+#[inline(always)]
+fn from_power<const N: usize>(power: usize, x: f64, coefficients: &[f64; N]) -> f64 {
+    let mut sum = 0.0;
     let mut i = N;
-    while i > 1 {
+    while i > power {
         i -= 1;
-        tail = x.hi.fma(tail, coefficients[i]);
+        sum = x.fma(sum, coefficients[i]);
     }
-    fast_two_sum(coefficients[0], x.hi * tail)
+    sum
 }
 
 #[cfg(test)]

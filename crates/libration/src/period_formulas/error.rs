@@ -5,6 +5,7 @@ use super::law::Law;
 use super::quick::Quick;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::BigFloat;
+use crate::double_double::block::BLOCK;
 
 /// Bits of the fractional error that are certain before it is rounded.
 const GOOD_BITS: isize = 64;
@@ -33,8 +34,18 @@ impl Exact {
         Self::from_quick(amplitude, Quick::new(amplitude))
     }
 
-    pub(super) fn from_quick(amplitude: SwingAmplitude, quick: Option<Quick>) -> Self {
+    /// At each amplitude in turn, a block of ratios in two words at a time; `None` where there is no amplitude.
+    pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
+        let found = |(amplitude, quick): (&Option<_>, _)| amplitude.map(|it| Self::from_quick(it, quick));
+        amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))
+    }
+
+    fn from_quick(amplitude: SwingAmplitude, quick: Option<Quick>) -> Self {
         Self { amplitude, quick, prepared: Vec::new() }
+    }
+
+    pub(super) fn amplitude(&self) -> SwingAmplitude {
+        self.amplitude
     }
 
     /// formula/exact − 1, rounded from at least 60 good bits; zero when the two agree to 2⁻¹¹²⁸.
@@ -91,7 +102,6 @@ mod tests {
     use super::super::swing::{NEAREST_BOTTOM, NEAREST_TOP};
     use super::*;
     use crate::double_double::DoubleDouble;
-    use crate::double_double::block::BLOCK;
     use crate::period_formulas::family::Family;
     use crate::period_formulas::{PeriodFormula, catalogue};
 

@@ -4,11 +4,9 @@ use std::fmt;
 
 use super::error::Exact;
 use super::law::Law;
-use super::quick::Quick;
 use super::swing::{Swing, SwingAmplitude};
 use crate::algebra::Rational;
 use crate::catalogue::Named;
-use crate::double_double::block::BLOCK;
 use crate::quantity::Angle;
 
 /// An approximation to T/T0, the period over that of small swings, with what is known about it.
@@ -126,12 +124,12 @@ impl PeriodFormula {
     }
 
     pub(super) fn error(&self, amplitude: SwingAmplitude) -> f64 {
-        self.error_beside(amplitude, &mut Exact::new(amplitude))
+        self.error_beside(&mut Exact::new(amplitude))
     }
 
     /// The fractional error, the exact period shared with other formulas; infinite where this is not defined.
-    pub(super) fn error_beside(&self, amplitude: SwingAmplitude, exact: &mut Exact) -> f64 {
-        if self.is_defined(amplitude) { exact.fractional_error(&self.law) } else { f64::INFINITY }
+    pub(super) fn error_beside(&self, exact: &mut Exact) -> f64 {
+        if self.is_defined(exact.amplitude()) { exact.fractional_error(&self.law) } else { f64::INFINITY }
     }
 
     fn is_defined(&self, amplitude: SwingAmplitude) -> bool {
@@ -236,16 +234,11 @@ impl LeadingError {
 /// ```
 #[must_use]
 pub fn fractional_errors(formulas: &[PeriodFormula], amplitudes: &[Angle]) -> Vec<f64> {
+    let amplitudes: Vec<_> = amplitudes.iter().map(SwingAmplitude::from_angle).collect();
     let mut errors = Vec::with_capacity(formulas.len() * amplitudes.len());
-    for block in amplitudes.chunks(BLOCK) {
-        let block: Vec<_> = block.iter().map(SwingAmplitude::from_angle).collect();
-        for (amplitude, quick) in block.iter().zip(Quick::block(&block)) {
-            let mut exact = amplitude.map(|amplitude| (amplitude, Exact::from_quick(amplitude, quick)));
-            errors.extend(formulas.iter().map(|formula| match &mut exact {
-                Some((amplitude, exact)) => formula.error_beside(*amplitude, exact),
-                None => f64::NAN,
-            }));
-        }
+    for mut exact in Exact::each(&amplitudes) {
+        let error = |formula: &PeriodFormula| exact.as_mut().map_or(f64::NAN, |it| formula.error_beside(it));
+        errors.extend(formulas.iter().map(error));
     }
     errors
 }

@@ -4,9 +4,7 @@ use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
 use super::maximum::maximum_between;
-use super::quick::Quick;
 use super::swing::SwingAmplitude;
-use crate::double_double::block::BLOCK;
 use crate::quantity::Angle;
 use crate::roots::{Tolerance, zero_between};
 use crate::watch::{Interrupted, Stage, Watch};
@@ -80,18 +78,12 @@ impl ErrorTable {
         let points = grid::points();
         let mut curves: Vec<Curve> =
             formulas.iter().map(|formula| Curve { formula: formula.clone(), errors: Vec::new() }).collect();
-        let mut done = 0;
-        for block in points.chunks(BLOCK) {
-            let block: Vec<_> = block.iter().map(|&u| Some(amplitude_at(u))).collect();
-            for (amplitude, quick) in block.iter().flatten().zip(Quick::block(&block)) {
-                let mut exact = Exact::from_quick(*amplitude, quick);
-                for curve in &mut curves {
-                    let error = curve.formula.error_beside(*amplitude, &mut exact);
-                    curve.errors.push(error);
-                }
-                done += 1;
-                go_on(done)?;
+        let amplitudes: Vec<_> = points.iter().map(|&u| Some(amplitude_at(u))).collect();
+        for (done, mut exact) in (1..).zip(Exact::each(&amplitudes).flatten()) {
+            for curve in &mut curves {
+                curve.errors.push(curve.formula.error_beside(&mut exact));
             }
+            go_on(done)?;
         }
         Ok(Self { points, curves })
     }
@@ -259,8 +251,7 @@ impl ErrorTable {
 
 impl Curve {
     fn error_at(&self, u: Coordinate) -> f64 {
-        let amplitude = amplitude_at(u);
-        self.formula.error_beside(amplitude, &mut Exact::new(amplitude))
+        self.formula.error(amplitude_at(u))
     }
 }
 
