@@ -115,12 +115,15 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, Failur
         return Ok(asked);
     }
     let first = words.first().map_or("", String::as_str);
-    Err(Failure::usage(
-        "QUESTION",
+    let is_quoted = first.split_once(' ').is_some_and(|(name, _)| command.find_subcommand(name).is_some());
+    let reason = if is_quoted {
+        format!("`{first}` came as one word: leave out the quotes around the question")
+    } else {
         format!(
             "`{first}` is no question with numbers for an answer: begin with one such as lyapunov or period"
-        ),
-    ))
+        )
+    };
+    Err(Failure::usage("QUESTION", reason))
 }
 
 enum Place {
