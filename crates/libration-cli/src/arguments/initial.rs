@@ -1,6 +1,8 @@
 //! The state a motion begins in, by names: `theta=60deg,theta'=0`.
 
+use crate::call;
 use crate::failure::Failure;
+use libration::quantity::RoundedComplement;
 use libration::systems::{InitialState, Model};
 
 /// The option that says where a motion begins.
@@ -40,7 +42,7 @@ impl InitialOptions {
         model: &Model,
     ) -> Result<Result<Initial, String>, Failure> {
         let own = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
-        say_bare_angles(&own, model);
+        say_of_angles(&own, model);
         // What is wrong with the option is not the fault of the others.
         Initial::of_values(&own, model).map_err(usage)?;
         match own.is_empty() && values.is_empty() {
@@ -72,7 +74,7 @@ impl SeveralInitialOptions {
 impl Initial {
     fn read(text: &str, model: &Model) -> Result<Self, Failure> {
         let items = items(text, model)?;
-        say_bare_angles(&items, model);
+        say_of_angles(&items, model);
         Self::of_values(&items, model).map_err(usage)
     }
 
@@ -94,10 +96,13 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Fa
     text.split(',').filter(|item| !item.trim().is_empty()).map(item).collect()
 }
 
-/// Says how angles without a unit are understood where that may surprise.
-fn say_bare_angles(items: &[(&str, &str)], model: &Model) {
+/// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise.
+fn say_of_angles(items: &[(&str, &str)], model: &Model) {
     for (_, value) in items.iter().filter(|(name, _)| model.is_angle(name)) {
         super::bare::say(value);
+        if let Some(lost) = value.parse().ok().as_ref().and_then(RoundedComplement::of) {
+            call::current().note(&format!("{}: {lost}", value.trim()));
+        }
     }
 }
 

@@ -65,7 +65,12 @@ fn line(fit: &LengthFit, radius: Option<f64>, from: f64, to: f64) -> Series {
         let usable = whole > 0.0 && whole * whole > gyration.abs();
         usable.then(|| (length, turn * turn * (whole + gyration / whole) / fit.g.value))
     });
-    let law = if fit.offset.is_some() { "4π²(L + δ)/g" } else { "4π²L/g" };
+    let law = match (fit.offset.is_some(), gyration.abs() > 0.0) {
+        (true, true) => "4π²(L + δ + κ/(L + δ))/g",
+        (true, false) => "4π²(L + δ)/g",
+        (false, true) => "4π²(L + κ/L)/g",
+        (false, false) => "4π²L/g",
+    };
     Series::line(law, style::exact_law(), points.collect::<Vec<_>>())
 }
 

@@ -15,7 +15,9 @@ pub(crate) fn name(model: &Model) -> String {
 
 /// The same in the middle of a sentence.
 pub(crate) fn subject(model: &Model) -> String {
-    if model.key().is_some() { format!("the {}", name(model)) } else { name(model) }
+    let name = name(model);
+    // "Lorenz's convection" has its article.
+    if model.key().is_some() && !name.contains("'s ") { format!("the {name}") } else { name }
 }
 
 /// `θ₁` for theta1, `θ₁′` for its velocity.

@@ -141,6 +141,25 @@ fn small_numbers_are_not_written_with_hundreds_of_zeros() {
     assert!(slow.contains("ω0² = 1e-300") && !slow.contains(&"0".repeat(20)), "{slow}");
 }
 
+/// From the double next to π − 1e-20 a pendulum swings in 154.9 s, from π − 1e-20 in 192.5 s.
+#[test]
+fn starts_that_are_rounded_next_to_the_top_are_told() {
+    for (start, told) in [
+        ("pi-1e-20", "pi-1e-20: 1e-20 rad from the upright position becomes 1.22465e-16 rad"),
+        ("180deg-1e-9deg", "180deg-1e-9deg: 1.7453"),
+        ("180deg", "180deg: the upright position becomes 1.22465e-16 rad beside it"),
+    ] {
+        for question in ["simulate pendulum --times 0", "orbit pendulum"] {
+            let output = libration(&format!("{question} --initial theta={start}"));
+            assert_eq!(message(&output).matches(told).count(), 1, "{question}: {}", message(&output));
+        }
+    }
+    for clear in ["3.141592653589793", "179.9deg", "-1"] {
+        let output = libration(&format!("simulate pendulum --times 0 --initial theta={clear}"));
+        assert!(message(&output).is_empty(), "{clear}: {}", message(&output));
+    }
+}
+
 #[test]
 fn bare_angles_above_half_a_turn_are_said_to_be_radians() {
     let note = "taken as 60 rad = 9.549 turns; for degrees write 60deg";

@@ -43,7 +43,7 @@ pub enum FitError {
         hint: &'static str,
     },
     /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
-    #[error("{found} rows cannot determine {parameters} and its uncertainty: give at least {needed}")]
+    #[error("give at least {needed} rows: {found} cannot determine {parameters} and its uncertainty")]
     TooFewRows {
         /// Rows.
         found: usize,

@@ -120,30 +120,7 @@ impl StabilityChart {
     /// edges there. `None` where the start is no rest.
     #[must_use]
     pub fn rest_is_stable_at(&self, end: usize) -> Option<Vec<[f64; 2]>> {
-        let rest = self.rest.as_ref()?;
-        let column = if end == 0 { 0 } else { rest.values[0].len() - 1 };
-        let (value, seconds) = (rest.values[0][column], &rest.values[1]);
-        let ends = self.curves.iter().filter(|curve| curve.at_rest).flat_map(|curve| &curve.points);
-        let mut cuts: Vec<f64> = ends
-            .filter(|it| it.point.parameter.to_bits() == value.to_bits())
-            .map(|it| it.second)
-            .chain([*seconds.first()?, *seconds.last()?])
-            .collect();
-        cuts.sort_by(f64::total_cmp);
-        let is_stable = |[from, to]: [f64; 2]| {
-            let within = seconds.iter().zip(&rest.stable).filter(|(it, _)| (from..=to).contains(*it));
-            let middle = 0.5 * (from + to);
-            let nearest = within.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()));
-            nearest.is_some_and(|(_, row)| row[column] == Some(true))
-        };
-        let mut ranges: Vec<[f64; 2]> = vec![];
-        for range in cuts.windows(2).map(|pair| [pair[0], pair[1]]).filter(|range| is_stable(*range)) {
-            match ranges.last_mut() {
-                Some(last) if last[1].to_bits() == range[0].to_bits() => last[1] = range[1],
-                _ => ranges.push(range),
-            }
-        }
-        Some(ranges)
+        Some(self.rest.as_ref()?.at_ends[end.min(1)].clone())
     }
 }
 
@@ -196,7 +173,8 @@ impl Survey<'_> {
                 edges.extend(self.edge(&crossing).map(|edge| (crossing, edge)));
             }
         }
-        (Some(grid.stability()), edges.into_iter().map(|(_, edge)| edge).collect())
+        let edges: Vec<SpecialCurve> = edges.into_iter().map(|(_, edge)| edge).collect();
+        (Some(grid.stability(&edges)), edges)
     }
 
     fn edge(&self, crossing: &Crossing) -> Option<SpecialCurve> {

@@ -1,5 +1,6 @@
 //! The edges of stability of a state of rest over two parameters, found on a grid.
 
+use super::curve::SpecialCurve;
 use super::family::{Family, TOLERANCES};
 use super::node::Tests;
 use super::point::is_stable;
@@ -16,6 +17,8 @@ pub struct RestStability {
     pub values: [Vec<f64>; 2],
     /// For each value of the second parameter, for each of the first; none where the motion cannot be followed.
     pub stable: Vec<Vec<Option<bool>>>,
+    /// Ranges of the second parameter in which it is stable, at the least value of the first and at its greatest.
+    pub at_ends: [Vec<[f64; 2]>; 2],
 }
 
 /// Intervals of the grid each way.
@@ -52,10 +55,34 @@ impl<'a> Grid<'a> {
         grid
     }
 
-    pub(super) fn stability(&self) -> RestStability {
+    /// With the edges that were followed from the crossings.
+    pub(super) fn stability(&self, edges: &[SpecialCurve]) -> RestStability {
         let stable = |it: &Option<(Tests, bool)>| it.as_ref().map(|(_, stable)| *stable);
         let stable = self.tests.iter().map(|row| row.iter().map(stable).collect()).collect();
-        RestStability { values: self.values.clone(), stable }
+        let ends = [self.values[0].first(), self.values[0].last()];
+        let at_ends = ends.map(|end| end.map_or_else(Vec::new, |first| self.stable_ranges(*first, edges)));
+        RestStability { values: self.values.clone(), stable, at_ends }
+    }
+
+    /// The ranges of the second parameter, between the ends that edges have at this value of the first, in whose middle rest is stable: they
+    /// may be narrower than the grid.
+    fn stable_ranges(&self, first: f64, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
+        let ends = edges.iter().flat_map(|edge| &edge.points);
+        let ends = ends.filter(|it| it.point.parameter.to_bits() == first.to_bits()).map(|it| it.second);
+        let outermost = [self.values[1].first(), self.values[1].last()];
+        let mut cuts: Vec<f64> = ends.chain(outermost.into_iter().flatten().copied()).collect();
+        cuts.sort_by(f64::total_cmp);
+        let mut ranges: Vec<[f64; 2]> = vec![];
+        for [from, to] in cuts.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[from, to]| from < to) {
+            if self.at([first, 0.5 * (from + to)]).is_none_or(|(_, is_stable)| !is_stable) {
+                continue;
+            }
+            match ranges.last_mut() {
+                Some(last) if last[1].to_bits() == from.to_bits() => last[1] = to,
+                _ => ranges.push([from, to]),
+            }
+        }
+        ranges
     }
 
     fn at(&self, place: [f64; 2]) -> Option<(Tests, bool)> {

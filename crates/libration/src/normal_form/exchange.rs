@@ -45,6 +45,11 @@ pub enum NoExchange {
     /// Too far from rest.
     #[error("the state is too far from rest for a normal form of this order: give a smaller one")]
     TooFar,
+    /// Amplitudes that stay as they are.
+    #[error(
+        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may tell of an exchange"
+    )]
+    Steady,
     /// Amplitudes that do not come back.
     #[error(
         "the amplitudes do not come back within {0} s: the exchange is slower, or there is none from this state"
@@ -63,6 +68,9 @@ const SAMPLES: usize = 96;
 const ROUNDING: f64 = 1e-12;
 /// Periods of the slowest mode that are waited for an exchange.
 const LONGEST: usize = 2000;
+/// Amplitudes whose squares change by less than this part of themselves are steady: 2000 periods at the tolerance of the integration leave
+/// 2e-11 where all errors add up, and 1e-13 was seen.
+const STEADY: f64 = 1e-10;
 
 /// P = |a|² of the first resonant mode and half its rate of change, whose curve closes with the exchange.
 type Place = [f64; 2];
@@ -71,7 +79,8 @@ impl NormalForm {
     /// The exchange from a state, coordinates and then velocities, by the slow flow.
     ///
     /// # Errors
-    /// No resonance; a state beyond the reach of the form; amplitudes that do not come back in 2000 periods of the slowest mode.
+    /// No resonance; a state beyond the reach of the form; amplitudes that stay as they are, or do not come back in 2000 periods of the slowest
+    /// mode.
     pub fn exchange(&self, state: &[f64]) -> Result<Exchange, NoExchange> {
         self.exchange_watched(state, &Watch::none())
     }
@@ -191,18 +200,20 @@ impl NormalForm {
     ) -> Result<f64, NoExchange> {
         const PER_PERIOD: usize = 4;
         let interval = slowest / count(PER_PERIOD);
-        let mut periods = 32;
-        while periods <= LONGEST {
+        let mut is_steady = true;
+        for periods in [LONGEST / 64, LONGEST / 16, LONGEST / 4, LONGEST] {
             let path = seen(interval, periods * PER_PERIOD)?;
-            let rates: Vec<f64> = path.iter().map(|amplitudes| self.place(mode, amplitudes)[1]).collect();
-            let falls = |pair: &(usize, &[f64])| pair.1[0] > 0.0 && pair.1[1] <= 0.0;
-            let maxima: Vec<usize> = rates.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
-            if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2) {
+            let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+            is_steady = Scale::of(&places).is_steady();
+            let falls = |pair: &(usize, &[Place])| pair.1[0][1] > 0.0 && pair.1[1][1] <= 0.0;
+            let maxima: Vec<usize> = places.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
+            if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2)
+                && !is_steady
+            {
                 return Ok(interval * count(last - first) / count(maxima.len() - 1));
             }
-            periods *= 4;
         }
-        Err(NoExchange::TooSlow(slowest * count(LONGEST)))
+        Err(if is_steady { NoExchange::Steady } else { NoExchange::TooSlow(slowest * count(LONGEST)) })
     }
 
     /// By aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
@@ -266,6 +277,10 @@ impl Scale {
         let most = places.iter().map(|it| it[0]).fold(0.0, f64::max);
         let height = places.iter().map(|it| it[1].abs()).fold(0.0, f64::max);
         Self { middle: 0.5 * (least + most), half_width: 0.5 * (most - least), height }
+    }
+
+    fn is_steady(&self) -> bool {
+        self.half_width <= STEADY * self.middle
     }
 
     fn angle(&self, place: &Place) -> f64 {

@@ -3,7 +3,7 @@
 use super::form::{NormalForm, SlowTerm};
 use super::polynomials::{AmplitudePolynomials, Powers};
 use crate::algebra::{Complex, Doubles, Quadratic, QuadraticField, Ring};
-use crate::expression::Equation;
+use crate::expression::{Equation, Expression, Order};
 
 impl NormalForm {
     /// aⱼ′, of these amplitudes.
@@ -22,39 +22,42 @@ impl NormalForm {
         rates
     }
 
-    /// The slow flow in u1, w1, u2, w2, …, with aⱼ = uⱼ + iwⱼ, to be integrated as any other equations.
-    ///
-    /// # Panics
-    /// Never.
+    /// The slow flow in u1, w1, u2, w2, …, with aⱼ = uⱼ + iwⱼ, to be integrated as any other equations. Of a high order it has more terms than
+    /// a text may have to be read.
     #[must_use]
     pub fn slow_flow(&self) -> Equation {
-        let mut parts: Vec<[String; 2]> = self
-            .modes
-            .modes
-            .iter()
-            .enumerate()
-            .map(|(j, mode)| {
-                let frequency = mode.frequency();
-                [format!("-{frequency:?}*w{}", j + 1), format!("{frequency:?}*u{}", j + 1)]
-            })
+        let modes = || (1..).zip(&self.modes.modes);
+        let mut terms: Vec<[Vec<String>; 2]> = modes()
+            .map(|(j, mode)| (j, mode.frequency()))
+            .map(|(j, frequency)| [vec![format!("-{frequency:?}*w{j}")], vec![format!("{frequency:?}*u{j}")]])
             .collect();
         for term in &self.slow_terms {
             for (powers, value) in self.in_parts(term) {
                 let product = product(&powers);
-                let [real, imaginary] = &mut parts[term.mode];
-                for (text, factor) in [(real, value.re), (imaginary, value.im)] {
+                let [real, imaginary] = &mut terms[term.mode];
+                for (terms, factor) in [(real, value.re), (imaginary, value.im)] {
                     if factor != 0.0 {
-                        text.push_str(&format!(" + ({factor:?}){product}"));
+                        terms.push(format!("({factor:?}){product}"));
                     }
                 }
             }
         }
-        let lines = parts.iter().enumerate().flat_map(|(j, [real, imaginary])| {
-            [format!("u{}' = {real}", j + 1), format!("w{}' = {imaginary}", j + 1)]
-        });
-        let text = lines.collect::<Vec<_>>().join("; ");
-        text.parse().expect("the text is made of sums of products")
+        let variables: Vec<String> = modes().flat_map(|(j, _)| [format!("u{j}"), format!("w{j}")]).collect();
+        let orders = vec![Order::First; variables.len()];
+        Equation::of_derivatives(variables, orders, terms.as_flattened().iter().map(|it| sum(it)).collect())
     }
+}
+
+/// Terms in sums of a hundred: a tree of all in a row would have as many levels as there are terms.
+fn sum(terms: &[String]) -> Expression {
+    const TOGETHER: usize = 100;
+    let parts = terms.chunks(TOGETHER).map(|terms| {
+        terms
+            .join(" + ")
+            .parse::<Expression>()
+            .expect("a hundred products are a formula of a few thousand letters")
+    });
+    parts.reduce(|a, b| Expression::Add(Box::new(a), Box::new(b))).unwrap_or_else(|| Expression::from(0))
 }
 
 impl NormalForm {

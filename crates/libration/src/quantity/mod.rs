@@ -36,6 +36,7 @@ mod pi_combination;
 mod progression;
 mod range;
 mod range_error;
+mod rounded_complement;
 mod shortest;
 mod unit;
 
@@ -51,6 +52,7 @@ pub(crate) use nearest::nearest;
 pub use physical::{Quantity, in_si, parse};
 pub use range::{AngleRange, NumberRange, angles, exact_angles, exact_numbers, numbers};
 pub use range_error::RangeError;
+pub use rounded_complement::RoundedComplement;
 
 /// The standard acceleration of free fall, in m/s² (CGPM 1901).
 ///

@@ -12,9 +12,9 @@ pub enum RangeError {
     /// Not three parts.
     #[error("cannot read `{0}` as a range: write START:STOP:STEP, as in {1}")]
     NotThreeParts(String, &'static str),
-    /// Bare numbers beside degrees.
+    /// Bare numbers beside those with a unit.
     #[error(
-        "the range `{0}` mixes degrees and bare numbers: write the unit of each part, as in 1deg:179deg:1deg"
+        "`{0}` mixes numbers with a unit and without: write the unit of each, as in 1deg:179deg:1deg or 1rad,2rad, and decimals with a point"
     )]
     MixedUnits(String),
     /// A step of zero.

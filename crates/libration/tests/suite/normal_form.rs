@@ -167,3 +167,30 @@ fn what_has_no_normal_form_or_exchange_is_told() {
     let double = form(DOUBLE_PENDULUM, &[0.0, 0.0], 3);
     assert_eq!(double.exchange(&[0.1, 0.0, 0.0, 0.0]), Err(NoExchange::NoResonance));
 }
+
+const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
+
+/// To the third order |a1| and |a2| stay as they are from there; their exchange, 0.006 of them in 2800 s, comes with the fifth.
+#[test]
+fn an_exchange_is_found_where_the_order_has_it() {
+    let state = [0.1, 0.05, 0.0, 0.0];
+    let of_order = |order| form(HENON_HEILES, &[0.0, 0.0], order).exchange(&state);
+    assert_eq!(of_order(3), Err(NoExchange::Steady));
+    let fifth = of_order(5).unwrap();
+    // SciPy's DOP853 at 1e-12 with the fifth order's terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
+    assert!((fifth.period / 2850.0 - 1.0).abs() < 0.01 && fifth.error < 1e-3, "{fifth:?}");
+    let expected = [[0.0972, 0.1033], [0.0525, 0.0631]];
+    for (found, expected) in fifth.amplitudes.as_flattened().iter().zip(expected.as_flattened()) {
+        assert!((found - expected).abs() < 2e-4, "{fifth:?}");
+    }
+}
+
+/// Some 400 terms in each equation, more than a text may have.
+#[test]
+fn a_slow_flow_of_high_order_is_integrated_too() {
+    let form = form(HENON_HEILES, &[0.0, 0.0], 7);
+    assert!(form.slow_flow().to_string().parse::<Equation>().is_err());
+    let exchange = form.exchange(&[0.1, 0.05, 0.0, 0.0]).unwrap();
+    // The whole motion has 2803.77 s.
+    assert!((exchange.period / 2803.77 - 1.0).abs() < 0.01, "{exchange:?}");
+}

@@ -212,3 +212,18 @@ fn what_has_no_chart_says_why() {
     assert_eq!(refused("x'' = -a*x + cos(w*t)", flat), NoBranch::Range { from: 1.0, to: 1.0 });
     assert!(matches!(refused("x'' = -k*x + a*cos(w*t)", [[1.0, 2.0]; 2]), NoBranch::WithoutValue(_)));
 }
+
+/// Beyond d = 0 the strip between the first two edges of Mathieu's equation is 0.03 wide there, half an interval of the grid.
+#[test]
+fn strips_narrower_than_the_grid_are_told() {
+    let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
+    let options = ChartOptions { lines: 0, ..ChartOptions::default() };
+    let chart = StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 2.5], [0.0, 2.0]], &options).unwrap();
+    let ranges = chart.rest_is_stable_at(0).unwrap();
+    // By SciPy's monodromy: multipliers of 3.2 at 1.18, of size 1 from 1.195 to 1.22, of 2.6 at 1.23.
+    assert_eq!(ranges.len(), 1);
+    assert!(
+        ranges[0][0] > 1.18 && ranges[0][0] < 1.195 && ranges[0][1] > 1.22 && ranges[0][1] < 1.23,
+        "{ranges:?}"
+    );
+}

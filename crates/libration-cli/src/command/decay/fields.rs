@@ -107,7 +107,7 @@ pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
         Of::number(
             "loss_in_a_cycle",
             "1",
-            "fraction of the energy lost in a cycle at that amplitude",
+            "fraction of its energy that a cycle of the undamped motion at that amplitude would lose",
             |it| it.decay.loss_in_a_cycle(&it.row.turn.point.amplitude),
         ),
     ])

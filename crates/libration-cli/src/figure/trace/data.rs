@@ -5,7 +5,7 @@ use super::super::range::around;
 use super::super::style;
 use super::Fitted;
 use super::curve::smooth;
-use super::thinned::thinned;
+use super::thinned::{one_of, representative, thinned};
 use std::ops::Range;
 
 /// Beyond so many periods the curve cannot be seen in a picture of the whole.
@@ -33,9 +33,13 @@ pub(crate) fn whole(swing: &Fitted<'_>, title: &str) -> Picture {
     let above = panel(unlabelled, &swing.label(), both(swing, &rows, true), 0.62);
     let zero = [x.from, x.to].map(|time| (time, 0.0));
     let residuals = points(swing, &rows, &swing.fitted.residuals);
+    let name = match one_of(rows.len()) {
+        1 => String::new(),
+        many => format!("one of {many} rows, and all beyond 4 standard deviations"),
+    };
     let left = vec![
         Series::line("", style::exact_law(), zero),
-        Series::line("", small_dots(rows.len()), thinned(residuals)),
+        Series::line(&name, small_dots(rows.len()), representative(residuals)),
     ];
     Picture::new(title, vec![above, panel(x, &residual_label(swing), left, 0.38)])
 }

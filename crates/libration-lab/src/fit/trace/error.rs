@@ -8,7 +8,7 @@ pub enum TraceFitError {
     #[error("there is no trace: give at least one")]
     NoTrace,
     /// Fewer rows than the parameters ask for.
-    #[error("{rows} rows cannot determine {parameters} parameters: give at least {needed} rows of {name}")]
+    #[error("give at least {needed} rows of {name}: {rows} cannot determine {parameters} parameters")]
     TooFewRows {
         /// Whose.
         name: String,
@@ -30,7 +30,7 @@ pub enum TraceFitError {
     /// No window of the trace obeys the equation of a pendulum.
     #[error(
         "{name} does not look like a pendulum: the equation of motion holds in no part of it; check the columns and the \
-         units of angle and time, and give at least one whole swing"
+         units of angle and time, and give at least one whole swing with six rows or more in each"
     )]
     NoPendulum {
         /// Whose.

@@ -1,0 +1,48 @@
+//! What is lost of an angle next to the upright position when it becomes a double.
+
+use std::fmt;
+
+use super::Angle;
+
+/// An angle so near the upright position that the nearest double has another distance from it, which decides for how long a pendulum stays
+/// there: what is integrated from the double belongs to another start.
+///
+/// ```
+/// use libration::quantity::RoundedComplement;
+/// let lost = RoundedComplement::of(&"pi-1e-20".parse()?).unwrap();
+/// assert_eq!((lost.wanted, lost.rounded), (1e-20, 1.2246467991473532e-16));
+/// assert_eq!(RoundedComplement::of(&"179.9deg".parse()?), None);
+/// # Ok::<(), libration::quantity::QuantityError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoundedComplement {
+    /// The distance of the angle from the upright position, in radians.
+    pub wanted: f64,
+    /// That of the nearest double.
+    pub rounded: f64,
+}
+
+impl RoundedComplement {
+    /// What rounding does to an angle; none where the distance from the upright position keeps twelve digits, as it does below 179.98°. The
+    /// logarithm of the distance goes into the period, so that its error is smaller still.
+    #[must_use]
+    pub fn of(angle: &Angle) -> Option<Self> {
+        const KEPT: f64 = 1e-12;
+        let wanted = angle.complement();
+        let rounded = Angle::from_radians(angle.radians()).ok()?.complement();
+        ((rounded - wanted).abs() > KEPT * wanted).then_some(Self { wanted, rounded })
+    }
+}
+
+impl fmt::Display for RoundedComplement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { wanted, rounded } = self;
+        match *wanted > 0.0 {
+            true => write!(f, "{wanted:e} rad from the upright position becomes {rounded:.5e} rad")?,
+            false => write!(f, "the upright position becomes {rounded:.5e} rad beside it")?,
+        }
+        f.write_str(
+            " in the state that is integrated, the nearest double: all answers are about the motion from there; of a free pendulum `motion` and `period` keep the distance",
+        )
+    }
+}
