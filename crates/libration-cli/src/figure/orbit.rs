@@ -9,14 +9,17 @@ use crate::output::number::short;
 use libration::orbit::Orbit;
 use libration::systems::Model;
 
-/// Points of a curve.
+/// Points of a curve where nothing is steep.
 const SAMPLES: u32 = 400;
+/// So often an interval is halved at most, in which the curve leaves its chord by more than this part of its whole extent: relaxation
+/// oscillations jump in a thousandth of their period.
+const HALVINGS: u32 = 6;
+const SEEN: f64 = 5e-4;
 
 /// One panel above the other, one colour a coordinate. What has no velocity is drawn against the first coordinate.
 pub(crate) fn orbit(model: &Model, orbit: &Orbit) -> Picture {
     let period = orbit.period();
-    let times = (0..=SAMPLES).map(|step| period * f64::from(step) / f64::from(SAMPLES));
-    let states: Vec<(f64, Vec<f64>)> = times.map(|time| (time, orbit.state_at(time))).collect();
+    let states = states(orbit);
     let (names, layout) = (model.state_names(), model.layout());
     let places = 0..layout.coordinates();
     let curve = |number: usize, label: String, points: Vec<(f64, f64)>| {
@@ -45,6 +48,35 @@ pub(crate) fn orbit(model: &Model, orbit: &Orbit) -> Picture {
     let told = format!("T = {} s", short(period, 8));
     Picture { aspect: 0.9, ..Picture::new(&title, panels) }
         .with_parameters([of_model(model), vec![told]].concat())
+}
+
+/// The states over a period, closer to each other where they change fast.
+fn states(orbit: &Orbit) -> Vec<(f64, Vec<f64>)> {
+    let at = |time: f64| (time, orbit.state_at(time));
+    let time = |step: u32| orbit.period() * f64::from(step) / f64::from(SAMPLES);
+    let mut states: Vec<(f64, Vec<f64>)> = (0..=SAMPLES).map(|step| at(time(step))).collect();
+    let width = |number: usize| {
+        let numbers = || states.iter().map(|(_, state)| state[number]);
+        numbers().fold(f64::NEG_INFINITY, f64::max) - numbers().fold(f64::INFINITY, f64::min)
+    };
+    let widths: Vec<f64> = (0..states[0].1.len()).map(width).collect();
+    for _ in 0..HALVINGS {
+        let is_bent = |ends: &[(f64, Vec<f64>)], middle: &[f64]| {
+            let off = |number: usize| middle[number] - 0.5 * (ends[0].1[number] + ends[1].1[number]);
+            (0..widths.len()).any(|number| off(number).abs() > SEEN * widths[number])
+        };
+        let middles = states.windows(2).map(|ends| {
+            let middle = at(0.5 * (ends[0].0 + ends[1].0));
+            is_bent(ends, &middle.1).then_some(middle)
+        });
+        let middles: Vec<Option<(f64, Vec<f64>)>> = middles.chain([None]).collect();
+        if middles.iter().all(Option::is_none) {
+            break;
+        }
+        states =
+            states.into_iter().zip(middles).flat_map(|(own, next)| [Some(own), next]).flatten().collect();
+    }
+    states
 }
 
 /// What the axes show: the names where there is one coordinate, else what they have in common.
