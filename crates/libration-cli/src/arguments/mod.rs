@@ -59,7 +59,7 @@ pub(crate) use recording::{RecordingOptions, finding_with_option, what_would_dec
 pub(crate) use section::{SectionOptions, coordinate, place_in_state, places_in_state, section_failure};
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use sweep_options::sweep_options_first;
-pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions};
+pub(crate) use system::{GivenSystem, PendulumSystemOptions, SystemOptions, with_idle_drive};
 pub(crate) use table::{
     AmplitudeUnit, DialectOptions, DisplacementUnit, FrequencyUnit, LengthUnit, optional_column,
 };

@@ -77,6 +77,16 @@ impl SectionOptions {
         }
     }
 
+    /// The same with the parameters' values in the formula, which may name nothing that the system does not have.
+    pub(crate) fn known_section(&self, model: &Model) -> Result<Section, Failure> {
+        let mut section = self.section(model);
+        if let Section::Crossing { formula, .. } = &mut section {
+            let known = model.zero_of(&formula.to_string());
+            *formula = known.map_err(|error| Failure::usage("--at", error))?;
+        }
+        Ok(section)
+    }
+
     /// How many points pass and are kept.
     pub(crate) fn points(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;

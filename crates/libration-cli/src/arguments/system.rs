@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use libration::catalogue::is_like_a_key;
 use libration::expression::{EquationError, Expression};
 use libration::systems::{Model, ModelError, NamedSystem};
+use std::fmt::Display;
 
 /// The system asked about.
 #[derive(Clone, Debug, clap::Args)]
@@ -195,4 +196,16 @@ fn failure(error: ModelError, varied: Option<&str>) -> Failure {
         _ => "SYSTEM|EQUATION",
     };
     Failure::usage(argument, error)
+}
+
+/// Behind a reason why there is no motion: that the drive of the system is off, if it is.
+pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
+    match &model.idle_drives()[..] {
+        [] => reason.to_string(),
+        [name, ..] => {
+            format!(
+                "nothing drives the system, since {name} = 0: give a drive, such as --set {name}=0.1; without one {reason}"
+            )
+        }
+    }
 }

@@ -36,6 +36,17 @@ pub(crate) fn at_most(value: f64) -> String {
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
+/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3.
+pub(crate) fn to_its_error(value: f64, error: f64, most: usize) -> String {
+    let text = rounded(value, most);
+    let written = format!("{error:e}");
+    let exponent = written.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let Some(exponent) = exponent.filter(|_| error > 0.0) else { return text };
+    let places = usize::try_from(-exponent).unwrap_or(0);
+    let shown = format!("{value:.places$}");
+    if shown.len() < text.len() { shown } else { text }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -44,6 +55,14 @@ mod tests {
     fn bounds_are_rounded_up() {
         let shown = [4.8e-13, 4.1e-13, 9.6e-16, 9.4e-16, 1e-3, 0.0, 1.01e-9].map(at_most);
         assert_eq!(shown, ["5e-13", "6e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
+    }
+
+    #[test]
+    fn digits_end_where_the_error_begins() {
+        let period = 24.401_264_932_623_7;
+        let shown = [0.3, 0.004, 1e-9, 3e-15, 4.0, f64::NAN].map(|error| to_its_error(period, error, 15));
+        let expected = ["24.4", "24.401", "24.401264933", "24.4012649326237", "24", "24.4012649326237"];
+        assert_eq!(shown, expected);
     }
 
     #[test]

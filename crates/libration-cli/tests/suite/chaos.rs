@@ -89,10 +89,21 @@ fn the_verdicts_are_said() {
 
 #[test]
 fn what_cannot_be_is_refused_with_what_would_do() {
-    let cases: [(&[&str], i32, &[&str]); 8] = [
+    let cases: [(&[&str], i32, &[&str]); 10] = [
         (&["section", "pendulum", "--initial", "theta=1"], 2, &["--period", "surface"]),
         (&["section", "driven_pendulum"], 2, &["--initial", "theta=60deg"]),
         (&["section", "pendulum", "--initial", "theta=1", "--at", "z"], 2, &["--at", "z"]),
+        // No parameter that --set would take.
+        (
+            &["section", "x''=-x", "--initial", "x=1", "--at", "x-foo"],
+            2,
+            &["--at: the system has no state variable `foo`: it has x, x', and the time t"],
+        ),
+        (
+            &["section", "x''=-x", "--initial", "x=1", "--at", "x-5"],
+            1,
+            &["the motion never crosses the surface", "no point is written"],
+        ),
         (
             &["section", "pendulum", "--initial", "theta=1", "--period", "1", "--phase", "2"],
             2,
@@ -118,6 +129,16 @@ fn what_cannot_be_is_refused_with_what_would_do() {
             assert!(message(&output).contains(part), "{arguments:?}: {}", message(&output));
         }
     }
+}
+
+#[test]
+fn the_formula_of_a_surface_may_name_parameters() {
+    let points = |at: &str| {
+        let arguments =
+            ["section", "pendulum", "--initial", "theta=1", "--set", "omega0=2", "--at", at, "--points", "2"];
+        ask(&arguments)["points"].clone()
+    };
+    assert_eq!(points("theta - omega0/4"), points("theta - 1/2"));
 }
 
 #[cfg(unix)]

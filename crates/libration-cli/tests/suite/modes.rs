@@ -170,6 +170,19 @@ fn a_centre_that_has_no_series_has_its_orbits() {
 }
 
 #[test]
+fn a_followed_mode_ends_at_a_separatrix_with_what_it_has() {
+    let arguments = ["modes", "x''=-x+x^3", "--follow", "1", "--amplitudes", "0.5,0.99,1,1.01"];
+    let answer = json_of(&arguments);
+    let points = answer["points"].as_array().unwrap();
+    assert_eq!(points.len(), 2, "{answer}");
+    assert!(answer["lost"].as_str().unwrap().contains("the accelerations vanish at [1.0]"), "{answer}");
+    let sheet = text("modes pendulum --follow 1 --amplitudes 170deg,200deg");
+    let sheet = unfolded(&sheet);
+    assert!(sheet.contains("about another equilibrium"), "{sheet}");
+    assert!(!sheet.contains("becomes") && !sheet.contains("nan"), "{sheet}");
+}
+
+#[test]
 fn both_pictures_label_their_axes() {
     let folder = directory("modes");
     let picture = |arguments: &str, name: &str| {

@@ -223,7 +223,41 @@ fn an_orbit_of_each_kind_is_told() {
     assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");
     assert_eq!(kind("orbit pendulum --initial theta=60deg"), "released");
     assert_eq!(kind("orbit van_der_pol --initial x=0.5"), "limit_cycle");
-    assert_eq!(kind("orbit lotka_volterra --initial x=1,y=2 --period 6.5"), "near");
+    assert_eq!(kind("orbit lotka_volterra --initial x=1,y=2 --period 6.5"), "family");
+    let near = "orbit double_pendulum --period 8 --initial theta1=0.1,theta2=0.141";
+    assert_eq!(kind(near), "near");
+}
+
+#[test]
+fn only_a_drive_sets_the_period_and_digits_end_where_the_error_begins() {
+    let sheet = text("orbit lotka_volterra --initial x=2,y=1");
+    for part in ["one of a family, through the start", "6.60848267123506 s, to 1e-14", "x = 2.0000000000000"]
+    {
+        assert!(sheet.contains(part), "{part}: {sheet}");
+    }
+    let closed = text("orbit kepler --period 6.28 --initial x=0.5,y'=1.7320508");
+    for sheet in [&sheet, &closed, &text("orbit x'=y;y'=-x --initial x=1")] {
+        assert!(!sheet.contains("drive") && !sheet.contains("limit cycle"), "{sheet}");
+    }
+    let driven = text("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82");
+    assert!(driven.contains("set by the drive"), "{driven}");
+    // The error of a small swing's period is that of its place beside rest: 7e-12.
+    let small = text("orbit lotka_volterra --initial x=1.0001,y=1");
+    assert!(small.contains(" 6.283185312416 s, to 7e-12"), "{small}");
+}
+
+#[test]
+fn a_drive_that_is_off_is_named() {
+    for question in [
+        "response driven_pendulum --set c=0.1,omega=0.8 --over omega0=0.5:1.5",
+        "orbit driven_pendulum --set c=0.1,omega=0.8 --initial theta=1",
+    ] {
+        let output = libration(question);
+        assert_eq!(output.status.code(), Some(1), "{question}");
+        for part in ["since A = 0", "--set A=0.1"] {
+            assert!(message(&output).contains(part), "{question}: {}", message(&output));
+        }
+    }
 }
 
 #[test]

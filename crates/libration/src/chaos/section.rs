@@ -80,6 +80,9 @@ pub enum SectionEnding {
     /// The motion crosses the surface no more, as far as it was followed.
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
+    /// And has never crossed it.
+    #[error("the motion never crosses the surface, as far as it was followed")]
+    NeverCrossed,
 }
 
 /// Why there is no section.
@@ -237,12 +240,17 @@ fn crossings(
             _ if found.len() >= points.skipped + points.recorded => break None,
             None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET => {}
-            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(SectionEnding::NoCrossing),
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&found)),
             Some(cause) => break Some(SectionEnding::Stopped(cause)),
         }
     };
     let points = found.into_iter().skip(points.skipped).take(points.recorded).collect();
     Ok(PoincareSection { points, stopped })
+}
+
+/// The surface is not met again.
+const fn no_more(found: &[Moment]) -> SectionEnding {
+    if found.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
 }
 
 /// How far the first stretch goes at most, how much farther the next, and a time that only a motion at rest comes to: one

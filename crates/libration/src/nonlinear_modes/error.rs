@@ -50,4 +50,35 @@ pub enum Reason {
     /// What is found belongs to another family.
     #[error("the orbits that are found are not near the last ones")]
     Jump,
+    /// Rounding errors decide the period.
+    #[error(
+        "the period that is found, {period:.4}, may be wrong by {uncertainty:.1e}, as next to an unstable equilibrium, where it grows without \
+         bound: give a smaller amplitude"
+    )]
+    Unsure {
+        /// What is found.
+        period: f64,
+        /// How wrong it may be; not a number where the orbit leaves it open.
+        uncertainty: f64,
+    },
+    /// A turning point that is not the farthest one.
+    #[error(
+        "released from {amplitude} the coordinate comes to {displacement} on the same side, so that this is not its amplitude: give a smaller one"
+    )]
+    Farther {
+        /// Where it was released.
+        amplitude: f64,
+        /// How far it comes.
+        displacement: f64,
+    },
+    /// A shorter orbit, several times over.
+    #[error("the orbit that is found is {0} turns of a shorter one: give a smaller amplitude")]
+    Repetition(u32),
+}
+
+impl Reason {
+    /// Whether it says more than that nothing was found.
+    pub(super) const fn is_telling(&self) -> bool {
+        !matches!(self, Self::Jump | Self::NoOrbit(NoOrbit::NoConvergence { .. } | NoOrbit::Period(_)))
+    }
 }

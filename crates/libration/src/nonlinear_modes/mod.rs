@@ -14,6 +14,8 @@
 //! ```
 
 mod error;
+
+mod belonging;
 mod mode;
 
 pub use error::{LostMode, NoNonlinearMode, Reason};

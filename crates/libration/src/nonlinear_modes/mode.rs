@@ -1,5 +1,6 @@
 //! A normal mode followed in amplitude.
 
+use super::belonging::Release;
 use super::{LostMode, NoNonlinearMode, Reason};
 use crate::expression::Equation;
 use crate::normal_modes::{Behaviour, Mode, NormalModes};
@@ -49,8 +50,13 @@ const GROWTH: f64 = 1.6;
 const LONGEST: f64 = 0.25;
 /// An orbit may be so far from what is expected, in parts of the step.
 const NEAR: f64 = 0.5;
+/// And its period so far from the expected one, in parts of it: twice over it would be off by one, half of it by a half.
+const SAME_PERIOD: f64 = 0.3;
 /// A step is halved so often before the mode is given up.
 const HALVINGS: u32 = 8;
+/// And a step below this part of the amplitude gives it up too: steps may fail and halve, and succeed, for ever towards a separatrix. A
+/// pendulum is followed to 179.9999° with 5e-6.
+const LEAST: f64 = 1e-6;
 /// A change of stability is halved down to this part of the amplitude: nearer to it four multipliers are at 1, each right to a fourth root of
 /// the errors.
 const NARROW: f64 = 2e-3;
@@ -169,10 +175,10 @@ impl<'a> Family<'a> {
             let first = (FIRST * to).min(FIRST);
             match self.orbit(first, self.linear(first))? {
                 Ok(point) => path.push(point),
-                Err(error) => return Ok(Some(error.into())),
+                Err(reason) => return self.reason_at(to, reason).map(Some),
             }
         }
-        let mut halvings = 0;
+        let (mut halvings, mut telling) = (0, None);
         while let Some(last) = path.last().map(|point| point.amplitude).filter(|last| *last < to) {
             let before = path.len().checked_sub(2).map_or(0.0, |place| path[place].amplitude);
             let step = (GROWTH * (last - before)).min(LONGEST * last.max(4.0 * FIRST))
@@ -187,11 +193,12 @@ impl<'a> Family<'a> {
                     continue;
                 }
                 Ok(_) => Reason::Jump,
-                Err(error) => Reason::NoOrbit(error),
+                Err(reason) => reason,
             };
             halvings += 1;
-            if halvings > HALVINGS.cast_signed() {
-                return Ok(Some(reason));
+            telling = if reason.is_telling() { Some(reason.clone()) } else { telling };
+            if halvings > HALVINGS.cast_signed() || step < LEAST * last {
+                return self.reason_at(to, telling.unwrap_or(reason)).map(Some);
             }
         }
         Ok(None)
@@ -222,30 +229,50 @@ impl<'a> Family<'a> {
         };
         let mut state: Vec<f64> = (0..known[0].start.len()).map(|i| mean(&|point| point.start[i])).collect();
         state[self.coordinate] = self.rest[self.coordinate] + amplitude;
-        OrbitGuess { state, period: mean(&|point| point.orbit.period()) }
+        let last = known[known.len() - 1].orbit.period();
+        let period = mean(&|point| point.orbit.period());
+        // A parabola through periods that grow without bound may lead anywhere.
+        OrbitGuess { state, period: if (period / last - 1.0).abs() < 1.0 { period } else { last } }
     }
 
-    fn orbit(
-        &self,
-        amplitude: f64,
-        guess: OrbitGuess,
-    ) -> Result<Result<ModePoint, NoOrbit>, NoNonlinearMode> {
+    /// Why there is no orbit at an amplitude: of one coordinate its release tells, of several what was found last.
+    fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NoNonlinearMode> {
+        if self.rest.len() > 1 {
+            return Ok(last);
+        }
+        match Orbit::released_watched(self.equation, self.rest[0] + amplitude, &self.watch.part()) {
+            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(error) => Ok(error.into()),
+            Ok(orbit) => Ok(self.release(amplitude).refusal(&orbit).unwrap_or(last)),
+        }
+    }
+
+    const fn release(&self, amplitude: f64) -> Release<'_> {
+        Release { rest: self.rest, coordinate: self.coordinate, amplitude }
+    }
+
+    fn orbit(&self, amplitude: f64, guess: OrbitGuess) -> Result<Result<ModePoint, Reason>, NoNonlinearMode> {
         let fixed = [self.coordinate, self.rest.len() + self.coordinate];
         let mut guess = guess;
         guess.state[fixed[0]] = self.rest[self.coordinate] + amplitude;
         guess.state[fixed[1]] = 0.0;
         match Orbit::near_watched(self.equation, &guess, &fixed, &self.watch.part()) {
             Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
-            Err(error) => Ok(Err(error)),
-            Ok(orbit) => {
-                let series_frequency = self.mode.shift.as_ref().ok().map(|shift| {
-                    let terms = orbit.harmonics(self.mode.leading()).terms;
-                    let first = terms.get(1).map_or(f64::NAN, |term| term.amplitude());
-                    self.mode.frequency() + shift.coefficient * first * first
-                });
-                Ok(Ok(ModePoint { amplitude, start: orbit.start(), orbit, series_frequency }))
-            }
+            Err(error) => Ok(Err(error.into())),
+            Ok(orbit) => Ok(match self.release(amplitude).refusal(&orbit) {
+                Some(reason) => Err(reason),
+                None => Ok(self.point(amplitude, orbit.as_one_of_a_family())),
+            }),
         }
+    }
+
+    fn point(&self, amplitude: f64, orbit: Orbit) -> ModePoint {
+        let series_frequency = self.mode.shift.as_ref().ok().map(|shift| {
+            let terms = orbit.harmonics(self.mode.leading()).terms;
+            let first = terms.get(1).map_or(f64::NAN, |term| term.amplitude());
+            self.mode.frequency() + shift.coefficient * first * first
+        });
+        ModePoint { amplitude, start: orbit.start(), orbit, series_frequency }
     }
 
     /// Where stability changes along a path, from one of its orbits on.
@@ -269,11 +296,13 @@ impl<'a> Family<'a> {
     }
 }
 
-/// Whether an orbit is where the last ones lead: no farther from it than half a step, in all numbers together.
+/// Whether an orbit is where the last ones lead: no farther from it than half a step, in all numbers together,
+/// and with about the period.
 fn is_near(point: &ModePoint, expected: &OrbitGuess, last: f64, path: &[ModePoint]) -> bool {
     let distance =
         |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt() };
     let before = &path[path.len() - 1].start;
     let step = distance(&point.start, before).max(point.amplitude - last);
-    distance(&point.start, &expected.state) <= NEAR * step
+    let same_period = (point.orbit.period() / expected.period - 1.0).abs() <= SAME_PERIOD;
+    same_period && distance(&point.start, &expected.state) <= NEAR * step
 }

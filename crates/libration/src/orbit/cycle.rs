@@ -1,12 +1,15 @@
 //! Limit cycles: what a motion settles to.
 
 use super::closing::Rounds;
+use super::drift::{MOST_LEAPS, leap};
 use super::error::{Lost, NoOrbit, finished};
+use super::family::{Family, through_start};
 use super::near::OrbitGuess;
 use super::path::turn_in;
 use super::periodic::Orbit;
 use super::relaxation::forgetful;
 use super::released::depends_on_time;
+use super::search::OrbitKind;
 use super::shooting::{Unknowns, closed};
 use crate::expression::Equation;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_watched};
@@ -64,11 +67,49 @@ impl Orbit {
         if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
             return Ok(orbit);
         }
-        let numbers = rounds.layout.numbers();
-        let held = finished(rounds.held_at_maximum(&guess), watch)?;
-        let free = (0..numbers).filter(|number| *number != held).collect();
-        finished(closed(equation, &rounds, &guess, &Unknowns { free, period: true }), watch)
+        finished(drifted(equation, &rounds, &guess), watch)
     }
+
+    /// The limit cycle to which a motion without drive settles, or the orbit through the start itself where it is one of a family.
+    pub(super) fn undriven(
+        equation: &Equation,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<(OrbitKind, Self), NoOrbit> {
+        let rounds = Rounds::new(equation, watch)?;
+        let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
+        if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
+            return Ok((OrbitKind::LimitCycle, orbit));
+        }
+        let own = OrbitGuess { state: start.to_vec(), period: guess.period };
+        if let Some(orbit) = finished(through_start(equation, &rounds, &own, Family::Asked), watch)? {
+            return Ok((OrbitKind::Family, orbit));
+        }
+        Ok((OrbitKind::LimitCycle, finished(drifted(equation, &rounds, &guess), watch)?))
+    }
+}
+
+/// The cycle near a guess, or where the drift of a turn leads to.
+fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+    let mut outcome = at_maximum(equation, rounds, guess);
+    let mut at = guess.clone();
+    for _ in 0..MOST_LEAPS {
+        if !matches!(outcome, Err(NoOrbit::NoCycle(Lost::UnstableRest) | NoOrbit::NoConvergence { .. })) {
+            break;
+        }
+        let Some(next) = leap(rounds, &at)? else { break };
+        let nearer = at_maximum(equation, rounds, &next);
+        at = next;
+        outcome = if nearer.is_ok() { nearer } else { outcome };
+    }
+    outcome
+}
+
+/// The cycle near a guess that begins at a maximum of the first coordinate.
+fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+    let held = rounds.held_at_maximum(guess)?;
+    let free = (0..rounds.layout.numbers()).filter(|number| *number != held).collect();
+    closed(equation, rounds, guess, &Unknowns { free, period: true })
 }
 
 /// The motion followed from maximum to maximum until it repeats itself.
@@ -94,21 +135,21 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
 }
 
 fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
-    let end = maxima.found.last().map_or(0.0, |moment| moment.time);
-    match error {
-        Some(IntegrationError::Stopped { cause: Cause::Interrupted, .. })
-            if !maxima.vanish() && maxima.steps < MOST_STEPS =>
-        {
-            NoOrbit::NoCycle(Lost::Irregular(end))
+    let Maxima { time, steps, .. } = *maxima;
+    NoOrbit::NoCycle(match error {
+        Some(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) => {
+            match (maxima.vanish() || maxima.is_still(), steps < MOST_STEPS) {
+                (true, _) => Lost::Rest,
+                (false, true) => Lost::Irregular(maxima.found.last().map_or(0.0, |moment| moment.time)),
+                (false, false) => Lost::Slow { time, steps },
+            }
         }
-        Some(IntegrationError::Stopped {
-            cause: Cause::StepLimit | Cause::NoWayOn | Cause::Interrupted,
-            ..
-        })
-        | None => NoOrbit::NoCycle(Lost::Rest),
-        Some(error @ IntegrationError::Stopped { .. }) => NoOrbit::NoCycle(Lost::Stopped(error)),
-        Some(error) => error.into(),
-    }
+        Some(IntegrationError::Stopped { cause: Cause::NoWayOn, .. }) => Lost::Rest,
+        None if maxima.goes_away() => Lost::OneWay(time),
+        None => Lost::Rest,
+        Some(error @ IntegrationError::Stopped { .. }) => Lost::Stopped(error),
+        Some(error) => return error.into(),
+    })
 }
 
 /// The maxima of the first coordinate so far.
@@ -124,6 +165,10 @@ struct Maxima {
     swing: Vec<f64>,
     /// The least and the greatest value of the first coordinate so far.
     range: (f64, f64),
+    /// The time so far.
+    time: f64,
+    /// How fast the first coordinate moves there.
+    pace: f64,
 }
 
 impl Maxima {
@@ -136,12 +181,16 @@ impl Maxima {
             moved: none.clone(),
             swing: none,
             range: (f64::INFINITY, f64::NEG_INFINITY),
+            time: 0.0,
+            pace: 0.0,
         }
     }
 
     /// Takes a step into account; a guess of the cycle when one shows.
     fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
         self.steps += 1;
+        self.time = step.end();
+        self.pace = step.speeds_at(self.time)[0].abs();
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
@@ -177,6 +226,17 @@ impl Maxima {
     /// Whether no more are waited for.
     fn are_enough(&self) -> bool {
         self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
+    }
+
+    /// Whether the first coordinate would take many times the time so far to move by anything beside all the way that was gone.
+    fn is_still(&self) -> bool {
+        self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
+    }
+
+    /// Whether it has gone farther than any orbit that is looked for.
+    fn goes_away(&self) -> bool {
+        const FAR: f64 = 1e100;
+        self.range.1 - self.range.0 > FAR
     }
 
     /// Whether the last swing is nothing beside all the way that was gone.

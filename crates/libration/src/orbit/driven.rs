@@ -53,7 +53,8 @@ impl Orbit {
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
-            if !matches!(outcome, Err(NoOrbit::NoConvergence { .. })) {
+            // What ends at rest may come to the orbit that the motion goes to instead.
+            if !matches!(outcome, Err(NoOrbit::NoConvergence { .. } | NoOrbit::NoCycle(_))) {
                 break;
             }
             guess.state = later(&rounds, &guess)?;

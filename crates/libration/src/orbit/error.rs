@@ -144,6 +144,21 @@ pub enum Lost {
     /// Rest.
     #[error("it comes to rest at an equilibrium")]
     Rest,
+    /// Newton's method that ends at a rest to which the motion does not come.
+    #[error(
+        "Newton's method leads from there to an equilibrium that does not attract the motion: give a start nearer to the orbit, or a guess of its period"
+    )]
+    UnstableRest,
+    /// A motion for which there was not time enough.
+    #[error(
+        "after {steps} steps of the integration, at t = {time:?}, it still moves: give a start nearer to the orbit, or a guess of its period"
+    )]
+    Slow {
+        /// So far it was followed.
+        time: f64,
+        /// In so many steps.
+        steps: usize,
+    },
     /// Neither.
     #[error("it does not repeat itself up to t = {0:?}")]
     Irregular(f64),

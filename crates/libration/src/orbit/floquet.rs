@@ -70,6 +70,11 @@ impl Floquet {
         Self { multipliers, stability: stability(libm::exp(logarithm)), logarithm: Some(logarithm) }
     }
 
+    /// Of an orbit among others in a plane of states.
+    pub(super) fn in_a_family_of_a_plane(self) -> Self {
+        Self { multipliers: vec![Complex::from(1.0); 2], stability: Stability::Neutral, ..self }
+    }
+
     /// `None` when the eigenvalues are not found.
     pub(super) fn new(monodromy: &[Vec<f64>], autonomous: bool) -> Option<Self> {
         let multipliers = eigenvalues(monodromy)?;

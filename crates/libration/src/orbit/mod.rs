@@ -36,6 +36,8 @@ mod released;
 mod closing;
 mod shooting;
 
+mod drift;
+mod family;
 mod relaxation;
 
 mod cycle;

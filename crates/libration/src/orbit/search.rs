@@ -1,6 +1,8 @@
 //! An orbit of any kind: which way it is looked for follows from the equations.
 
-use super::error::NoOrbit;
+use super::closing::Rounds;
+use super::error::{NoOrbit, finished};
+use super::family::{Family, through_start};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
@@ -31,13 +33,16 @@ pub enum OrbitKind {
     LimitCycle,
     /// The answer to a periodic force.
     Driven,
+    /// One of a family of orbits, through the start itself.
+    Family,
     /// Closed by Newton's method near a guess.
     Near,
 }
 
 impl Orbit {
     /// The orbit that a search finds: the answer to a force that depends on the time; near a guess of the period where there is one; the
-    /// motion of one coordinate from rest where energy is conserved, or else where it closes; a limit cycle otherwise.
+    /// motion of one coordinate from rest where energy is conserved, or else where it closes; a limit cycle otherwise. Where all motions near
+    /// the start close it is the one through the start.
     ///
     /// # Errors
     /// As the kind of orbit has them; [`NoOrbit::NoPeriod`] where a period is needed and none is given.
@@ -74,7 +79,7 @@ impl Orbit {
             return Ok((OrbitKind::Driven, orbit));
         }
         if let Some(period) = search.period {
-            return Ok((OrbitKind::Near, search.near(equation, &layout, period, watch)?));
+            return search.near(equation, &layout, period, watch);
         }
         let from_rest =
             search.is_at_rest(&layout).then(|| Self::released_watched(equation, search.start[0], watch));
@@ -82,7 +87,7 @@ impl Orbit {
             Some(Ok(orbit)) => Ok((OrbitKind::Released, orbit)),
             Some(Err(error)) if search.conserves_energy => Err(error),
             _ if search.conserves_energy => Err(NoOrbit::NoPeriod),
-            _ => Ok((OrbitKind::LimitCycle, Self::limit_cycle_watched(equation, &search.start, watch)?)),
+            _ => Self::undriven(equation, &search.start, watch),
         }
     }
 }
@@ -93,25 +98,35 @@ impl OrbitSearch {
         layout.coordinates() == 1 && layout.velocity(0).is_some_and(|velocity| self.start[velocity] == 0.0)
     }
 
-    /// The orbit near the guess; where its period is left open by the equations it is one of a family after all, as those of a prey and
-    /// its predators.
+    /// The orbit through the start where that closes and is one of a family, or else near the guess; where its period is left open by the
+    /// equations it is one of a family after all.
     fn near(
         &self,
         equation: &Equation,
         layout: &StateLayout,
         period: f64,
         watch: &Watch<'_>,
-    ) -> Result<Orbit, NoOrbit> {
+    ) -> Result<(OrbitKind, Orbit), NoOrbit> {
         /// Of an isolated cycle it is some roundings, of a family whatever Newton's method came to.
         const OPEN: f64 = 1e-4;
         let guess = OrbitGuess { state: self.start.clone(), period };
         let [start, family] = self.fixed(layout);
-        let one_of_family = || Orbit::near_watched(equation, &guess, &[start, family], watch);
-        if self.conserves_energy {
-            return one_of_family();
+        let near = |fixed: &[usize]| {
+            let orbit = Orbit::near_watched(equation, &guess, fixed, watch)?;
+            Ok((OrbitKind::Near, orbit))
+        };
+        let through = || {
+            let family = if self.conserves_energy { Family::Known } else { Family::Asked };
+            finished(through_start(equation, &Rounds::new(equation, watch)?, &guess, family), watch)
+        };
+        match through()? {
+            Some(orbit) => Ok((OrbitKind::Family, orbit)),
+            None if self.conserves_energy => near(&[start, family]),
+            None => near(&[start]).and_then(|found: (OrbitKind, Orbit)| {
+                let is_known = found.1.period_uncertainty() <= OPEN * found.1.period();
+                if is_known { Ok(found) } else { near(&[start, family]) }
+            }),
         }
-        let orbit = Orbit::near_watched(equation, &guess, &[start], watch)?;
-        if orbit.period_uncertainty() <= OPEN * orbit.period() { Ok(orbit) } else { one_of_family() }
     }
 
     /// The numbers that keep their values: the velocity of the coordinate that is held, or farthest from zero, chooses the start on the orbit,

@@ -2,7 +2,7 @@
 
 use super::closing::{Round, Rounds};
 use super::error::{Lost, NoOrbit, finished};
-use super::floquet::{Divergence, Floquet};
+use super::floquet::{Divergence, Floquet, Stability};
 use super::near::OrbitGuess;
 use super::periodic::Orbit;
 use super::released::depends_on_time;
@@ -91,7 +91,7 @@ pub(super) fn closed(
     let size_of_guess = newton.size();
     let taken = newton.converge()?;
     if newton.size() < VANISHED * size_of_guess {
-        return Err(NoOrbit::NoCycle(Lost::Rest));
+        return Err(NoOrbit::NoCycle(newton.kind_of_rest()));
     }
     if newton.miss > CLOSED {
         return Err(NoOrbit::NoConvergence { rounds: taken, defect: newton.miss });
@@ -134,6 +134,12 @@ impl<'a> Newton<'a> {
         let sizes = round.sizes(&rounds.layout, guess);
         let miss = miss(&round.defect, &sizes);
         Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
+    }
+
+    /// What a rest is at which it has ended: one to which motions come, or another.
+    fn kind_of_rest(&self) -> Lost {
+        let stays = Floquet::new(&self.round.monodromy, false).map(|floquet| floquet.stability);
+        if stays == Some(Stability::Attracting) { Lost::Rest } else { Lost::UnstableRest }
     }
 
     /// The largest swing of a coordinate.

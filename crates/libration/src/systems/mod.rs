@@ -20,6 +20,7 @@ mod named;
 mod coordinate;
 mod count;
 mod error;
+mod idle_drive;
 mod initial;
 mod model;
 

@@ -78,3 +78,58 @@ fn what_cannot_be_followed_is_told() {
     let still = NonlinearMode::follow(&spring, &modes, 0, 0, &[0.1]);
     assert!(matches!(still, Err(NoNonlinearMode::AtRest(_))));
 }
+
+fn pendulum_mode(equation: &str, amplitudes: &[f64]) -> NonlinearMode {
+    let equation: Equation = equation.parse().unwrap();
+    let modes = NormalModes::new(&equation).unwrap();
+    NonlinearMode::follow(&equation, &modes, 0, 0, amplitudes).unwrap()
+}
+
+#[test]
+fn no_orbit_is_invented_at_a_separatrix_or_beyond() {
+    let pair = "x'' = -sin(x) + (y - x)/5; y'' = -sin(y) + (x - y)/5";
+    let soft = "x'' = -x + x^3";
+    let degrees = f64::to_radians;
+    for (equation, amplitudes, kept) in [
+        ("x'' = -sin(x)", vec![degrees(180.0)], 0),
+        ("x'' = -sin(x)", vec![degrees(200.0)], 0),
+        ("x'' = -sin(x)", [10.0, 170.0, 180.0, 190.0].map(degrees).to_vec(), 2),
+        (soft, vec![0.5, 0.99, 1.0, 1.01, 1.5], 2),
+        (soft, vec![1.01], 0),
+        (pair, [90.0, 180.0, 200.0].map(degrees).to_vec(), 1),
+        (pair, vec![degrees(200.0)], 0),
+    ] {
+        let mode = pendulum_mode(equation, &amplitudes);
+        assert_eq!(mode.points.len(), kept, "{equation} {amplitudes:?}");
+        let lost = mode.lost.unwrap();
+        let separatrix = if equation == soft { 1.0 } else { std::f64::consts::PI };
+        assert!((0.9 * separatrix..separatrix).contains(&lost.reached), "{equation} {amplitudes:?}: {lost}");
+        for point in &mode.points {
+            assert!(point.orbit.period_uncertainty() < 1e-9 * point.orbit.period(), "{equation}");
+        }
+    }
+}
+
+#[test]
+fn the_reason_for_no_orbit_is_that_of_a_release() {
+    let reason = |equation: &str, amplitude: f64| {
+        let lost = pendulum_mode(equation, &[amplitude]).lost.unwrap();
+        lost.reason.to_string()
+    };
+    assert!(reason("x'' = -sin(x)", 200_f64.to_radians()).contains("about another equilibrium"));
+    assert!(reason("x'' = -x + x^3", 1.0).contains("accelerations vanish"));
+    assert!(reason("x'' = -x + x^3", 1.01).contains("does not return"));
+}
+
+#[test]
+fn a_pendulum_next_to_its_separatrix_is_neither_lost_nor_called_unstable() {
+    let amplitudes = [179.0, 179.9, 179.99, 179.9999].map(f64::to_radians);
+    let mode = pendulum_mode("x'' = -sin(x)", &amplitudes);
+    assert!(mode.lost.is_none() && mode.changes.is_empty(), "{:?} {:?}", mode.lost, mode.changes);
+    let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0).unwrap();
+    for (point, amplitude) in mode.points.iter().zip(["179deg", "179.9deg", "179.99deg", "179.9999deg"]) {
+        let period = exact.released_from(amplitude.parse().unwrap()).unwrap().period();
+        let off = (point.orbit.period() - period).abs();
+        assert!(off <= point.orbit.period_uncertainty() && point.is_stable(), "{amplitude}: {off:e}");
+    }
+}

@@ -301,12 +301,51 @@ fn a_search_finds_the_orbit_of_each_kind() {
     assert_eq!(kind, OrbitKind::LimitCycle);
     let pair = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3";
     let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
-    assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![0.1, -0.1, 0.0, 0.0]));
     assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
+    // A start beside it is none of an orbit: the largest coordinate stays.
+    let (kind, orbit) = found(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
+    assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
+    assert!((orbit.start()[1] + 0.1).abs() < 1e-12, "{:?}", orbit.start());
     // Where no energy is known the orbits of prey and predators are a family all the same: at the start both keep their numbers.
-    let (_, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
-    assert_eq!(orbit.start(), [1.0, 2.0]);
+    let (kind, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![1.0, 2.0]));
     assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
+}
+
+/// Periods of prey and predators by quadrature over their invariant x − ln x + y − ln y, in 40 digits.
+#[test]
+fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
+    let prey = "x' = x - x*y; y' = x*y - y";
+    for (text, start, period) in [
+        (prey, [2.0, 1.0], 6.608_482_671_235_056),
+        (prey, [20.0, 1.0], 24.401_264_932_623_52),
+        ("x' = y; y' = -x", [1.0, 0.0], TAU),
+    ] {
+        let search = OrbitSearch { start: start.to_vec(), period: None, conserves_energy: false, held: None };
+        let (kind, orbit) = Orbit::search(&equation(text), &search).unwrap();
+        assert_eq!((kind, orbit.start()), (OrbitKind::Family, start.to_vec()), "{text}");
+        let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
+        assert!(off <= stated && stated < 1e-12, "{text} {start:?}: {off:e} {stated:e}");
+        assert_eq!(orbit.floquet().unwrap().stability, Stability::Neutral);
+    }
+    // About a sun all orbits with the same energy have the same period, so that two numbers do not tell one from the other.
+    let kepler = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
+    let start = vec![0.5, 0.0, 0.0, 3_f64.sqrt()];
+    let search = OrbitSearch { start: start.clone(), period: Some(6.28), conserves_energy: true, held: None };
+    let (kind, orbit) = Orbit::search(&equation(kepler), &search).unwrap();
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, start));
+    let (off, stated) = ((orbit.period() - TAU).abs(), orbit.period_uncertainty());
+    assert!(off <= stated && stated < 1e-12, "{off:e} {stated:e}");
+}
+
+/// It misses its start by 6e-6 of what a start is beside it, and is isolated all the same.
+#[test]
+fn a_weak_limit_cycle_is_no_family() {
+    let search = OrbitSearch { start: vec![0.0, 2.0], period: None, conserves_energy: false, held: None };
+    let (kind, orbit) = Orbit::search(&equation("x'' = 1e-6*(1 - x^2)*x' - x"), &search).unwrap();
+    assert_eq!(kind, OrbitKind::LimitCycle);
+    assert!((orbit.period() - TAU).abs() < 1e-11, "{}", orbit.period());
 }
 
 #[test]
@@ -476,4 +515,40 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }).unwrap().1;
         assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
     }
+}
+
+/// Its period is 2π(1 + μ²/16) to the second order.
+#[test]
+fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
+    for strength in [1e-3, 1e-4, 1e-5] {
+        let text = format!("x'' = {strength}*(1 - x^2)*x' - x");
+        let cycle = Orbit::limit_cycle(&equation(&text), &[0.5, 0.0]).unwrap();
+        let off = cycle.period() - TAU * (1.0 + strength * strength / 16.0);
+        assert!(off.abs() < 1e-10, "{strength}: {off:e}");
+        assert!((cycle.start()[0] - 2.0).abs() < 1e-5, "{strength}: {:?}", cycle.start());
+    }
+}
+
+#[test]
+fn rest_is_only_told_of_motions_that_come_to_it() {
+    let lost = |text: &str, start: &[f64]| match Orbit::limit_cycle(&equation(text), start).unwrap_err() {
+        NoOrbit::NoCycle(why) => why,
+        other => panic!("{other}"),
+    };
+    assert!(matches!(lost("x'' = -x - x'/10", &[1.0, 0.0]), Lost::Rest));
+    assert!(matches!(lost("x'' = 1 - x - 3*x'", &[0.5, 0.0]), Lost::Rest));
+    // The slow part of a turn takes 1.6e6 times as long as the motion is followed.
+    let slow = lost("x'' = 1e6*(1 - x^2)*x' - x", &[0.5, 0.0]);
+    assert!(matches!(slow, Lost::Slow { .. }), "{slow}");
+    assert!(matches!(lost("x'' = 0", &[0.5, 1.0]), Lost::OneWay(_)));
+}
+
+/// The hanging place of a pendulum whose pivot moves at twice its frequency is unstable.
+#[test]
+fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
+    let kapitza = equation("theta'' + 0.05*theta' + (1 - 0.4*cos(2*t))*sin(theta) = 0");
+    let from = |start: [f64; 2]| Orbit::driven(&kapitza, TAU, &start).unwrap();
+    let [far, near] = [[1.0, 0.0], [1.0, 0.1]].map(from);
+    let sizes = [&far, &near].map(|orbit| orbit.range(0).1);
+    assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
 }

@@ -4,10 +4,10 @@ use crate::arguments::{coordinate, displacements};
 use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::number::{at_most, short};
+use crate::output::number::{at_most, short, to_its_error};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::nonlinear_modes::{ModePoint, NonlinearMode, StabilityChange};
+use libration::nonlinear_modes::{LostMode, ModePoint, NonlinearMode, StabilityChange};
 use libration::quantity::Displacement;
 use libration::systems::{Coordinate, Model};
 use std::io::{self, Write};
@@ -108,8 +108,16 @@ impl Followed {
                 self.amplitude_text(reach)
             ));
         }
-        sentences.extend(self.found.lost.as_ref().map(|lost| format!("It ends early: {lost}.")));
+        sentences.extend(self.found.lost.as_ref().map(|lost| self.ending(lost)));
         if sentences.is_empty() { "Its stability does not change.".to_owned() } else { sentences.join(" ") }
+    }
+}
+
+impl Followed {
+    /// The amplitude in degrees for angles.
+    fn ending(&self, lost: &LostMode) -> String {
+        let reached = self.amplitude_text(lost.reached);
+        format!("It ends early: beyond the amplitude {reached} the mode is not followed: {}.", lost.reason)
     }
 }
 
@@ -158,7 +166,8 @@ fn of_point() -> Fields<ModePoint> {
     Fields::from([
         Of::number("amplitude", "", "displacement at the start, in rad for angles", |it| it.amplitude)
             .rounded("amplitude", 6),
-        Of::number("period_s", "s", "period of the orbit", |it| it.orbit.period()).rounded("period / s", 14),
+        Of::number("period_s", "s", "period of the orbit", |it| it.orbit.period())
+            .numeral("period / s", |it| to_its_error(it.orbit.period(), it.orbit.period_uncertainty(), 14)),
         Of::number("error_s", "s", "bound on its error", |it| it.orbit.period_uncertainty())
             .numeral("to", |it| at_most(it.orbit.period_uncertainty())),
         Of::number("frequency", "rad/s", "angular frequency of the orbit", |it| it.orbit.frequency()),

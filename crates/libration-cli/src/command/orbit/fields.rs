@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::{at_most, rounded};
+use crate::output::number::{at_most, rounded, to_its_error};
 use libration::algebra::Complex;
 use libration::orbit::{Floquet, Harmonic, OrbitKind, Stability};
 use serde_json::Value;
@@ -45,12 +45,15 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("kind", "", "released, limit_cycle, driven or near", |it| kind(it.kind)[0].into())
+        Of::value("kind", "", "released, limit_cycle, driven, family or near", |it| kind(it.kind)[0].into())
             .line_of("orbit", |it| kind(it.kind)[1].to_owned()),
         Of::number("period_s", "s", "period", |it| it.orbit.period()).line_of("period", period),
-        Of::number("period_uncertainty_s", "s", "bound on its error, 0 where the drive sets it", |it| {
-            it.orbit.period_uncertainty()
-        }),
+        Of::number(
+            "period_uncertainty_s",
+            "s",
+            "bound on its error, 0 where the drive sets it, null where the equations leave it open",
+            |it| it.orbit.period_uncertainty(),
+        ),
         Of::number("frequency", "rad/s", "2π over the period", |it| it.orbit.frequency())
             .line("angular frequency", 15),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
@@ -131,6 +134,7 @@ fn kind(kind: OrbitKind) -> [&'static str; 2] {
         OrbitKind::Released => ["released", "released from rest"],
         OrbitKind::LimitCycle => ["limit_cycle", "a limit cycle"],
         OrbitKind::Driven => ["driven", "the answer to the drive"],
+        OrbitKind::Family => ["family", "one of a family, through the start"],
         OrbitKind::Near => ["near", "closed near the guess"],
     }
 }
@@ -145,10 +149,13 @@ fn words(stability: Stability) -> [&'static str; 2] {
 
 fn period(answer: &Answer) -> String {
     let (period, uncertainty) = (answer.orbit.period(), answer.orbit.period_uncertainty());
-    match uncertainty > 0.0 {
-        true => format!("{} s, to {}", rounded(period, 15), at_most(uncertainty)),
-        false => format!("{} s, set by the drive", rounded(period, 15)),
+    if answer.kind == OrbitKind::Driven {
+        return format!("{} s, set by the drive", rounded(period, 15));
     }
+    if uncertainty.is_nan() {
+        return format!("about {} s, of an error that the equations leave open", rounded(period, 4));
+    }
+    format!("{} s, to {}", to_its_error(period, uncertainty, 15), at_most(uncertainty))
 }
 
 fn start(answer: &Answer) -> String {

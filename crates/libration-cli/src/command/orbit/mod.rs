@@ -3,7 +3,7 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, SystemOptions, coordinate, count, positive};
+use crate::arguments::{InitialOptions, SystemOptions, coordinate, count, positive, with_idle_drive};
 use crate::failure::Failure;
 use crate::output::number::count as number;
 use crate::output::{FormOptions, announce};
@@ -81,7 +81,7 @@ impl OrbitQuestion {
         });
         let early =
             || Failure::Interrupted("interrupted before the orbit was known: nothing is written".to_owned());
-        let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(failure)?;
+        let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         let answer = Answer { model, kind, orbit, harmonics };
         let drawn = match &self.figure {
             Some(path) => {
@@ -113,8 +113,9 @@ impl OrbitQuestion {
 }
 
 /// What an option mends is said of the option.
-fn failure(error: NoOrbit) -> Failure {
+fn failure(error: NoOrbit, model: &Model) -> Failure {
     match error {
+        NoOrbit::NoCycle(_) => Failure::no_answer("orbit", with_idle_drive(error, model)),
         NoOrbit::NoPeriod => Failure::usage("--period", error),
         _ => Failure::no_answer("orbit", error),
     }

@@ -7,6 +7,7 @@ mod write;
 
 use crate::arguments::{
     InitialOptions, ParameterSpan, SystemOptions, constant, coordinate, count, parameter_span,
+    with_idle_drive,
 };
 use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
@@ -179,7 +180,7 @@ impl ResponseQuestion {
         let response = parallel::with_progress(how_far, || {
             Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
         });
-        response.map_err(failure)
+        response.map_err(|error| failure(error, model))
     }
 
     /// Where slow sweeps lead, if they are asked for or belong to the picture.
@@ -199,7 +200,7 @@ impl ResponseQuestion {
         let sweeps = parallel::with_progress(how_far, || {
             response.sweeps_watched(model.equation(), name, *range, values, &Watch::new(&ask))
         });
-        sweeps.map_err(failure)
+        sweeps.map_err(|error| failure(error, model))
     }
 }
 
@@ -220,7 +221,7 @@ impl ResponseQuestion {
                 text: it.parameter.to_rational().to_decimal(digits),
                 error: it.error,
             };
-            Ok(precise.map_err(failure)?.map(decimal))
+            Ok(precise.map_err(|error| failure(error, model))?.map(decimal))
         };
         let of_branch =
             |branch: &Branch| branch.special.iter().map(|it| of_point(branch.space, it)).collect();
@@ -290,8 +291,9 @@ impl Answer {
     }
 }
 
-fn failure(error: NoBranch) -> Failure {
+fn failure(error: NoBranch, model: &Model) -> Failure {
     match error {
+        NoBranch::NoStart(_) => Failure::no_answer("response", with_idle_drive(error, model)),
         NoBranch::Interrupted(_) => Failure::Interrupted(
             "interrupted before the first answer was known: nothing is written".to_owned(),
         ),

@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
-use libration::chaos::{PoincareSection, Points, SectionEnding, angles, section_watched};
+use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, section_watched};
 use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
 use libration::watch::{Progress, Watch};
@@ -73,8 +73,8 @@ impl PoincareQuestion {
         let model = self.system.model()?;
         let starts: Vec<Vec<f64>> =
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
-        let (place, points) = (self.section.section(&model), self.section.points(POINTS));
-        let sections = self.sections(&model, &starts)?;
+        let (place, points) = (self.section.known_section(&model)?, self.section.points(POINTS));
+        let sections = self.sections(&model, &place, &starts)?;
         let answer = Answer {
             model: &model,
             options: &self.section,
@@ -113,8 +113,13 @@ impl PoincareQuestion {
     }
 
     /// One section for each start, side by side.
-    fn sections(&self, model: &Model, starts: &[Vec<f64>]) -> Result<Vec<PoincareSection>, Failure> {
-        let (place, points) = (self.section.section(model), self.section.points(POINTS));
+    fn sections(
+        &self,
+        model: &Model,
+        place: &Section,
+        starts: &[Vec<f64>],
+    ) -> Result<Vec<PoincareSection>, Failure> {
+        let points = self.section.points(POINTS);
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
         let all = points.recorded * starts.len();
         let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
@@ -125,7 +130,7 @@ impl PoincareQuestion {
                 taken.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
                 parallel::go_on(&how_far)
             };
-            section_watched(model.equation(), &start, &place, points, &effort, &Watch::new(&ask))
+            section_watched(model.equation(), &start, place, points, &effort, &Watch::new(&ask))
         };
         interrupt::listen()?;
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));
@@ -141,10 +146,18 @@ impl Answer<'_> {
             SectionEnding::Stopped(Cause::Interrupted) => {
                 Failure::Interrupted("interrupted: the points up to then are written".to_owned())
             }
-            other => Failure::no_answer(
-                "section",
-                format!("{}: the points up to then are written", other.to_string().trim_end_matches(',')),
-            ),
+            other => {
+                let reason = other.to_string();
+                let reason = reason.trim_end_matches(',');
+                Failure::no_answer("section", format!("{reason}: {}", self.what_is_written()))
+            }
         })
+    }
+
+    fn what_is_written(&self) -> &'static str {
+        match self.sections.iter().all(|section| section.points.is_empty()) {
+            true => "no point is written",
+            false => "the points up to then are written",
+        }
     }
 }

@@ -1,0 +1,39 @@
+//! Weak limit cycles, to which a motion drifts by less in a turn than tells it from a cycle: x″ = μ(1 − x²)x′ − x with a small μ.
+//!
+//! Newton's method from such a turn leads to the rest that the motion leaves, where the growth of deviations is still the larger one. The
+//! drift of one turn is the slope of a slow motion, which is followed in leaps of many turns until Newton's method leads to the cycle.
+
+use super::closing::Rounds;
+use super::error::NoOrbit;
+use super::near::OrbitGuess;
+
+/// A leap changes the state by this part of its way in half a turn. From a fourth of its amplitude van der Pol's cycle is in reach of
+/// Newton's method, which begins at three fifths, after seven of them.
+const LEAP: f64 = 0.15;
+/// An amplitude grows by e⁹ = 8000 in so many.
+pub(super) const MOST_LEAPS: usize = 60;
+
+/// The maximum to which the drift of one turn leads from a maximum in a leap; `None` where the first coordinate has no velocity, or does not
+/// turn.
+pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, NoOrbit> {
+    let Some(velocity) = rounds.layout.velocity(0) else { return Ok(None) };
+    let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };
+    let period = path.end_time();
+    let drift = difference(&path.state_at(period), &from.state);
+    let way = length(&difference(&path.state_at(0.5 * period), &from.state));
+    let turns = LEAP * way / length(&drift);
+    if !turns.is_finite() {
+        return Ok(None);
+    }
+    let mut state: Vec<f64> = from.state.iter().zip(&drift).map(|(x, slope)| x + turns * slope).collect();
+    state[velocity] = 0.0;
+    Ok(Some(OrbitGuess { state, period }))
+}
+
+fn difference(to: &[f64], from: &[f64]) -> Vec<f64> {
+    to.iter().zip(from).map(|(to, from)| to - from).collect()
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().fold(0.0, |length, x| libm::hypot(length, *x))
+}
