@@ -27,13 +27,11 @@ pub(crate) fn periods(fit: &GatesFit) -> Picture {
 
 fn against_time(fit: &GatesFit) -> Panel {
     // A period is the difference of two times.
-    let uncertainty = std::f64::consts::SQRT_2 * fit.timing;
+    let uncertainty = fit.timing.map(|timing| std::f64::consts::SQRT_2 * timing);
     let of_side = |side: usize| -> Vec<Point> {
         let cycles = fit.cycles.iter().filter(|cycle| cycle.side == side);
-        let point = |cycle: &GateCycle| Point {
-            y_uncertainty: Some(uncertainty),
-            ..Point::new(cycle.time, cycle.period)
-        };
+        let point =
+            |cycle: &GateCycle| Point { y_uncertainty: uncertainty, ..Point::new(cycle.time, cycle.period) };
         cycles.map(point).collect()
     };
     let (from, to) = around(fit.cycles.iter().map(|cycle| cycle.time));
@@ -59,14 +57,14 @@ fn law_in_time(fit: &GatesFit) -> Option<Series> {
     (!points.is_empty()).then(|| Series::line("exact law, amplitudes by the speed", look, points))
 }
 
-fn against_amplitude(measured: &[(f64, f64)], t0: f64, timing: f64) -> Panel {
+fn against_amplitude(measured: &[(f64, f64)], t0: f64, timing: Option<f64>) -> Panel {
     let (from, to) = around(measured.iter().map(|row| row.0));
     let (from, to) = (from.max(0.0), to.min(180.0));
     let law = (0..=SAMPLES).map(|step| {
         let degrees = from + (to - from) * f64::from(step) / f64::from(SAMPLES);
         (degrees, t0 * Law::exact().ratio_at(degrees.to_radians()))
     });
-    let bar = Some(std::f64::consts::SQRT_2 * timing);
+    let bar = timing.map(|timing| std::f64::consts::SQRT_2 * timing);
     let points = measured.iter().map(|&(x, y)| Point { y_uncertainty: bar, ..Point::new(x, y) });
     let points: Vec<Point> = points.collect();
     let look = style::measurements(points.len());

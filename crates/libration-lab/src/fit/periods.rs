@@ -44,7 +44,11 @@ impl PeriodFit {
     /// What a reader should know of the rows.
     #[must_use]
     pub fn warnings(&self) -> Vec<ScatterWarning> {
-        self.exact.scatter().and_then(|scatter| scatter.warning("T₀")).into_iter().collect()
+        /// Of T0: rounding errors leave less than this of rows that are alike.
+        const ROUNDING: f64 = 1e-12;
+        let of_scatter = self.exact.scatter().and_then(|scatter| scatter.warning("T₀"));
+        let is_without = self.weighting == Weighting::Scatter && self.exact.t0.relative() < ROUNDING;
+        of_scatter.or_else(|| is_without.then_some(ScatterWarning::Without)).into_iter().collect()
     }
 
     /// T0 under the exact law for a budget of g, with the amplitude whose T/T0 is the mean of those measured; the relative

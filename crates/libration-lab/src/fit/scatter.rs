@@ -71,6 +71,8 @@ pub enum ScatterWarning {
         /// What takes up an error that all rows share.
         common: &'static str,
     },
+    /// No uncertainties are stated and the rows do not scatter: by less than 1e-12 of themselves, which is rounding.
+    Without,
 }
 
 impl ScatterWarning {
@@ -80,6 +82,7 @@ impl ScatterWarning {
         match self {
             Self::More { .. } => "rows_scatter_more",
             Self::Less { .. } => "rows_scatter_less",
+            Self::Without => "rows_without_scatter",
         }
     }
 }
@@ -96,6 +99,10 @@ impl fmt::Display for ScatterWarning {
                 f,
                 "the rows scatter only {ratio:.2} times as much as their stated uncertainties: they may be common to all rows, \
                  and then belong to {common}"
+            ),
+            Self::Without => f.write_str(
+                "the rows do not scatter at all, as where they are rounded to steps that are too coarse: an uncertainty by their \
+                 scatter says nothing; give each row one, at least a third of the last digit that is written",
             ),
         }
     }

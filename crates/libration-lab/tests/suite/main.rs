@@ -4,6 +4,7 @@
 
 #[path = "../../../libration/tests/suite/random.rs"]
 mod random;
+mod synthetic_gate;
 mod synthetic_trace;
 
 mod continuation;
@@ -14,6 +15,7 @@ mod fit_gates;
 mod fit_lengths;
 mod fit_response;
 mod fitted_pivot;
+mod gate_uncertainties;
 mod malformed;
 mod measurement;
 mod plan;

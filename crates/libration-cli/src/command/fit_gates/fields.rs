@@ -53,9 +53,12 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             "part of a period from a passage of the first side to the other, 0.5 at the centre",
             |it| it.fit.part_between,
         ),
-        Of::number("timing_s", "s", "standard deviation of a time, by the scatter of the periods", |it| {
-            it.fit.timing
-        }),
+        Of::known(
+            "timing_s",
+            "s",
+            "standard deviation of a time, by the scatter of the times, or null",
+            |it| it.fit.timing.ok_or_else(|| "more passages are needed".to_owned()),
+        ),
         Of::number("mean_period_s", "s", "mean of all periods", |it| it.fit.mean_period.value),
         Of::number("mean_period_uncertainty_s", "s", "standard uncertainty of that mean", |it| {
             it.fit.mean_period.uncertainty

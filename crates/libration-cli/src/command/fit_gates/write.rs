@@ -43,6 +43,7 @@ impl Answer<'_> {
 
     fn lines(&self) -> Vec<(&'static str, String)> {
         let fit = self.fit;
+        let by_scatter = |timing: f64| format!("{} s, from the scatter", number::rounded(timing, 2));
         let said = |it: Uncertain, unit: &str| number::with_uncertainty(it.value, it.uncertainty, unit);
         let kind = if fit.edges { "from pairs of edges" } else { "one time each" };
         let mut lines = vec![
@@ -54,7 +55,7 @@ impl Answer<'_> {
                     number::rounded(fit.part_between, 3)
                 ),
             ),
-            ("timing", format!("{} s, from the scatter", number::rounded(fit.timing, 2))),
+            ("timing", fit.timing.map_or("not known".to_owned(), by_scatter)),
             ("mean period", said(fit.mean_period, "s")),
         ];
         if let Some(first) = fit.first_period {

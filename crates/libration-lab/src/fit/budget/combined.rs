@@ -70,7 +70,8 @@ pub struct CombinedUncertainty {
     pub correlations: Vec<Correlation>,
     /// The standard uncertainty, in m/s²; of what is not known it knows nothing.
     pub standard: f64,
-    /// The effective ones; infinite where every uncertainty is taken as known.
+    /// The effective ones; infinite where every uncertainty is taken as known, and where statistics found none at all those of
+    /// the fewest data.
     pub degrees_of_freedom: f64,
 }
 
@@ -86,7 +87,11 @@ impl CombinedUncertainty {
         let spread: f64 = contributions.iter().map(own).sum();
         Ok(Self {
             standard: variance.sqrt(),
-            degrees_of_freedom: if spread > 0.0 { variance * variance / spread } else { f64::INFINITY },
+            degrees_of_freedom: if spread > 0.0 {
+                variance * variance / spread
+            } else {
+                known_by(&contributions)
+            },
             correlations: correlations.to_vec(),
             contributions,
         })
@@ -128,6 +133,14 @@ impl CombinedUncertainty {
             self.contributions.iter().filter(|each| each.uncertainty.is_none() && each.sensitivity != 0.0);
         open.map(|each| each.input)
     }
+}
+
+/// The degrees of freedom of uncertainties whose statistics found none: infinite where one that is judged is there.
+fn known_by(contributions: &[Contribution]) -> f64 {
+    if contributions.iter().any(|each| each.degrees_of_freedom.is_infinite() && each.change().abs() > 0.0) {
+        return f64::INFINITY;
+    }
+    contributions.iter().map(|each| each.degrees_of_freedom).fold(f64::INFINITY, f64::min)
 }
 
 /// The correlations of all inputs, which no variance below zero may follow from.
@@ -189,6 +202,17 @@ mod tests {
         let repeated = BudgetError::CorrelationRepeated { first: inputs[1].name(), second: inputs[0].name() };
         assert_eq!(found(&[both(0, 1), both(1, 0)]), Err(repeated));
         assert_eq!(found(&[both(0, 1), both(1, 2), both(0, 2)]), Ok(()));
+    }
+
+    /// Three readings that are alike tell no more of their scatter than any three.
+    #[test]
+    fn no_scatter_among_few_readings_is_not_known_for_certain() {
+        let judged = Contribution::judged(BudgetInput::Period, 2.0, Some(0.0), 9.8);
+        let alike = Contribution { evaluation: Evaluation::Statistics, degrees_of_freedom: 2.0, ..judged };
+        let length = Contribution::judged(BudgetInput::Length, 1.0, Some(0.0), 9.81);
+        let found = |length| CombinedUncertainty::new(vec![length, alike], &[]).unwrap().degrees_of_freedom;
+        assert!((found(length) - 2.0).abs() < f64::EPSILON);
+        assert!(found(Contribution { uncertainty: Some(0.1), ..length }).is_infinite());
     }
 
     #[test]

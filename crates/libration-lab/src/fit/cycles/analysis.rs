@@ -83,7 +83,8 @@ fn about_a_known_pivot(
         return Err(too_short);
     }
     let outliers = period_law::outliers(&rows, options.outlier_threshold);
-    let kept: Vec<Row> = (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row]).collect();
+    let kept: Vec<Row> =
+        (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect();
     let law = period_law::exact(&kept, watch).ok_or(too_short)?;
     let cycles =
         rows.iter().enumerate().map(|(k, row)| Cycle::new(row, law.scatter, outliers.contains(&k))).collect();
@@ -207,13 +208,12 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
 
 impl Cycle {
     fn new(row: &Row, scatter: Scatter, outlier: bool) -> Self {
-        let [begin, end] = row.passages.map(|passage| passage.1);
         let [one, two] = row.sides;
         Self {
             time: row.time,
             period: Uncertain {
                 value: row.period,
-                uncertainty: (scatter.noise * (begin + end) + scatter.fluctuation).sqrt(),
+                uncertainty: (scatter.noise * row.period_variance() + scatter.fluctuation).sqrt(),
             },
             amplitude: Uncertain {
                 value: 0.5 * (one.amplitude + two.amplitude),

@@ -50,6 +50,14 @@ pub(in crate::fit) struct Scatter {
 /// Entries of a symmetric matrix next to its diagonal: with the row two before, the row before, and itself.
 type Bands = Vec<[f64; 3]>;
 
+/// Columns that are to explain the periods; one of them is T/T0, with the noise of the amplitudes.
+#[derive(Clone, Copy)]
+pub(super) struct Explanation<'a> {
+    pub(super) columns: &'a [Vec<f64>],
+    /// Which one.
+    pub(super) ratio: usize,
+}
+
 /// Periods, and the columns that are to explain them.
 struct Equations<'a> {
     rows: &'a [Row],
@@ -58,14 +66,22 @@ struct Equations<'a> {
     fluctuation: Bands,
     /// The mean variance of a row by the noise, in which fluctuations are counted.
     typical: f64,
+    /// What the period changes by with T/T0.
+    slope: f64,
+    ratio_column: usize,
 }
 
 /// Coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
-pub(super) fn fit(rows: &[Row], slope: f64, columns: &[Vec<f64>], watch: &Watch<'_>) -> Option<Generalised> {
+pub(super) fn fit(
+    rows: &[Row],
+    slope: f64,
+    Explanation { columns, ratio: ratio_column }: Explanation<'_>,
+    watch: &Watch<'_>,
+) -> Option<Generalised> {
     let noise = bands(rows, |one, other| one.noise_with(other, slope));
     let typical = noise.iter().map(|entries| entries[2]).sum::<f64>() / count(rows.len());
     let fluctuation = bands(rows, |one, other| typical * one.half_swings_with(other));
-    let equations = Equations { rows, columns, noise, fluctuation, typical };
+    let equations = Equations { rows, columns, noise, fluctuation, typical, slope, ratio_column };
     let dof = rows.len().saturating_sub(columns.len());
     let by_noise = equations.solve(0.0)?;
     let chi2_per_dof = (dof > 0).then(|| by_noise.chi2 / count(dof));
@@ -104,8 +120,22 @@ impl Equations<'_> {
     /// A solution with the covariance that the scale of the whitened residuals gives.
     fn described(&self, solution: Solution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
         let scatter = self.scatter(&solution);
-        let covariance = solution.inverse * scale;
-        Generalised { coefficients: solution.coefficients, covariance, chi2_per_dof, scatter }
+        let attenuation = solution.inverse.column(self.ratio_column) * self.mean_score(solution.ratio);
+        let coefficients = solution.coefficients - attenuation;
+        Generalised { coefficients, covariance: solution.inverse * scale, chi2_per_dof, scatter }
+    }
+
+    /// What the noise of the amplitudes adds to xᵀV⁻¹e on the mean, where x is the column of T/T0 and e what is left over: both contain it, so
+    /// that without this the coefficient would be drawn towards 0. It is tr(V⁻¹K) with their covariance K (W. A. Fuller,
+    /// *Measurement Error Models*, Wiley 1987, section 2.2).
+    fn mean_score(&self, ratio: f64) -> f64 {
+        let Some(factor) = Factor::new(&self.noise, &self.fluctuation, ratio) else { return 0.0 };
+        let covariance = |n: usize, m: usize| self.rows[n].ratio_noise_with(&self.rows[m], self.slope);
+        let with_earlier = |(n, inverse): (usize, [f64; 3])| {
+            let pair = |back: usize| n.checked_sub(back).map_or(0.0, |m| covariance(n, m) + covariance(m, n));
+            0.5 * inverse[2] * pair(0) + inverse[1] * pair(1) + inverse[0] * pair(2)
+        };
+        factor.inverse().into_iter().enumerate().map(with_earlier).sum()
     }
 
     /// The noise and the fluctuations in their proportion, at the scale that makes the squares of the residuals as large as
@@ -172,6 +202,24 @@ impl Factor {
         DVector::from_vec(white)
     }
 
+    /// The entries of (L·Lᵀ)⁻¹ in the bands, from the last row on (K. Takahashi, J. Fagan, M.-S. Chen, 8th PICA Conference, 1973).
+    fn inverse(&self) -> Bands {
+        let rows = self.0.len();
+        let mut inverse: Bands = vec![[0.0; 3]; rows + 2];
+        for n in (0..rows).rev() {
+            let below = |down: usize| self.0.get(n + down).map_or(0.0, |entries| entries[2 - down]);
+            let (own, first, second) = (self.0[n][2], below(1), below(2));
+            let [one, both, two] = [inverse[n + 1][2], inverse[n + 2][1], inverse[n + 2][2]];
+            let beside = -(first * one + second * both) / own;
+            let further = -(first * both + second * two) / own;
+            inverse[n + 1][1] = beside;
+            inverse[n + 2][0] = further;
+            inverse[n][2] = (1.0 / own - first * beside - second * further) / own;
+        }
+        inverse.truncate(rows);
+        inverse
+    }
+
     fn log_determinant(&self) -> f64 {
         self.0.iter().map(|entries| 2.0 * libm::log(entries[2])).sum()
     }
@@ -206,5 +254,12 @@ mod tests {
         let whole = (vector.transpose() * matrix.clone().try_inverse().unwrap() * &vector)[(0, 0)];
         assert!((square - whole).abs() < 1e-12 * whole);
         assert!((factor.log_determinant() - libm::log(matrix.determinant())).abs() < 1e-12);
+        let inverse = matrix.try_inverse().unwrap();
+        for (n, entries) in factor.inverse().into_iter().enumerate() {
+            for (back, entry) in entries.into_iter().rev().enumerate() {
+                let expected = n.checked_sub(back).map_or(0.0, |m| inverse[(n, m)]);
+                assert!((entry - expected).abs() < 1e-12, "{n} {back}");
+            }
+        }
     }
 }

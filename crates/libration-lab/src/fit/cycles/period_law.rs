@@ -2,15 +2,15 @@
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
 use super::CyclesError;
-use super::generalised::{Generalised, Scatter, fit};
-use super::row::{Row, Side};
+use super::generalised::{Explanation, Generalised, Scatter, fit};
+use super::row::{Row, Share, Side, Source};
 use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::{mean, median, robust_deviation};
 use libration::watch::Watch;
 
 /// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
 const ROUNDS: usize = 5;
-/// With more of the variance of T/T0 than this from the noise of the amplitudes, β is biased by as much.
+/// With more of the variance of T/T0 than this from the noise of the amplitudes, what this does to β is not known well enough to be taken away.
 const MOST_NOISE: f64 = 0.05;
 
 /// T0 under the exact law.
@@ -36,33 +36,30 @@ impl Row {
     pub(in crate::fit) fn new(times: [f64; 2], passages: [(usize, f64); 2], sides: [Side; 2]) -> Self {
         let ratio = 0.5 * sides.iter().map(|side| Law::exact().ratio_at(side.amplitude)).sum::<f64>();
         let [begin, end] = times;
-        Self { time: 0.5 * (begin + end), period: end - begin, passages, sides, ratio }
+        let passages = passages.into_iter().zip([-1.0, 1.0]).map(|((number, variance), of_period)| Share {
+            source: Source::Passage(number),
+            variance,
+            of_period,
+            of_ratio: 0.0,
+        });
+        let amplitudes = sides.map(|side| Share {
+            source: Source::Amplitude(side.number),
+            variance: side.variance,
+            of_period: 0.0,
+            of_ratio: side.slope,
+        });
+        let errors = passages.chain(amplitudes).collect();
+        Self { time: 0.5 * (begin + end), period: end - begin, errors, sides, ratio }
+    }
+
+    /// The same with other errors.
+    pub(in crate::fit) fn with_errors(self, errors: Vec<Share>) -> Self {
+        Self { errors, ..self }
     }
 
     /// What the period of small swings is by this row.
     pub(super) fn small_angle_period(&self) -> f64 {
         self.period / self.ratio
-    }
-
-    /// Of the ratio, from the noise of the amplitudes.
-    fn ratio_variance(&self) -> f64 {
-        self.sides.iter().map(|side| side.slope * side.slope * side.variance).sum()
-    }
-
-    /// The covariance that the noise gives two rows, when the period changes by `slope`·R′ with the amplitude.
-    pub(super) fn noise_with(&self, other: &Self, slope: f64) -> f64 {
-        let mut sum = 0.0;
-        for (i, (passage, variance)) in self.passages.iter().enumerate() {
-            for (j, (shared, _)) in other.passages.iter().enumerate() {
-                if passage == shared {
-                    sum += if i == j { *variance } else { -variance };
-                }
-            }
-        }
-        for (own, shared) in self.shared_sides(other) {
-            sum += slope * slope * own.slope * shared.slope * own.variance;
-        }
-        sum
     }
 
     /// The part of the half swings of one row that are half swings of the other too.
@@ -114,7 +111,7 @@ fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch
     let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
     let mut found = None;
     for _ in 0..ROUNDS {
-        let renewed = fit(rows, slope, columns, watch)?;
+        let renewed = fit(rows, slope, Explanation { columns, ratio: coefficient }, watch)?;
         slope = renewed.coefficients[coefficient];
         found = Some(renewed);
     }

@@ -5,12 +5,11 @@ use std::f64::consts::TAU;
 use super::speeds::amplitude;
 use super::swings::Swings;
 use crate::fit::cycles::period_law;
-use crate::fit::cycles::row::{Row, Side};
+use crate::fit::cycles::row::Row;
 use crate::fit::typical_amplitude::typical_amplitude;
 use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::count;
 use crate::statistics::median;
-use libration::elliptic::Modulus;
 use libration::quantity::Quantity;
 use libration::roots::{Tolerance, bisect};
 use libration::watch::Watch;
@@ -28,23 +27,22 @@ pub(super) struct BySpeeds {
 
 /// The amplitude at each passage, in radians.
 pub(super) struct Amplitudes {
-    of_passages: Vec<Option<f64>>,
+    pub(super) of_passages: Vec<Option<f64>>,
+    /// How far from the bottom in time the gate is passed.
+    pub(super) from_bottom: Vec<f64>,
     /// That goes with them.
-    omega0: f64,
+    pub(super) omega0: f64,
+    /// Of the bob, as an angle.
+    pub(super) width: f64,
 }
 
 impl Amplitudes {
-    fn of_half_swing(&self, passage: usize) -> Option<f64> {
+    pub(super) fn of_half_swing(&self, passage: usize) -> Option<f64> {
         Some(0.5 * (self.of_passages[passage]? + self.of_passages[passage + 1]?))
     }
 
     pub(super) fn of_cycle(&self, cycle: usize) -> Option<f64> {
         Some(0.5 * (self.of_half_swing(cycle)? + self.of_half_swing(cycle + 1)?))
-    }
-
-    /// The standard deviation of the amplitude of a half swing, the mean of two passages.
-    fn noise(&self, swings: &Swings) -> f64 {
-        swings.deviation(|passage| self.of_passages[passage]) / 2.0_f64.sqrt()
     }
 }
 
@@ -65,16 +63,17 @@ impl Swings {
     }
 
     fn amplitudes_for(&self, width: f64, t0: f64, watch: &Watch<'_>) -> Amplitudes {
-        let mut of_passages = vec![None; self.placed.len()];
+        let (omega0, passages) = (TAU / t0, self.placed.len());
+        let (mut of_passages, mut from_bottom) = (vec![None; passages], vec![0.0; passages]);
         for &cycle in self.cycles.iter().take_while(|_| watch.go_on().is_ok()) {
-            let from_bottom = self.time_from_bottom(cycle);
-            let passages = self.placed.iter().zip(&mut of_passages).skip(cycle).take(3);
-            for (placed, found) in passages {
-                let blocked = placed.passage.blocked;
-                *found = blocked.and_then(|time| amplitude(TAU / t0, width, time, from_bottom));
+            let time = self.time_from_bottom(cycle);
+            for passage in cycle..cycle + 3 {
+                from_bottom[passage] = time;
+                of_passages[passage] =
+                    self.blocked(passage).and_then(|blocked| amplitude(omega0, width, blocked, time));
             }
         }
-        Amplitudes { of_passages, omega0: TAU / t0 }
+        Amplitudes { of_passages, from_bottom, omega0, width }
     }
 
     /// T0 and the test of the exact law by the bottom passages and the amplitudes.
@@ -114,47 +113,5 @@ impl Swings {
             beta: beta.zip(beta_by_width).map(widen),
             amplitude: Some(typical),
         })
-    }
-
-    /// The cycles between passages of the bottom.
-    fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
-        let variance = self.timing() * self.timing();
-        let noise = amplitudes.noise(self);
-        let gate = self.gate_height(amplitudes)?;
-        let row = |&cycle: &usize| {
-            let side = |k: usize| {
-                let value = amplitudes.of_half_swing(k)?;
-                Some(Side::new(k, Uncertain { value, uncertainty: noise }))
-            };
-            let ends = [cycle, cycle + 2];
-            let [begin, end] = ends.map(|k| self.bottom_time(k, amplitudes, gate));
-            // A clock without any scatter would leave nothing to weigh by.
-            let passages = ends.map(|k| (k, variance.max(1e-24)));
-            Some(Row::new([begin?, end?], passages, [side(cycle)?, side(cycle + 1)?]))
-        };
-        Some(self.cycles.iter().filter_map(row).collect())
-    }
-
-    /// The sine of half the angle of the gate, on the side to which the passages of the first side go, by the unevenness
-    /// of the passages.
-    fn gate_height(&self, amplitudes: &Amplitudes) -> Option<f64> {
-        let height = |&cycle: &usize| {
-            let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_cycle(cycle)?)).ok()?;
-            let outward = 0.5 * self.period(cycle) > self.time(cycle + 1) - self.time(cycle);
-            let first_side = self.placed[cycle].side == 0;
-            let height =
-                modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.time_from_bottom(cycle)).sn;
-            Some(if outward == first_side { height } else { -height })
-        };
-        median(self.cycles.iter().filter_map(height).collect())
-    }
-
-    /// When the bottom is passed, by the passage of a gate of this height.
-    fn bottom_time(&self, passage: usize, amplitudes: &Amplitudes, gate: f64) -> Option<f64> {
-        let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_passages[passage]?)).ok()?;
-        let sine = (gate / modulus.modulus()).clamp(-1.0, 1.0);
-        let from_bottom = modulus.incomplete_first(libm::asin(sine)) / amplitudes.omega0;
-        let outward = self.placed[passage].side == 0;
-        Some(self.time(passage) + if outward { -from_bottom } else { from_bottom })
     }
 }

@@ -12,9 +12,13 @@ mod directions;
 
 mod swings;
 
+mod scatter;
+
 mod speeds;
 
 mod amplitudes;
+
+mod rows;
 mod trend;
 
 mod analysis;
@@ -96,8 +100,9 @@ pub struct GatesFit {
     pub cycles: Vec<GateCycle>,
     /// The part of a period from a passage of the first side to one of the other: 1/2 for a gate at the centre.
     pub part_between: f64,
-    /// The standard deviation of a time, by the scatter of the periods, in seconds.
-    pub timing: f64,
+    /// The standard deviation of a time, in seconds: by the scatter of the periods, or of the times for which the gate is blocked where
+    /// there are few; none where both are too few to tell.
+    pub timing: Option<f64>,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
     pub mean_period: Uncertain,
     /// The period at the turning point before the first passage, in seconds.

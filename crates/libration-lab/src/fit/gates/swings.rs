@@ -1,7 +1,7 @@
 //! Passages in order, the cycles among them, and what they tell without an amplitude.
 
 use super::directions::Placed;
-use crate::statistics::{median, robust_deviation};
+use crate::statistics::median;
 
 /// Passages in order, and the cycles among them: three passages of alternating sides without a gap, by the first one.
 pub(super) struct Swings {
@@ -40,22 +40,9 @@ impl Swings {
         0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
     }
 
-    /// The standard deviation of a time, by fourth differences of the passages of one side, from which a period that falls
-    /// steadily drops out.
-    pub(super) fn timing(&self) -> f64 {
-        self.deviation(|passage| Some(self.time(passage)))
-    }
-
-    /// The standard deviation of a quantity of passages about its course along one side.
-    pub(super) fn deviation(&self, of: impl Fn(usize) -> Option<f64>) -> f64 {
-        let whole = |&k: &usize| (0..4).all(|step| self.cycles.binary_search(&(k + 2 * step)).is_ok());
-        let fourth = |k: usize| {
-            let terms = [1.0, -4.0, 6.0, -4.0, 1.0].into_iter().enumerate();
-            terms.map(|(step, weight)| of(k + 2 * step).map(|value| weight * value)).sum::<Option<f64>>()
-        };
-        let differences: Vec<f64> = self.cycles.iter().copied().filter(whole).filter_map(fourth).collect();
-        // √(1 + 16 + 36 + 16 + 1) times that of one.
-        robust_deviation(&differences).unwrap_or(0.0) / 70.0_f64.sqrt()
+    /// For how long a passage blocks the gate.
+    pub(super) fn blocked(&self, passage: usize) -> Option<f64> {
+        self.placed[passage].passage.blocked
     }
 
     /// Means of the periods of both sides, from which the place of the gate drops out, with their times.

@@ -37,6 +37,8 @@ pub enum GatesWarning {
     },
     /// T0 needs an amplitude, and there is none.
     NoAmplitude,
+    /// The times do not tell by how much they scatter: they are too few, or exactly even, by less than 1e-9 of a period.
+    ScatterUnknown,
     /// β [differs from 1](Beta::differs_from_one), by more than a twentieth: R − 1 goes with the square of the amplitude, so that the
     /// width of the bob, which all speeds are in proportion to, would be wrong by a fortieth.
     BetaNotOne {
@@ -65,6 +67,7 @@ impl GatesWarning {
             Self::MissedPassages { .. } => "missed_passages",
             Self::WidthUnused { .. } => "width_of_no_use",
             Self::NoAmplitude => "no_amplitude",
+            Self::ScatterUnknown => "scatter_unknown",
             Self::BetaNotOne { .. } => "beta_not_one",
             Self::PeriodBelowT0 { .. } => "period_below_t0",
         }
@@ -92,6 +95,10 @@ impl fmt::Display for GatesWarning {
             Self::NoAmplitude => f.write_str(
                 "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
             ),
+            Self::ScatterUnknown => f.write_str(
+                "the times do not tell by how much they scatter, since they are too few or exactly even: uncertainties by their scatter \
+                 say nothing",
+            ),
             Self::BetaNotOne { deviation, width_error } => beta_not_one(f, deviation, width_error),
             Self::PeriodBelowT0 { last, t0 } => write!(
                 f,
@@ -112,12 +119,19 @@ pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool
         (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
         speeds_failed.then_some(GatesWarning::WidthUnused { edges: fit.edges }),
         fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
+        is_scatter_unknown(fit).then_some(GatesWarning::ScatterUnknown),
         fit.beta.as_ref().and_then(doubtful_beta),
         last_period.and_then(|last| period_below_t0(fit, last)),
     ]
     .into_iter()
     .flatten()
     .collect()
+}
+
+fn is_scatter_unknown(fit: &GatesFit) -> bool {
+    /// Of a period. Steps of a tenth of a microsecond scatter by more than ten times as much in periods of two seconds.
+    const ROUNDING: f64 = 1e-9;
+    fit.timing.is_none_or(|timing| timing < ROUNDING * fit.mean_period.value)
 }
 
 fn beta_not_one(f: &mut fmt::Formatter<'_>, deviation: f64, width_error: Option<f64>) -> fmt::Result {
@@ -154,5 +168,6 @@ fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
 fn period_below_t0(fit: &GatesFit, last: f64) -> Option<GatesWarning> {
     let Uncertain { value: t0, uncertainty } = fit.t0?;
     let least = t0 - SIGNIFICANT * uncertainty;
-    (least > last + SHORT_BY_TIMINGS * fit.timing).then_some(GatesWarning::PeriodBelowT0 { last, t0 })
+    (least > last + SHORT_BY_TIMINGS * fit.timing.unwrap_or(0.0))
+        .then_some(GatesWarning::PeriodBelowT0 { last, t0 })
 }

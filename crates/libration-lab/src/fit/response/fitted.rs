@@ -128,8 +128,9 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
     let aicc = match chi2 {
         Some(chi2) => akaike::of_chi_squared(chi2, data, parameters.len()),
         None => {
-            let mean_square = found.scatter * found.scatter * found.chi2 / data;
-            akaike::of_scatter(mean_square, data, parameters.len())
+            // A scatter of the phases is one unknown more.
+            let unknown = parameters.len() + 1 + usize::from(table.has_phases());
+            akaike::cost(data, count(unknown)).map(|cost| found.misfit + cost)
         }
     };
     let last = parameters.len() - 1;
@@ -143,7 +144,7 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
         covariance: covariance.row_iter().map(|row| row.iter().copied().collect()).collect(),
         chi2,
         dof,
-        amplitude_scatter: (!table.is_weighted()).then_some(found.scatter),
+        amplitude_scatter: found.scatters.unstated(),
         aicc,
         rows: vec![],
     };

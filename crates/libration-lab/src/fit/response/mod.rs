@@ -29,6 +29,7 @@ mod model;
 mod required_drive;
 mod table;
 
+mod scatters;
 mod search;
 mod start;
 
@@ -136,7 +137,7 @@ fn fitted(
     let mut refusal = ResponseFitError::NoConvergence(model);
     for start in start::starts(table, model) {
         match rough.near(&start) {
-            Ok(found) if best.as_ref().is_none_or(|best| found.misfit() < best.misfit()) => {
+            Ok(found) if best.as_ref().is_none_or(|best| found.misfit < best.misfit) => {
                 best = Some(found);
             }
             Ok(_) => {}

@@ -8,9 +8,10 @@
 use super::ResponseFitError;
 use super::model::ResponseModel;
 use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
+use super::scatters::Scatters;
 use super::table::{ResponseTable, Row};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
-use crate::statistics::{Design, ROUNDING, count};
+use crate::statistics::{Design, ROUNDING};
 use libration::algebra::Complex;
 use libration::watch::Watch;
 use nalgebra::{DMatrix, DVector};
@@ -19,8 +20,6 @@ use nalgebra::{DMatrix, DVector};
 const SETTLED: f64 = 1e-3;
 /// A relative change of the scatter that is none.
 const SETTLED_SCATTER: f64 = 1e-3;
-/// Of the largest amplitude: less scatter is rounding.
-const LEAST_SCATTER: f64 = 1e-11;
 /// Three points with these distances in standard deviations stand for a normal distribution up to its fifth moment.
 const SPREAD: f64 = 1.732_050_807_568_877_2;
 /// Of the required drive: errors of less are rounding.
@@ -36,18 +35,15 @@ pub(super) struct Found {
     pub(super) covariance: DMatrix<f64>,
     pub(super) chi2: f64,
     /// What uncertainties of the rows are multiplied by: the scatter where none are stated, else one.
-    pub(super) scatter: f64,
+    pub(super) scatters: Scatters,
+    /// What is made least: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
+    pub(super) misfit: f64,
     pub(super) rows: Vec<FoundRow>,
     /// Whether hardly anything changed in the last round.
     pub(super) settled: bool,
 }
 
 impl Found {
-    /// What is made least: χ², or the variance of the scatter.
-    pub(super) fn misfit(&self) -> f64 {
-        self.chi2 * self.scatter * self.scatter
-    }
-
     /// The parameters, with a damping that one more standard deviation of its square allows where that is more: without any, amplitudes
     /// do not tell in which direction there is more of it.
     pub(super) fn with_damping(&self) -> Vec<f64> {
@@ -71,6 +67,8 @@ pub(super) struct FoundRow {
     pub(super) bend: f64,
     /// In standard deviations: that of the amplitude, and with a phase another.
     pub(super) residuals: Vec<f64>,
+    /// What part of each the parameters take up.
+    pub(super) leverages: Vec<f64>,
 }
 
 /// A table under a law.
@@ -108,25 +106,26 @@ impl Search<'_> {
         let failed = || ResponseFitError::NoConvergence(self.model);
         let mut about = DVector::from_row_slice(start);
         let mut amplitudes: Vec<f64> = self.table.rows.iter().map(|row| row.amplitude).collect();
-        let mut scatter = if self.table.is_weighted() { 1.0 } else { 0.01 * self.table.largest_amplitude() };
+        let mut scatters = Scatters::first(self.table);
         let (mut part, mut last_change) = (1.0, f64::INFINITY);
         for round in 1..=self.rounds {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
-            let weighed = self.weighed(&about, &amplitudes, scatter).ok_or_else(failed)?;
+            let weighed = self.weighed(&about, &amplitudes, &scatters).ok_or_else(failed)?;
             let evaluate = |at: &DVector<f64>| self.linearised(at, &weighed).ok_or(NoResiduals::OutOfDomain);
             let least = minimum(about.clone(), EFFORT, evaluate).map_err(|_| failed())?;
             let design = Design::new(&least.linearised.jacobian, ROUNDING);
             let covariance = design.map_err(|_| ResponseFitError::Undetermined(self.model))?.covariance();
             let step = &least.parameters - &about;
             let change = step.component_div(&covariance.diagonal().map(f64::sqrt)).amax();
-            let rows = self.rows(weighed, &least.linearised.residuals);
-            let chi2 = least.linearised.residuals.norm_squared();
-            let before = scatter;
-            scatter = self.renewed(scatter, chi2);
-            let settled = change <= SETTLED && (scatter / before - 1.0).abs() <= SETTLED_SCATTER;
+            let rows = self.rows(weighed, &least.linearised, &covariance);
+            let before = scatters;
+            scatters = before.renewed(self.table, &rows, about.len());
+            let settled = change <= SETTLED && scatters.is_near(&before, SETTLED_SCATTER);
             if settled || round == self.rounds {
+                let chi2 = least.linearised.residuals.norm_squared();
+                let misfit = if self.table.is_weighted() { chi2 } else { before.misfit(self.table, &rows) };
                 let parameters = least.parameters.as_slice().to_vec();
-                return Ok(Found { parameters, covariance, chi2, scatter: before, rows, settled });
+                return Ok(Found { parameters, covariance, chi2, scatters: before, misfit, rows, settled });
             }
             // Next to a fold a whole step may lead to the other side, and the next one back.
             if change >= last_change {
@@ -138,31 +137,21 @@ impl Search<'_> {
             if !self.table.has_phases() {
                 about[1] = about[1].abs();
             }
-            for (amplitude, aim) in amplitudes.iter_mut().zip(self.within_bounds(&rows, scatter)) {
+            for (amplitude, aim) in amplitudes.iter_mut().zip(self.within_bounds(&rows, &scatters)) {
                 *amplitude += part * (aim - *amplitude);
             }
         }
         Err(failed())
     }
 
-    /// The scatter of the amplitudes, where no uncertainties are stated.
-    fn renewed(&self, scatter: f64, chi2: f64) -> f64 {
-        if self.table.is_weighted() {
-            return 1.0;
-        }
-        let dof = self.table.data().saturating_sub(self.model.coefficients() + 1);
-        let least = LEAST_SCATTER * self.table.largest_amplitude();
-        (scatter * (chi2 / count(dof.max(1))).sqrt()).max(least)
-    }
-
     /// Amplitudes without their errors that the model can have.
-    fn within_bounds(&self, rows: &[FoundRow], scatter: f64) -> Vec<f64> {
+    fn within_bounds(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<f64> {
         const FARTHEST: f64 = 0.5;
         let bound = self.model.amplitude_bound();
         let within = |(row, found): (&Row, &FoundRow)| {
             let measured = row.amplitude;
             let farthest = FARTHEST * measured.min(bound - measured);
-            let spread = (6.0 * scatter * row.amplitude_uncertainty).min(farthest);
+            let spread = (6.0 * scatters.of_amplitude(row)).min(farthest);
             found.aim.clamp(measured - spread, measured + spread)
         };
         self.table.rows.iter().zip(rows).map(within).collect()
@@ -186,9 +175,14 @@ impl Search<'_> {
     }
 
     /// The rows linearised about these amplitudes.
-    fn weighed(&self, parameters: &DVector<f64>, amplitudes: &[f64], scatter: f64) -> Option<Vec<Weighed>> {
+    fn weighed(
+        &self,
+        parameters: &DVector<f64>,
+        amplitudes: &[f64],
+        scatters: &Scatters,
+    ) -> Option<Vec<Weighed>> {
         let bound = self.model.amplitude_bound();
-        let deviations = self.table.rows.iter().map(|row| scatter * row.amplitude_uncertainty);
+        let deviations = self.table.rows.iter().map(|row| scatters.of_amplitude(row));
         let deviations: Vec<f64> = deviations.collect();
         let steps: Vec<f64> = amplitudes
             .iter()
@@ -213,7 +207,7 @@ impl Search<'_> {
             let asked = Asked { frequency: row.frequency, amplitude: amplitudes[place] };
             let by_frequency = here[place].by_frequency(&asked, self.coefficients(parameters));
             let drive = here[place].drive;
-            let across = Complex::new(-drive.im, drive.re).scaled(scatter * row.phase_uncertainty);
+            let across = Complex::new(-drive.im, drive.re).scaled(scatters.of_phase(row));
             let errors = [
                 slope.clone(),
                 bend.iter().map(|bend| std::f64::consts::SQRT_2 * bend).collect(),
@@ -247,10 +241,16 @@ impl Search<'_> {
     }
 
     /// The rows with their errors taken from the amplitudes.
-    fn rows(&self, weighed: Vec<Weighed>, residuals: &DVector<f64>) -> Vec<FoundRow> {
-        let mut residuals = residuals.iter().copied();
+    fn rows(
+        &self,
+        weighed: Vec<Weighed>,
+        linearised: &Linearised,
+        covariance: &DMatrix<f64>,
+    ) -> Vec<FoundRow> {
+        let leverages = linearised.jacobian.row_iter().map(|row| (row * covariance).dot(&row));
+        let mut data = linearised.residuals.iter().copied().zip(leverages);
         let of_row = |(row, weighed): (&Row, Weighed)| {
-            let own: Vec<f64> = residuals.by_ref().take(weighed.slope.len()).collect();
+            let (own, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(weighed.slope.len()).unzip();
             let slope = &weighed.whitening * DVector::from_row_slice(&weighed.slope);
             let excess = slope.dot(&DVector::from_row_slice(&own));
             FoundRow {
@@ -259,6 +259,7 @@ impl Search<'_> {
                 slope: weighed.slope[0],
                 bend: weighed.bend[0],
                 residuals: own,
+                leverages,
             }
         };
         self.table.rows.iter().zip(weighed).map(of_row).collect()

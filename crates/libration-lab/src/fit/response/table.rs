@@ -48,8 +48,9 @@ pub(super) struct Row {
 impl ResponseTable {
     /// The rows of these columns.
     ///
-    /// Without uncertainties all amplitudes count alike, and a phase as one of an amplitude of the same row: its standard deviation is that
-    /// of the amplitude over the amplitude, as where both are of one sine through a noisy trace.
+    /// Without uncertainties all amplitudes count alike; all phases too, each kind by what it scatters. With hardly more rows than parameters
+    /// a phase counts as one of an amplitude of the same row: its standard deviation is that of the amplitude over the amplitude, as where both are
+    /// of one sine through a noisy trace.
     ///
     /// # Errors
     /// Columns of different lengths, a frequency or an amplitude that is not positive, an uncertainty that is not positive (of a frequency:

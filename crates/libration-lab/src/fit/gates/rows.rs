@@ -1,0 +1,133 @@
+//! Cycles between passages of the bottom as rows of the law, with what they share of the errors of the edges.
+//!
+//! The middle of two edges and their distance are independent where the edges are: the one is an error of the time of a passage, the other
+//! of its amplitude, which counts in both half swings beside the passage.
+
+use super::amplitudes::Amplitudes;
+use super::speeds::amplitude;
+use super::swings::Swings;
+use crate::fit::cycles::row::{Row, Share, Side, Source};
+use crate::fit::{Law, Uncertain};
+use crate::statistics::{count, median};
+use libration::elliptic::Modulus;
+
+/// A passage of the bottom.
+#[derive(Clone, Copy, Debug)]
+struct Bottom {
+    time: f64,
+    /// Of the time.
+    variance: f64,
+    /// Of the swing, without what the curvature of the law of speeds adds to it on the mean.
+    amplitude: f64,
+    /// The standard deviation of the amplitude.
+    noise: f64,
+    /// The amplitude by the course of the speeds, which hardly knows the error of this one: weights by it do not favour errors of one sign.
+    smooth: f64,
+}
+
+impl Swings {
+    /// The cycles between passages of the bottom.
+    pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
+        let gate = self.gate_height(amplitudes)?;
+        let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |found| found.deviation);
+        let bottoms: Vec<Option<Bottom>> =
+            (0..self.placed.len()).map(|passage| self.bottom(passage, amplitudes, gate, blocked)).collect();
+        let row = |&cycle: &usize| {
+            let [first, between, last] = [0, 1, 2].map(|step| bottoms[cycle + step]);
+            Some(row(cycle, [first?, between?, last?]))
+        };
+        Some(self.cycles.iter().filter_map(row).collect())
+    }
+
+    /// The sine of half the angle of the gate, on the side to which the passages of the first side go, by the unevenness
+    /// of the passages.
+    fn gate_height(&self, amplitudes: &Amplitudes) -> Option<f64> {
+        let height = |&cycle: &usize| {
+            let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_cycle(cycle)?)).ok()?;
+            let outward = 0.5 * self.period(cycle) > self.time(cycle + 1) - self.time(cycle);
+            let first_side = self.placed[cycle].side == 0;
+            let height =
+                modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.time_from_bottom(cycle)).sn;
+            Some(if outward == first_side { height } else { -height })
+        };
+        median(self.cycles.iter().filter_map(height).collect())
+    }
+
+    /// The passage of the bottom beside one of a gate of this height, where times for which it is blocked have this deviation.
+    fn bottom(&self, passage: usize, amplitudes: &Amplitudes, gate: f64, deviation: f64) -> Option<Bottom> {
+        let (own, omega0) = (amplitudes.of_passages[passage]?, amplitudes.omega0);
+        let blocked = self.usual_blocked(passage)?;
+        let from_bottom = amplitudes.from_bottom[passage];
+        let smooth = amplitude(omega0, amplitudes.width, blocked, from_bottom).unwrap_or(own);
+        let sign = if self.placed[passage].side == 0 { -1.0 } else { 1.0 };
+        let from_gate = |of: f64| Some(sign * time_to_gate(of, gate)? / omega0);
+        // sin(A/2) goes with one over the time t: A′ = −2 tan(A/2)/t, and the mean of A is too large by half of A″ times the variance.
+        let (tangent, part) = (libm::tan(0.5 * smooth), deviation / blocked);
+        let excess = tangent * (2.0 + tangent * tangent) * part * part;
+        let noise = 2.0 * tangent * part;
+        // A clock without any scatter would leave nothing to weigh by.
+        let variance = self.timing().map_or(0.0, |timing| timing * timing).max(1e-24);
+        let time = self.time(passage) + from_gate(own)?;
+        Some(Bottom { time, variance, amplitude: own - excess, noise, smooth })
+    }
+
+    /// For how long the gate is blocked, by a line through the logarithms of all times of neighbours.
+    fn usual_blocked(&self, passage: usize) -> Option<f64> {
+        /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line.
+        const NEIGHBOURS: usize = 7;
+        let near = passage.saturating_sub(NEIGHBOURS)..self.placed.len().min(passage + NEIGHBOURS + 1);
+        let point = |k: usize| Some((self.time(k) - self.time(passage), libm::log(self.blocked(k)?)));
+        let points: Vec<(f64, f64)> = near.filter_map(point).collect();
+        let n = count(points.len());
+        let [x, y] =
+            [points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n];
+        let square: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
+        let product: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+        Some(libm::exp(y - x * product / square)).filter(|time| time.is_finite())
+    }
+}
+
+/// ω0 times the time from the bottom to a height, the sine of half an angle.
+fn time_to_gate(amplitude: f64, gate: f64) -> Option<f64> {
+    let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitude)).ok()?;
+    let sine = (gate / modulus.modulus()).clamp(-1.0, 1.0);
+    Some(modulus.incomplete_first(libm::asin(sine)))
+}
+
+/// The cycle between the first and the last of three passages.
+fn row(cycle: usize, bottoms: [Bottom; 3]) -> Row {
+    let half_swing = |k: usize| {
+        let [one, two] = [bottoms[k], bottoms[k + 1]];
+        let noise = 0.5 * libm::hypot(one.noise, two.noise);
+        let smooth = 0.5 * (one.smooth + two.smooth);
+        // What the curvature of the law adds to T/T0 on the mean, as an amplitude.
+        let excess = 0.5 * noise * noise * curvature(smooth) / Law::exact().slope_at(smooth);
+        let value = 0.5 * (one.amplitude + two.amplitude) - excess;
+        let slope = 0.25 * Law::exact().slope_at(smooth);
+        (Side::new(cycle + k, Uncertain { value, uncertainty: noise }), slope)
+    };
+    let [(one, before), (two, after)] = [0, 1].map(half_swing);
+    let ends = [(0, -1.0), (2, 1.0)];
+    let times = ends.map(|(k, of_period)| Share {
+        source: Source::Passage(cycle + k),
+        variance: bottoms[k].variance,
+        of_period,
+        of_ratio: 0.0,
+    });
+    let amplitudes = [before, before + after, after].into_iter().enumerate().map(|(k, of_ratio)| Share {
+        source: Source::Amplitude(cycle + k),
+        variance: bottoms[k].noise * bottoms[k].noise,
+        of_period: 0.0,
+        of_ratio,
+    });
+    let passages = ends.map(|(k, _)| (cycle + k, bottoms[k].variance));
+    let row = Row::new([bottoms[0].time, bottoms[2].time], passages, [one, two]);
+    row.with_errors(times.into_iter().chain(amplitudes).collect())
+}
+
+/// The second derivative of T/T0 with respect to the amplitude.
+fn curvature(amplitude: f64) -> f64 {
+    const STEP: f64 = 1e-2;
+    let slope = |amplitude: f64| Law::exact().slope_at(amplitude);
+    (slope(amplitude * (1.0 + STEP)) - slope(amplitude * (1.0 - STEP))) / (2.0 * STEP * amplitude)
+}

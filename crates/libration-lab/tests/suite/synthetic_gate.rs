@@ -1,0 +1,49 @@
+//! Edges of a photogate that a damped pendulum passes, as the integrator has them.
+
+use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
+
+use crate::random::Random;
+
+/// A pendulum that is released from rest, and a gate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct GateRecord {
+    pub(crate) omega0: f64,
+    /// Of the velocity, per second.
+    pub(crate) damping: f64,
+    pub(crate) release: f64,
+    /// The angle at which it stands.
+    pub(crate) gate: f64,
+    /// Of the bob, as an angle.
+    pub(crate) width: f64,
+    pub(crate) seconds: f64,
+}
+
+impl GateRecord {
+    /// 2π/ω0, as the damping lengthens it.
+    pub(crate) fn t0(&self) -> f64 {
+        std::f64::consts::TAU / libm::sqrt(self.omega0 * self.omega0 - 0.25 * self.damping * self.damping)
+    }
+
+    /// When the bob blocks and frees the gate, and whether it blocks it.
+    pub(crate) fn edges(&self) -> Vec<(f64, bool)> {
+        let (square, damping) = (self.omega0 * self.omega0, self.damping);
+        let equation = format!("theta'' = -{square:e}*sin(theta) - {damping:e}*theta'");
+        let event = |side: f64| Event {
+            formula: format!("theta - ({:e})", self.gate + 0.5 * side * self.width).parse().unwrap(),
+            direction: Direction::Any,
+            ends_at: None,
+        };
+        let system = System::new(&equation.parse().unwrap()).unwrap();
+        let system = system.with_events(&[event(-1.0), event(1.0)]).unwrap();
+        let start = Moment { time: 0.0, state: vec![self.release, 0.0] };
+        let motion = integrate(&system, &start, &[self.seconds], &Effort::to_tolerance(1e-12)).unwrap();
+        // Moving down the upper edge comes first.
+        let blocks = |velocity: f64, event: usize| (event == 1) == (velocity < 0.0);
+        motion.events.iter().map(|found| (found.time, blocks(found.state[1], found.event))).collect()
+    }
+}
+
+/// With normal errors of this standard deviation.
+pub(crate) fn jittered(edges: &[(f64, bool)], jitter: f64, random: &mut Random) -> Vec<(f64, bool)> {
+    edges.iter().map(|&(time, blocked)| (time + jitter * random.normal(), blocked)).collect()
+}
