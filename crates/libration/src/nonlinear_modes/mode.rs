@@ -261,7 +261,7 @@ impl<'a> Family<'a> {
             Err(error) => Ok(Err(error.into())),
             Ok(orbit) => Ok(match self.release(amplitude).refusal(&orbit) {
                 Some(reason) => Err(reason),
-                None => Ok(self.point(amplitude, orbit.as_one_of_a_family())),
+                None => Ok(self.point(amplitude, orbit.one_of_a_family())),
             }),
         }
     }

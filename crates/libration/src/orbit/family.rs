@@ -45,7 +45,7 @@ pub(super) fn through_start(
             return Ok(None);
         }
     }
-    Ok(Some(orbit.as_one_of_a_family()))
+    Ok(Some(orbit.one_of_a_family()))
 }
 
 fn closes(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Option<Orbit>, NoOrbit> {

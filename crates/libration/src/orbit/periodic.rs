@@ -21,7 +21,7 @@ impl Orbit {
 
     /// The orbit as one of a family, in which the start chooses it. In a plane of states both multipliers are then 1 exactly, by how the
     /// neighbours close; found as eigenvalues they are right to half the digits, fewer next to a separatrix.
-    pub(crate) fn as_one_of_a_family(mut self) -> Self {
+    pub(crate) fn one_of_a_family(mut self) -> Self {
         if self.start().len() == 2 {
             self.floquet = self.floquet.map(Floquet::in_a_family_of_a_plane);
         }
