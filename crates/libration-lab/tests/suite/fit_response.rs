@@ -185,7 +185,8 @@ fn amplitudes_and_phases_scatter_each_by_their_own() {
     for of_phase in [0.1, 1.0, 5.0] {
         let fits = unstated_draws(5e-4, |_| of_phase * degree);
         let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
-        let omega: f64 = fits.iter().map(|fit| fit.natural_frequency.deviation_from(5.0).powi(2)).sum();
+        let deviations = fits.iter().map(|fit| fit.natural_frequency.deviation_from(5.0));
+        let omega: f64 = deviations.map(|z| z * z).sum();
         assert!((120.0..256.0).contains(&all) && (33.0..95.0).contains(&omega), "{of_phase}: {all} {omega}");
         let scatter = fits.iter().filter_map(|fit| fit.amplitude_scatter).sum::<f64>() / 60.0;
         assert!((scatter / 5e-4 - 1.0).abs() < 0.1, "{scatter}");
