@@ -83,8 +83,9 @@ impl Swings {
         amplitudes: &Amplitudes,
         watch: &Watch<'_>,
     ) -> Option<BySpeeds> {
-        /// The width is changed by this part of itself to see what follows it; with 1e-2 and 1e-4 nothing changed in 86 records.
-        const STEP: f64 = 1e-3;
+        /// The width is changed by this part of itself to see what follows it. With 1e-3 the rows of a minute of edges with a jitter of 10 µs
+        /// contradict the law by three standard deviations of β, and fluctuations that are then believed in change the weights and the slope.
+        const STEP: f64 = 1e-5;
         let rows = self.rows_by_speeds(amplitudes)?;
         let law = period_law::exact(&rows, watch)?;
         let beta = period_law::beta(&rows, watch).ok();

@@ -6,7 +6,7 @@
 //! H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 //!
 //! All phases count alike. Those of sines through a noisy trace scatter by one over the amplitude, so that their uncertainties are rather too
-//! large; which of both it is, few rows do not tell: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike ten were
+//! large; which of both it is, few rows do not tell: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike about ten were
 //! taken for the other kind, and ω0 was off by 1.28 times as much as said.
 
 use super::search::FoundRow;
