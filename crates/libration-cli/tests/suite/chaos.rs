@@ -136,7 +136,7 @@ fn the_formula_of_a_surface_may_name_parameters() {
     let points = |at: &str| {
         let arguments =
             ["section", "pendulum", "--initial", "theta=1", "--set", "omega0=2", "--at", at, "--points", "2"];
-        ask(&arguments)["points"].clone()
+        ask(&[&arguments[..], &["--json"]].concat())["points"].clone()
     };
     assert_eq!(points("theta - omega0/4"), points("theta - 1/2"));
 }

@@ -158,6 +158,9 @@ pub(super) fn ranges(
     space: Space,
     duration: f64,
 ) -> Vec<[f64; 2]> {
+    /// A step may be longer than a swing and shorter than two: of an oscillator's series, which converge everywhere, it is 4 to 8 radians, and none
+    /// of its quarters has two turning points.
+    const PARTS: u32 = 4;
     let of_coordinate = |coordinate: usize| {
         let even = TAU * f64::from(space.turns_of(coordinate)) / duration;
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -169,14 +172,18 @@ pub(super) fn ranges(
                 Some(velocity) => step.state_at(time)[velocity] - even,
                 None => step.speeds_at(time)[coordinate] - even,
             };
-            let (start, end) = (step.start(), step.end());
-            widen(place(start));
-            widen(place(end));
-            let rises = rate(start) > 0.0;
-            if (rate(end) > 0.0) != rises {
-                let [turn, _] =
-                    bisect([start, end], Tolerance::relative(1e-9), |time| (rate(time) > 0.0) == rises);
-                widen(place(turn));
+            let part = |number: u32| {
+                step.start() + (step.end() - step.start()) * f64::from(number) / f64::from(PARTS)
+            };
+            for [start, end] in (0..PARTS).map(|number| [part(number), part(number + 1)]) {
+                widen(place(start));
+                widen(place(end));
+                let rises = rate(start) > 0.0;
+                if (rate(end) > 0.0) != rises {
+                    let [turn, _] =
+                        bisect([start, end], Tolerance::relative(1e-9), |time| (rate(time) > 0.0) == rises);
+                    widen(place(turn));
+                }
             }
         }
         let [low, high] = range;

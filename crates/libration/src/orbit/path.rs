@@ -131,16 +131,20 @@ pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
 }
 
 fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
-    /// Of the step, in which no series that is followed to the tolerance changes its sign twice: its shortest wave is longer than a step.
+    /// Of the step: a zero at its very beginning was one of the step before.
     const SOON: f64 = 1e-3;
+    /// A step may be longer than half a wave, as that of an oscillator, whose series converge everywhere, with 4 radians; none of its quarters
+    /// is.
+    const PARTS: u32 = 4;
     let (mut before, after) = (step.start(), step.end());
     if value(before) == 0.0 {
         before += SOON * (after - before);
     }
     let sign = value(before);
-    if value(after) * sign > 0.0 {
-        return None;
-    }
-    let [_, after] = bisect([before, after], Tolerance::LAST_BIT, |time| value(time) * sign > 0.0);
-    Some(after)
+    let part = |number: u32| before + (after - before) * f64::from(number) / f64::from(PARTS);
+    let mut parts =
+        (0..PARTS).map(|number| [part(number), if number + 1 < PARTS { part(number + 1) } else { after }]);
+    let [from, to] = parts.find(|[_, to]| value(*to) * sign <= 0.0)?;
+    let [_, zero] = bisect([from, to], Tolerance::LAST_BIT, |time| value(time) * sign > 0.0);
+    Some(zero)
 }

@@ -1,7 +1,8 @@
 //! What a fit of a response says.
 
+use super::found_row::FoundRow;
 use super::required_drive::{AllHarmonics, Asked, Law, RequiredDrive, along};
-use super::search::{Found, FoundRow};
+use super::search::Found;
 use super::table::{ResponseTable, Row};
 use super::{MeasuredAmplitude, ResponseModel};
 use crate::fit::Uncertain;

@@ -29,6 +29,7 @@ mod model;
 mod required_drive;
 mod table;
 
+mod found_row;
 mod scatters;
 mod search;
 mod start;

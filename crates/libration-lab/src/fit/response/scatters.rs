@@ -9,7 +9,7 @@
 //! large; which of both it is, few rows do not tell: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike about ten were
 //! taken for the other kind, and ω0 was off by 1.28 times as much as said.
 
-use super::search::FoundRow;
+use super::found_row::FoundRow;
 use super::table::{ResponseTable, Row};
 use crate::statistics::count;
 

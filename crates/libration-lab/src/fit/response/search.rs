@@ -6,6 +6,7 @@
 //! changes (M. Lybanon, Am. J. Phys. 52, 22 (1984), doi:10.1119/1.13822).
 
 use super::ResponseFitError;
+use super::found_row::FoundRow;
 use super::model::ResponseModel;
 use super::required_drive::{Asked, Law, OneHarmonic, RequiredDrive};
 use super::scatters::Scatters;
@@ -52,23 +53,6 @@ impl Found {
         parameters[1] = parameters[1].max(of_square.sqrt());
         parameters
     }
-}
-
-/// A row under the best parameters.
-#[derive(Clone, Debug)]
-pub(super) struct FoundRow {
-    /// Without its error.
-    pub(super) amplitude: f64,
-    /// What a whole step would make of that.
-    aim: f64,
-    /// How the amplitude of the required drive changes over one standard deviation of that of the answer.
-    pub(super) slope: f64,
-    /// What the curvature adds to it on the average.
-    pub(super) bend: f64,
-    /// In standard deviations: that of the amplitude, and with a phase another.
-    pub(super) residuals: Vec<f64>,
-    /// What part of each the parameters take up.
-    pub(super) leverages: Vec<f64>,
 }
 
 /// A table under a law.
