@@ -158,8 +158,8 @@ pub(super) fn ranges(
     space: Space,
     duration: f64,
 ) -> Vec<[f64; 2]> {
-    /// A step may be longer than a swing and shorter than two: of an oscillator's series, which converge everywhere, it is 4 to 8 radians, and none
-    /// of its quarters has two turning points.
+    /// A step may be longer than from one turning point to the next: of an oscillator, whose series converge everywhere, it is 3 to 5 radians. None
+    /// of its quarters has two of them.
     const PARTS: u32 = 4;
     let of_coordinate = |coordinate: usize| {
         let even = TAU * f64::from(space.turns_of(coordinate)) / duration;
@@ -167,24 +167,28 @@ pub(super) fn ranges(
         let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
         for own in steps {
             let step = own.step();
-            let place = |time: f64| step.state_at(time)[coordinate] - even * time;
-            let rate = |time: f64| match layout.velocity(coordinate) {
-                Some(velocity) => step.state_at(time)[velocity] - even,
-                None => step.speeds_at(time)[coordinate] - even,
+            let at = |time: f64| {
+                let state = step.state_at(time);
+                let speed = match layout.velocity(coordinate) {
+                    Some(velocity) => state[velocity],
+                    None => step.speeds_at(time)[coordinate],
+                };
+                (state[coordinate] - even * time, speed - even > 0.0)
             };
-            let part = |number: u32| {
-                step.start() + (step.end() - step.start()) * f64::from(number) / f64::from(PARTS)
-            };
-            for [start, end] in (0..PARTS).map(|number| [part(number), part(number + 1)]) {
-                widen(place(start));
-                widen(place(end));
-                let rises = rate(start) > 0.0;
-                if (rate(end) > 0.0) != rises {
-                    let [turn, _] =
-                        bisect([start, end], Tolerance::relative(1e-9), |time| (rate(time) > 0.0) == rises);
-                    widen(place(turn));
+            let length = step.end() - step.start();
+            let mut before = (step.start(), at(step.start()));
+            widen(before.1.0);
+            for number in 1..=PARTS {
+                let time = step.start() + length * f64::from(number) / f64::from(PARTS);
+                let (place, rises) = at(time);
+                if rises != before.1.1 {
+                    let is_before = |time: f64| at(time).1 != rises;
+                    let [turn, _] = bisect([before.0, time], Tolerance::relative(1e-9), is_before);
+                    widen(at(turn).0);
                 }
+                before = (time, (place, rises));
             }
+            widen(before.1.0);
         }
         let [low, high] = range;
         if space.mirrored { [low.min(-high), high.max(-low)] } else { range }
