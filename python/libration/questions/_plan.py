@@ -21,8 +21,9 @@ def plan(
 ) -> Answer:
     """Plan a measurement of g: from which amplitude, how many swings, how well the length must be known.
 
-    The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as ``libration fit trace`` does. What they leave
-    open of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+    The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace ``model`` linear` does;
+    without a model the fit does not know the law of damping either, and of few swings states about half as much more. What they leave open of ω0 is
+    the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
 
     Parameters
     ----------
