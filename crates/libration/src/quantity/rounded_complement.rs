@@ -32,14 +32,20 @@ impl RoundedComplement {
         let rounded = Angle::from_radians(angle.radians()).ok()?.complement();
         ((rounded - wanted).abs() > KEPT * wanted).then_some(Self { wanted, rounded })
     }
+
+    /// Whether the upright position itself is meant.
+    #[must_use]
+    pub fn is_upright(&self) -> bool {
+        self.wanted <= 0.0
+    }
 }
 
 impl fmt::Display for RoundedComplement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wanted, rounded } = self;
-        match *wanted > 0.0 {
-            true => write!(f, "{wanted:e} rad from the upright position becomes {rounded:.5e} rad")?,
-            false => write!(f, "the upright position becomes {rounded:.5e} rad beside it")?,
+        match self.is_upright() {
+            true => write!(f, "the upright position becomes {rounded:.5e} rad beside it")?,
+            false => write!(f, "{wanted:e} rad from the upright position becomes {rounded:.5e} rad")?,
         }
         f.write_str(
             " in the state that is integrated, the nearest double: all answers are about the motion from there; of a free pendulum `motion` and `period` keep the distance",
