@@ -96,17 +96,13 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Fa
     text.split(',').filter(|item| !item.trim().is_empty()).map(item).collect()
 }
 
-/// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise. The
-/// upright position itself may be meant as a state of rest.
+/// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise.
 fn say_of_angles(items: &[(&str, &str)], model: &Model) {
     for (_, value) in items.iter().filter(|(name, _)| model.is_angle(name)) {
         super::bare::say(value);
-    }
-    let angles = items.iter().filter(|(name, _)| model.is_angle(name));
-    let rounded =
-        angles.filter_map(|(_, value)| Some((*value, RoundedComplement::of(&value.parse().ok()?)?)));
-    for (value, lost) in rounded.filter(|(_, lost)| !lost.is_upright()) {
-        call::current().note(&format!("{}: {lost}", value.trim()));
+        if let Some(lost) = value.parse().ok().as_ref().and_then(RoundedComplement::of) {
+            call::current().note(&format!("{}: {lost}", value.trim()));
+        }
     }
 }
 

@@ -515,6 +515,47 @@ fn a_spectrum_of_measured_swings() {
     close(line / value(&third["amplitude"]).to_degrees(), 1.0, 0.1);
 }
 
+/// How far a curve leaves the chord from each point to the next but one, in parts of its extent.
+fn farthest_from_chords(curve: &[Place]) -> f64 {
+    let extent = |of: fn(&Place) -> f64| {
+        let (low, high) = curve
+            .iter()
+            .map(of)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    let (width, height) = (extent(|place| place.0), extent(|place| place.1));
+    let far = |three: &[Place]| {
+        let along = |from: usize, to: usize| {
+            ((three[to].0 - three[from].0) / width, (three[to].1 - three[from].1) / height)
+        };
+        let ((x, y), (u, v)) = (along(0, 2), along(0, 1));
+        (x * v - y * u).abs() / x.hypot(y)
+    };
+    curve.windows(3).map(far).fold(0.0, f64::max)
+}
+
+/// It jumps in a fiftieth of its period.
+#[test]
+fn an_orbit_with_jumps_has_no_corners() {
+    let drawing = drawn("orbit|x'' = 8 (1 - x^2) x' - x|--initial|x=0.5", "--figure");
+    let far = farthest_from_chords(&drawing.curves(1, FIRST).concat());
+    assert!(far < 3e-3, "{far}");
+}
+
+#[test]
+fn titles_and_legends_name_what_is_drawn() {
+    let has = |question: &str, text: &str| {
+        let drawing = drawn(question, "--figure");
+        drawing.texts.iter().any(|it| it.content.contains(text))
+    };
+    assert!(has("simulate|lorenz|--initial|x=1,y=1,z=1|--times|0:2:0.1", "Motion of Lorenz's"));
+    let lengths = "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg";
+    assert!(
+        has(lengths, "(L + δ)/g") && has(&format!("{lengths}|--bob-radius|25mm"), "(L + δ + κ/(L + δ))/g")
+    );
+}
+
 #[test]
 fn a_response_of_a_linear_oscillator() {
     // x″ + x′/2 + x = cos ωt answers with 1/√((1 − ω²)² + ω²/4).

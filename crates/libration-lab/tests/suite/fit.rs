@@ -88,6 +88,16 @@ fn the_synthetic_table_gives_its_truth_back() {
 }
 
 #[test]
+fn readings_that_are_all_alike_tell_no_uncertainty() {
+    let warned = |periods_read: &[f64]| {
+        let table = PeriodTable::new(&[0.1; 3], periods_read, Uncertainties::default()).unwrap();
+        let fit = periods(&table, &[], &PeriodsOptions::default()).unwrap();
+        fit.warnings().iter().any(|warning| warning.name() == "rows_without_scatter")
+    };
+    assert!(warned(&[2.004; 3]) && !warned(&[2.004, 2.004, 2.005]));
+}
+
+#[test]
 fn without_uncertainties_scipy_gives_the_same_too() {
     let columns = synthetic_columns();
     let table = PeriodTable::new(&columns[0], &columns[1], Uncertainties::default()).unwrap();

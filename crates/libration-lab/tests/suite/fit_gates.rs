@@ -118,6 +118,21 @@ fn the_amplitude_of_the_release_gives_t0() {
     }
 }
 
+/// Of exactly even times, as simulated ones are, and of three passages.
+#[test]
+fn times_that_do_not_tell_their_scatter_are_said_to() {
+    let even: Vec<f64> = (0..20).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
+    let unknown = |times: &[f64]| {
+        gates(times, None, &GateOptions::default()).unwrap().warnings.contains(&GatesWarning::ScatterUnknown)
+    };
+    assert!(unknown(&even));
+    let mut random = Random::seeded(3);
+    let uneven: Vec<f64> = even.iter().map(|time| time + 1e-4 * random.normal()).collect();
+    assert!(!unknown(&uneven));
+    let few = gates(&uneven[..4], None, &GateOptions::default()).unwrap();
+    assert!(few.timing.is_none() && few.warnings.contains(&GatesWarning::ScatterUnknown), "{few:?}");
+}
+
 #[test]
 fn without_an_amplitude_t0_is_not_known_and_said() {
     let fit = gates(&middles(&edges(0.0, 1e-5)), None, &GateOptions::default()).unwrap();

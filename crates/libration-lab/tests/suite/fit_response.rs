@@ -316,8 +316,8 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
     };
     let linear = [ResponseModel::Linear];
     for (frequencies, amplitudes, words) in [
-        (&[][..], &[][..], "0 rows cannot determine the 3 parameters"),
-        (&[1.0], &[0.1], "1 rows cannot determine"),
+        (&[][..], &[][..], "0 cannot determine the 3 parameters"),
+        (&[1.0], &[0.1], "rows: 1 cannot determine"),
         (&[1.0, 2.0], &[0.1], "the amplitudes have 1 rows, the frequencies 2"),
         (&[1.0, -2.0], &[0.1, 0.1], "row 2: the frequency -2.0 is not a positive number"),
         (&[1.0, f64::NAN], &[0.1, 0.1], "row 2: the frequency NaN"),

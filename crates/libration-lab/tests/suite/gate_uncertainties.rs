@@ -63,6 +63,19 @@ fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
     }
 }
 
+/// Without any jitter the law is all that is left, and its rows scatter by parts in 1e7.
+#[test]
+fn what_amplitudes_by_speeds_leave_out_is_stated() {
+    for release in [0.5, 0.9, 1.5] {
+        for (damping, gate) in [(0.01, 0.0), (0.01, 0.02), (0.03, 0.0), (0.03, 0.02)] {
+            let record = GateRecord { release, damping, gate, ..RECORD };
+            let t0 = fits(&record, 0.0, 1)[0].t0.unwrap();
+            let off = (t0.value - record.t0()).abs();
+            assert!(off < 2.0 * t0.uncertainty, "{release} {damping} {gate}: {off:e} {t0:?}");
+        }
+    }
+}
+
 /// With eight passages, of which no side has five, the scatter was taken to be zero, and T0 was twelve of its uncertainties off.
 #[test]
 fn short_records_are_as_uncertain_as_they_say() {

@@ -62,12 +62,8 @@ impl Orbit {
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }
-        let rounds = Rounds::new(equation, watch)?;
-        let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
-        if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
-            return Ok(orbit);
-        }
-        finished(drifted(equation, &rounds, &guess), watch)
+        let none_asked = |_: &Rounds<'_>, _: f64| Ok(None);
+        Ok(cycle_unless(none_asked, equation, start, watch)?.1)
     }
 
     /// The limit cycle to which a motion without drive settles, or the orbit through the start itself where it is one of a family.
@@ -76,16 +72,28 @@ impl Orbit {
         start: &[f64],
         watch: &Watch<'_>,
     ) -> Result<(OrbitKind, Self), NoOrbit> {
-        let rounds = Rounds::new(equation, watch)?;
-        let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
-        if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
-            return Ok((OrbitKind::LimitCycle, orbit));
-        }
-        let own = OrbitGuess { state: start.to_vec(), period: guess.period };
-        if let Some(orbit) = finished(through_start(equation, &rounds, &own, Family::Asked), watch)? {
-            return Ok((OrbitKind::Family, orbit));
-        }
-        Ok((OrbitKind::LimitCycle, finished(drifted(equation, &rounds, &guess), watch)?))
+        let through = |rounds: &Rounds<'_>, period: f64| {
+            through_start(equation, rounds, &OrbitGuess { state: start.to_vec(), period }, Family::Asked)
+        };
+        cycle_unless(through, equation, start, watch)
+    }
+}
+
+/// The cycle to which a motion settles, unless there is an orbit of a family of about its period.
+fn cycle_unless(
+    family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, NoOrbit>,
+    equation: &Equation,
+    start: &[f64],
+    watch: &Watch<'_>,
+) -> Result<(OrbitKind, Orbit), NoOrbit> {
+    let rounds = Rounds::new(equation, watch)?;
+    let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
+    if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
+        return Ok((OrbitKind::LimitCycle, orbit));
+    }
+    match finished(family(&rounds, guess.period), watch)? {
+        Some(orbit) => Ok((OrbitKind::Family, orbit)),
+        None => Ok((OrbitKind::LimitCycle, finished(drifted(equation, &rounds, &guess), watch)?)),
     }
 }
 

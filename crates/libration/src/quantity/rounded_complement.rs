@@ -23,32 +23,25 @@ pub struct RoundedComplement {
 }
 
 impl RoundedComplement {
-    /// What rounding does to an angle; none where the distance from the upright position keeps twelve digits, as it does below 179.98°. The
+    /// What rounding does to an angle; none of the upright position itself, which may be meant as a state of rest, and where the distance from the upright position keeps twelve digits, as it does below 179.98°. The
     /// logarithm of the distance goes into the period, so that its error is smaller still.
     #[must_use]
     pub fn of(angle: &Angle) -> Option<Self> {
         const KEPT: f64 = 1e-12;
         let wanted = angle.complement();
         let rounded = Angle::from_radians(angle.radians()).ok()?.complement();
-        ((rounded - wanted).abs() > KEPT * wanted).then_some(Self { wanted, rounded })
-    }
-
-    /// Whether the upright position itself is meant.
-    #[must_use]
-    pub fn is_upright(&self) -> bool {
-        self.wanted <= 0.0
+        let is_lost = wanted > 0.0 && (rounded - wanted).abs() > KEPT * wanted;
+        is_lost.then_some(Self { wanted, rounded })
     }
 }
 
 impl fmt::Display for RoundedComplement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wanted, rounded } = self;
-        match self.is_upright() {
-            true => write!(f, "the upright position becomes {rounded:.5e} rad beside it")?,
-            false => write!(f, "{wanted:e} rad from the upright position becomes {rounded:.5e} rad")?,
-        }
-        f.write_str(
-            " in the state that is integrated, the nearest double: all answers are about the motion from there; of a free pendulum `motion` and `period` keep the distance",
+        write!(
+            f,
+            "{wanted:e} rad from the upright position becomes {rounded:.5e} rad in the state that is integrated, the nearest double: all answers \
+             are about the motion from there; of a free pendulum `motion` and `period` keep the distance"
         )
     }
 }

@@ -6,9 +6,10 @@
 use super::amplitudes::Amplitudes;
 use super::speeds::amplitude;
 use super::swings::Swings;
+use super::trend::polynomial;
 use crate::fit::cycles::row::{Row, Share, Side, Source};
 use crate::fit::{Law, Uncertain};
-use crate::statistics::{count, median};
+use crate::statistics::median;
 use libration::elliptic::Modulus;
 
 /// A passage of the bottom.
@@ -76,14 +77,9 @@ impl Swings {
         /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line.
         const NEIGHBOURS: usize = 7;
         let near = passage.saturating_sub(NEIGHBOURS)..self.placed.len().min(passage + NEIGHBOURS + 1);
-        let point = |k: usize| Some((self.time(k) - self.time(passage), libm::log(self.blocked(k)?)));
-        let points: Vec<(f64, f64)> = near.filter_map(point).collect();
-        let n = count(points.len());
-        let [x, y] =
-            [points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n];
-        let square: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
-        let product: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-        Some(libm::exp(y - x * product / square)).filter(|time| time.is_finite())
+        let point = |k: usize| Some((self.time(k), libm::log(self.blocked(k)?)));
+        let (times, logarithms): (Vec<f64>, Vec<f64>) = near.filter_map(point).unzip();
+        Some(libm::exp(polynomial(&times, &logarithms, self.time(passage), 1)?.value))
     }
 }
 

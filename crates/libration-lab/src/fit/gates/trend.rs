@@ -18,8 +18,8 @@ pub(super) fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Opt
     Some(best.with_error(difference))
 }
 
-/// The value of the polynomial at a time, and its uncertainty by the scatter.
-fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<Uncertain> {
+/// The value at a time of a polynomial through values at others, and its uncertainty by the scatter.
+pub(super) fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<Uncertain> {
     let (first, last) = (times.first()?, times.last()?);
     // The basis is in powers of the time since the wanted one, so that the constant is the answer.
     let scale = (last - first).max(f64::MIN_POSITIVE);

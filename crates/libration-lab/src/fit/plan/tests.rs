@@ -99,8 +99,12 @@ fn numbers_that_cannot_be_are_refused() {
         assert!(matches!(plan(&RECORDING, target, &at), Err(PlanError::Number { .. })));
     }
     assert_eq!(plan(&RECORDING, 1e-3, &[]), Err(PlanError::NoAmplitude));
-    let slow = PlannedRecording { rate: 2.0, ..RECORDING };
-    assert!(matches!(plan(&slow, 1e-3, &at), Err(PlanError::FewRows { .. })));
+    let is_too_slow = |rows_in_a_period: f64| {
+        let small_swings = 2.0 * std::f64::consts::PI * (RECORDING.length.value / RECORDING.gravity).sqrt();
+        let slow = PlannedRecording { rate: rows_in_a_period / small_swings, ..RECORDING };
+        matches!(plan(&slow, 1e-3, &at), Err(PlanError::FewRows { .. }))
+    };
+    assert!(is_too_slow(5.9) && !is_too_slow(6.1));
 }
 
 #[test]

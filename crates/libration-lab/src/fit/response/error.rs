@@ -57,7 +57,7 @@ pub enum ResponseFitError {
     },
     /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
     #[error(
-        "{found} rows cannot determine the {parameters} parameters of a {model} response: give at least {needed}"
+        "give at least {needed} rows: {found} cannot determine the {parameters} parameters of a {model} response"
     )]
     TooFewRows {
         /// Rows.
