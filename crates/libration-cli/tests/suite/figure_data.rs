@@ -18,7 +18,8 @@ const LAW: &str = SECOND;
 const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 fn drawn(question: &str, option: &str) -> Drawing {
-    let name: String = question.chars().filter(char::is_ascii_alphanumeric).take(40).collect();
+    let name: String =
+        question.replace(EXAMPLES, "").chars().filter(char::is_ascii_alphanumeric).take(80).collect();
     let file = directory(&format!("data-{name}")).join("figure.svg").display().to_string();
     let words: Vec<&str> = question.split('|').chain([option, &file]).collect();
     let output = crate::command::run(&words);
@@ -550,9 +551,9 @@ fn titles_and_legends_name_what_is_drawn() {
         drawing.texts.iter().any(|it| it.content.contains(text))
     };
     assert!(has("simulate|lorenz|--initial|x=1,y=1,z=1|--times|0:2:0.1", "Motion of Lorenz's"));
-    let lengths = "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg";
+    let lengths = format!("fit|lengths|{EXAMPLES}/lengths_synthetic.csv|--amplitude|10deg");
     assert!(
-        has(lengths, "(L + δ)/g") && has(&format!("{lengths}|--bob-radius|25mm"), "(L + δ + κ/(L + δ))/g")
+        has(&lengths, "(L + δ)/g") && has(&format!("{lengths}|--bob-radius|25mm"), "(L + δ + κ/(L + δ))/g")
     );
 }
 
