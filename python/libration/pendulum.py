@@ -22,6 +22,8 @@ from ._record import Record
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .swing import Swing
+
 __all__ = ["Harmonics", "Motion", "Pendulum", "State"]
 
 
@@ -256,3 +258,16 @@ class Motion:
         ax = _plot.axes(ax, ("t / s", "θ / °"))
         ax.plot(np.ravel(t), np.degrees(np.ravel(self(t).angle)))
         return ax
+
+    def swing(self) -> "Swing":
+        """The pendulum in a notebook, swinging in real time beside the small swings of the same length; it can be dragged to another start.
+
+        Returns
+        -------
+        libration.swing.Swing
+        """
+        try:
+            from .swing import Swing
+        except ImportError as error:
+            raise ImportError("a pendulum in a notebook needs anywidget: pip install 'libration[notebook]'") from error
+        return Swing(self)

@@ -19,8 +19,8 @@ export const PROJECTOR = { width: 1920, height: 1080 };
 
 let browser;
 
-/** A room as a reader sees it; nothing may leave the machine, and nothing may break meanwhile. */
-export async function visit(fragment, use, { viewport = DESK, ...options } = {}) {
+/** A page with nothing in it; nothing may leave the machine, and nothing may break meanwhile. */
+export async function open(use, { viewport = DESK, ...options } = {}) {
   browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
   const context = await browser.newContext({ viewport, ...options });
   const complaints = [];
@@ -29,16 +29,24 @@ export async function visit(fragment, use, { viewport = DESK, ...options } = {})
     return route.abort();
   });
   try {
-    const room = await context.newPage();
-    room.on("pageerror", (error) => complaints.push(`threw ${error.message}`));
-    room.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
-    await room.goto(`${pathToFileURL(page)}#${fragment}`);
-    await settled(room);
-    await use(room);
+    const opened = await context.newPage();
+    opened.on("pageerror", (error) => complaints.push(`threw ${error.message}`));
+    opened.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+    await use(opened);
     assert.deepEqual(complaints, []);
   } finally {
     await context.close();
   }
+}
+
+/** A room as a reader sees it. */
+export function visit(fragment, use, options) {
+  const enter = async (room) => {
+    await room.goto(`${pathToFileURL(page)}#${fragment}`);
+    await settled(room);
+    await use(room);
+  };
+  return open(enter, options);
 }
 
 export async function close() {
