@@ -65,7 +65,8 @@ def exponents():
         {"theta1": angles, "theta2": angles},
         keep=["exponent"],
     )
-    figure, ax = plt.subplots(figsize=(5.6, 4.6))
+    # A dot of the picture for each of 400 × 400.
+    figure, ax = plt.subplots(figsize=(7.2, 6))
     image = ax.imshow(found.exponent.values.T, origin="lower", extent=(-180, 180, -180, 180), cmap="viridis", vmin=0)
     ax.set(xlabel="upper angle at the start / °", ylabel="lower angle at the start / °", xticks=range(-180, 181, 90), yticks=range(-180, 181, 90))
     figure.colorbar(image, label="finite-time Lyapunov exponent / (1/s)")
