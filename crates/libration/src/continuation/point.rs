@@ -167,28 +167,25 @@ pub(super) fn ranges(
         let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
         for own in steps {
             let step = own.step();
-            let at = |time: f64| {
-                let state = step.state_at(time);
-                let speed = match layout.velocity(coordinate) {
-                    Some(velocity) => state[velocity],
-                    None => step.speeds_at(time)[coordinate],
-                };
-                (state[coordinate] - even * time, speed - even > 0.0)
+            let place = |time: f64| step.number_at(coordinate, time) - even * time;
+            let rises = |time: f64| match layout.velocity(coordinate) {
+                Some(velocity) => step.number_at(velocity, time) > even,
+                None => step.speeds_at(time)[coordinate] > even,
             };
             let length = step.end() - step.start();
-            let mut before = (step.start(), at(step.start()));
-            widen(before.1.0);
+            let mut before = (step.start(), rises(step.start()));
+            widen(place(step.start()));
             for number in 1..=PARTS {
                 let time = step.start() + length * f64::from(number) / f64::from(PARTS);
-                let (place, rises) = at(time);
-                if rises != before.1.1 {
-                    let is_before = |time: f64| at(time).1 != rises;
+                let after = (time, rises(time));
+                if after.1 != before.1 {
+                    let is_before = |time: f64| rises(time) != after.1;
                     let [turn, _] = bisect([before.0, time], Tolerance::relative(1e-9), is_before);
-                    widen(at(turn).0);
+                    widen(place(turn));
                 }
-                before = (time, (place, rises));
+                before = after;
             }
-            widen(before.1.0);
+            widen(place(before.0));
         }
         let [low, high] = range;
         if space.mirrored { [low.min(-high), high.max(-low)] } else { range }

@@ -47,6 +47,11 @@ impl Step<'_> {
         dispatch(State { step: self, time })
     }
 
+    /// One number of that state.
+    pub(crate) fn number_at(&self, number: usize, time: f64) -> f64 {
+        dispatch(Number { step: self, number, time })
+    }
+
     #[inline(always)]
     pub(super) fn numbers(&self) -> usize {
         self.low.len() / self.lanes
@@ -77,7 +82,7 @@ impl Step<'_> {
     /// How fast each coordinate changes at a time: its velocity, or the slope of its polynomial where the state has none.
     pub(crate) fn speeds_at(&self, time: f64) -> Vec<f64> {
         let speed = |coordinate: usize| match self.layout.velocity(coordinate) {
-            Some(velocity) => self.component_at(velocity, time).to_f64(),
+            Some(velocity) => self.number_at(velocity, time),
             None => self.slope_at(coordinate, time),
         };
         (0..self.layout.coordinates()).map(speed).collect()
@@ -106,6 +111,22 @@ impl Kernel for State<'_, '_> {
     fn run(self) -> Vec<f64> {
         let Self { step, time } = self;
         (0..step.numbers()).map(|number| step.component_at(number, time).to_f64()).collect()
+    }
+}
+
+/// One number of it.
+struct Number<'s, 'a> {
+    step: &'s Step<'a>,
+    number: usize,
+    time: f64,
+}
+
+impl Kernel for Number<'_, '_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        self.step.component_at(self.number, self.time).to_f64()
     }
 }
 
