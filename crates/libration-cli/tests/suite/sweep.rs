@@ -106,6 +106,28 @@ fn missing_shards_are_named() {
         (&9.into(), &2.into(), &4.into())
     );
     assert!(status["missing"].as_str().unwrap().contains("3/3"));
+    assert_eq!(status["kept"], serde_json::json!(["omega"]));
+}
+
+#[test]
+fn where_nothing_stands_alone_it_has_to_be_chosen() {
+    let place = directory("sweep-lists").join("d");
+    let question = "modes|double_pendulum|--over|m2=1,2";
+    let output = sweep(question, &place, &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("--keep") && message(&output).contains("modes[0].frequency"));
+    assert!(!place.exists());
+    succeeded(&sweep(question, &place, &["--keep", "omega=modes[0].frequency"]));
+}
+
+#[test]
+fn words_that_are_missing_are_no_numbers() {
+    // `system` is null here, and `note` too.
+    let place = directory("sweep-words").join("d");
+    succeeded(&sweep("lyapunov|x'' = -x - {c} x'|--initial|x=1|--over|c=1,2|--time|5", &place, &[]));
+    let status = json(&format!("sweep status {}", place.display()));
+    let kept: Vec<&str> = status["kept"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();
+    assert!(kept.contains(&"exponent") && !kept.contains(&"system"), "{kept:?}");
 }
 
 #[test]

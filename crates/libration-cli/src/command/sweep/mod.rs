@@ -24,7 +24,6 @@ pub(crate) use chunk::outcomes;
 pub(crate) use plan::{Asked, Plan};
 
 use plan::Described;
-use progress::Progress;
 use shard::{Shard, shard};
 use std::io::Write;
 use std::path::PathBuf;
@@ -110,9 +109,7 @@ impl Run {
         let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk }, described)?;
         let store = Store::create(&self.output, plan)?;
         run::run(&store, self.shard.unwrap_or(Shard::WHOLE))?;
-        let question = store.plan.template.0.join(" ");
-        let progress = Progress::of(&[store])?;
-        status::write(out, Form::Table, &(question, progress))
+        status::write(out, Form::Table, &[store])
     }
 }
 

@@ -66,7 +66,7 @@ impl Plan {
         let answer = first_answer(&template, &axes, &grid)?;
         let known = described_in(question);
         let kept = match keep.is_empty() {
-            true => all_numbers(&known, &answer),
+            true => all_numbers(&known, &answer)?,
             false => chosen(keep, &answer)?,
         };
         let kept = named_apart(kept, &axes).into_iter().map(|kept| described(&known, kept)).collect();
@@ -177,9 +177,25 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
     Err(first.unwrap_or_else(|| Failure::NoAnswer("the sweep has no points".to_owned())))
 }
 
-fn all_numbers(known: &[Description], answer: &Value) -> Vec<Kept> {
-    let is_described = |kept: &Kept| known.iter().any(|it| describes(it, &kept.described_as()));
-    kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok()).filter(is_described).collect()
+/// All that stand alone; where there is none, it has to be chosen from the lists. What is null is a number if it has a unit, and else a word.
+fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Failure> {
+    let is_number = |kept: &Kept| {
+        let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
+        let is_of = |it: &&Description| describes(it, &kept.described_as());
+        known.iter().find(is_of).is_some_and(|it| !is_null || !it.unit.is_empty())
+    };
+    let alone = kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok());
+    let alone: Vec<Kept> = alone.filter(is_number).collect();
+    if !alone.is_empty() {
+        return Ok(alone);
+    }
+    let in_lists = known.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
+    let ways: Vec<String> = in_lists.map(|it| it.name.replace("[]", "[0]")).take(3).collect();
+    let reason = format!(
+        "all numbers of these answers stand in lists: say which to keep, such as {}",
+        ways.join(", ")
+    );
+    Err(Failure::usage("--keep", reason))
 }
 
 fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {

@@ -1,7 +1,9 @@
 //! `libration sweep status`: how far a sweep is.
 
 use super::join::opened;
+use super::plan::Plan;
 use super::progress::Progress;
+use super::store::Store;
 use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -25,40 +27,67 @@ pub(crate) struct Status {
 
 impl Status {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let stores = opened(&self.directories)?;
-        let answer = (stores[0].plan.template.0.join(" "), Progress::of(&stores)?);
-        write(out, self.form.form(), &answer)
+        write(out, self.form.form(), &opened(&self.directories)?)
     }
 }
 
-pub(crate) fn write(out: &mut dyn Write, form: Form, answer: &(String, Progress)) -> Result<(), Failure> {
+/// What is asked, and how far it is.
+struct State<'a> {
+    plan: &'a Plan,
+    progress: Progress,
+}
+
+impl State<'_> {
+    fn question(&self) -> String {
+        self.plan.template.0.join(" ")
+    }
+
+    fn kept(&self) -> impl Iterator<Item = &str> {
+        self.plan.kept.iter().map(|it| it.kept.name.as_str())
+    }
+}
+
+/// How far one sweep in several directories is.
+pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), Failure> {
+    let state = State { plan: &stores[0].plan, progress: Progress::of(stores)? };
     let fields = of_status();
     match form {
-        Form::Json => json::document(out, fields.record(answer))?,
-        Form::Csv => fields.write_csv(out, [answer])?,
-        Form::Table => sheet(out, &fields.lines(answer))?,
+        Form::Json => json::document(out, fields.record(&state))?,
+        Form::Csv => fields.write_csv(out, [&state])?,
+        Form::Table => sheet(out, &fields.lines(&state))?,
     }
     Ok(())
 }
 
-fn of_status() -> Fields<(String, Progress)> {
-    type Of = Field<(String, Progress)>;
-    Fields::from([
-        Of::value("question", "", "the question, where {NAME} stands for the value of an axis", |it| {
-            it.0.as_str().into()
+fn of_status<'a>() -> Fields<State<'a>> {
+    type Of<'a> = Field<State<'a>>;
+    let progress = Fields::from([
+        Of::value("chunks", "1", "number of chunks of the sweep", |it| it.progress.chunks.into()),
+        Of::value("chunks_whole", "1", "number of them that are whole", |it| it.progress.done.len().into())
+            .line_of("whole chunks", |it| format!("{} of {}", it.progress.done.len(), it.progress.chunks)),
+        Of::value("points", "1", "number of points of the grid", |it| it.progress.points.into()),
+        Of::value("points_done", "1", "number of points in whole chunks", |it| {
+            it.progress.points_done.into()
         })
-        .line_of("question", |it| it.0.clone()),
-        Of::value("chunks", "1", "number of chunks of the sweep", |it| it.1.chunks.into()),
-        Of::value("chunks_whole", "1", "number of them that are whole", |it| it.1.done.len().into())
-            .line_of("whole chunks", |it| format!("{} of {}", it.1.done.len(), it.1.chunks)),
-        Of::value("points", "1", "number of points of the grid", |it| it.1.points.into()),
-        Of::value("points_done", "1", "number of points in whole chunks", |it| it.1.points_done.into())
-            .line_of("points", |it| format!("{} of {}", it.1.points_done, it.1.points)),
-        Of::value("without_answer", "1", "number of them without an answer", |it| it.1.without_answer.into())
-            .line_of("without an answer", |it| it.1.without_answer.to_string()),
-        Of::value("missing", "", "what is missing, in words, or null", |it| it.1.missing().into())
-            .line_of("missing", |it| it.1.missing().unwrap_or_else(|| "nothing".to_owned())),
-    ])
+        .line_of("points", |it| format!("{} of {}", it.progress.points_done, it.progress.points)),
+        Of::value("without_answer", "1", "number of them without an answer", |it| {
+            it.progress.without_answer.into()
+        })
+        .line_of("without an answer", |it| it.progress.without_answer.to_string()),
+        Of::value("missing", "", "what is missing, in words, or null", |it| it.progress.missing().into())
+            .line_of("missing", |it| it.progress.missing().unwrap_or_else(|| "nothing".to_owned())),
+    ]);
+    let asked = Fields::from([
+        Of::value("question", "", "the question, where {NAME} stands for the value of an axis", |it| {
+            it.question().into()
+        })
+        .line_of("question", State::question),
+        Of::value("kept[]", "", "names of the numbers that are kept of each answer", |it| {
+            json::list(it.kept())
+        })
+        .line_of("kept of each answer", |it| it.kept().collect::<Vec<_>>().join(", ")),
+    ]);
+    asked.and(progress)
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
