@@ -14,6 +14,15 @@ pub(crate) struct InitialOptions {
     initial: Option<String>,
 }
 
+/// What a state is given for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Meant {
+    /// Perhaps a state of rest, which is asked about.
+    Rest,
+    /// Where a motion begins.
+    Motion,
+}
+
 /// The state at the start.
 #[derive(Clone, Debug)]
 pub(crate) struct Initial {
@@ -29,10 +38,16 @@ impl InitialOptions {
         self.initial.is_some()
     }
 
-    /// The state of the model that is meant.
+    /// The state of the model that is meant, perhaps a state of rest.
     pub(crate) fn read(&self, model: &Model) -> Result<Initial, Failure> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
-        Initial::read(text, model)
+        Initial::read(text, model, Meant::Rest)
+    }
+
+    /// The state of the model that a motion begins in.
+    pub(crate) fn read_of_motion(&self, model: &Model) -> Result<Initial, Failure> {
+        let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
+        Initial::read(text, model, Meant::Motion)
     }
 
     /// The state with further names and values, which have reasons of their own not to be one.
@@ -42,7 +57,7 @@ impl InitialOptions {
         model: &Model,
     ) -> Result<Result<Initial, String>, Failure> {
         let own = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
-        say_of_angles(&own, model);
+        say_of_angles(&own, model, Meant::Motion);
         // What is wrong with the option is not the fault of the others.
         Initial::of_values(&own, model).map_err(usage)?;
         match own.is_empty() && values.is_empty() {
@@ -67,14 +82,14 @@ impl SeveralInitialOptions {
         if self.initial.is_empty() {
             return Err(missing(model));
         }
-        self.initial.iter().map(|text| Initial::read(text, model)).collect()
+        self.initial.iter().map(|text| Initial::read(text, model, Meant::Rest)).collect()
     }
 }
 
 impl Initial {
-    fn read(text: &str, model: &Model) -> Result<Self, Failure> {
+    fn read(text: &str, model: &Model, meant: Meant) -> Result<Self, Failure> {
         let items = items(text, model)?;
-        say_of_angles(&items, model);
+        say_of_angles(&items, model, meant);
         Self::of_values(&items, model).map_err(usage)
     }
 
@@ -97,10 +112,12 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Fa
 }
 
 /// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise.
-fn say_of_angles(items: &[(&str, &str)], model: &Model) {
+fn say_of_angles(items: &[(&str, &str)], model: &Model, meant: Meant) {
     for (_, value) in items.iter().filter(|(name, _)| model.is_angle(name)) {
         super::bare::say(value);
-        if let Some(lost) = value.parse().ok().as_ref().and_then(RoundedComplement::of) {
+        let lost = value.parse().ok().as_ref().and_then(RoundedComplement::of);
+        // An answer about the upright state of rest is not another one for the last digit of pi; a motion that begins there falls.
+        if let Some(lost) = lost.filter(|lost| lost.wanted > 0.0 || meant == Meant::Motion) {
             call::current().note(&format!("{}: {lost}", value.trim()));
         }
     }

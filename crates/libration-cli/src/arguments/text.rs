@@ -46,8 +46,8 @@ pub(crate) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
 
 /// A part of one, such as 0.01 or 1%.
 pub(crate) fn part(text: &str) -> Result<f64, String> {
-    let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number, 0.01));
-    let part = number.trim().parse::<f64>().ok().map(|number| number * unit);
+    let (number, unit) = with_percent(text);
+    let part = number.parse::<f64>().ok().map(|number| number * unit);
     part.filter(|part| (0.0..1.0).contains(part))
         .ok_or_else(|| "give a fraction of 1, such as 0.01 or 1%".to_owned())
 }
@@ -69,6 +69,21 @@ pub(crate) fn finite_time(text: &str) -> Result<f64, QuantityError> {
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
     number.ok_or_else(|| "give a finite number above zero, such as 1e-3".to_owned())
+}
+
+/// A fractional error above zero, such as 1e-3 or 0.1%.
+pub(crate) fn fractional_error(text: &str) -> Result<f64, String> {
+    let (number, unit) = with_percent(text);
+    let error = number.parse::<f64>().ok().map(|number| number * unit);
+    error
+        .filter(|error| error.is_finite() && *error > 0.0)
+        .ok_or_else(|| "give a finite number above zero, such as 1e-3 or 0.1%".to_owned())
+}
+
+/// A number as text, and what it is multiplied with.
+fn with_percent(text: &str) -> (&str, f64) {
+    let text = text.trim();
+    text.strip_suffix('%').map_or((text, 1.0), |number| (number.trim_end(), 0.01))
 }
 
 /// A plain number that is zero or above.

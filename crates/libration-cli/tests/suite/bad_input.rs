@@ -1,6 +1,6 @@
 //! Bad input gets a message that names the argument, what was got and what would do.
 
-use crate::command::{libration, message};
+use crate::command::{json, libration, message};
 
 /// Arguments, exit status, parts of the message.
 const CASES: [(&str, i32, &[&str]); 53] = [
@@ -147,6 +147,7 @@ fn starts_that_are_rounded_next_to_the_top_are_told() {
     for (start, told) in [
         ("pi-1e-20", "pi-1e-20: 1e-20 rad from the upright position becomes 1.22465e-16 rad"),
         ("180deg-1e-9deg", "180deg-1e-9deg: 1.7453"),
+        ("180deg", "180deg: the upright position becomes 1.22465e-16 rad from it"),
     ] {
         for question in ["simulate pendulum --times 0", "orbit pendulum"] {
             let output = libration(&format!("{question} --initial theta={start}"));
@@ -160,6 +161,22 @@ fn starts_that_are_rounded_next_to_the_top_are_told() {
         let output = libration(&format!("simulate pendulum --times 0 --initial theta={clear}"));
         assert!(message(&output).is_empty(), "{clear}: {}", message(&output));
     }
+}
+
+#[test]
+fn a_decimal_comma_is_named() {
+    let told = message(&libration("period 60deg --gravity 9,81"));
+    assert!(told.contains("`9,81` has a comma: write it with a decimal point, 9.81"), "{told}");
+    let told = message(&libration("period 200deg"));
+    assert!(told.contains("an amplitude of 3.490658503988659 rad, 200°, is not below pi"), "{told}");
+}
+
+#[test]
+fn tolerances_of_formulas_may_be_percentages() {
+    let [parts, percent] =
+        ["1e-3", "0.1%"].map(|tolerance| json(&format!("formulas --tolerance {tolerance}")));
+    assert_eq!(parts, percent);
+    assert!(!libration("formulas --tolerance 0%").status.success());
 }
 
 #[test]

@@ -672,6 +672,24 @@ fn a_measured_swing_and_its_fit() {
     close(first.1, 60.0 + 1.22, 0.3);
 }
 
+#[test]
+fn traces_of_one_picture_are_named() {
+    let place = directory("data-two-traces");
+    let rows = rows_of("swing");
+    let file = |name: &str, first: usize| {
+        let lines = rows[first..first + 300].iter().map(|row| format!("{},{}\n", row[0], row[1]));
+        let path = place.join(name);
+        fs::write(&path, format!("t (s),theta (deg)\n{}", lines.collect::<String>())).unwrap();
+        path.display().to_string()
+    };
+    let (early, late) = (file("early.csv", 0), file("late.csv", 600));
+    let drawing = drawn(&format!("fit|trace|{early}|{late}|--model|linear"), "--figure");
+    let across: Vec<&str> = drawing.texts.iter().map(|it| it.content.as_str()).collect();
+    for name in ["early.csv", "late.csv"] {
+        assert_eq!(across.iter().filter(|text| text.contains(name)).count(), 1, "{across:?}");
+    }
+}
+
 /// The nome of the modulus sin(θ0/2), by the arithmetic-geometric mean.
 fn nome(amplitude: f64) -> f64 {
     (-PI * period_ratio(PI - amplitude) / period_ratio(amplitude)).exp()

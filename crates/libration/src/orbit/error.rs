@@ -48,6 +48,12 @@ pub enum NoOrbit {
          measure in other units"
     )]
     TooLarge(f64),
+    /// A release where squares of displacements and velocities are at the end of the range of numbers.
+    #[error(
+        "released at {0:?} squares of the displacement and the velocity are below 1e-292, the end of the range of numbers with all \
+         digits: give a larger amplitude, or measure in other units"
+    )]
+    TooSmall(f64),
     /// A release where there is no acceleration.
     #[error("the acceleration has no value at {0:?}: give another amplitude")]
     NoValue(f64),

@@ -119,7 +119,8 @@ pub enum PendulumError {
     },
     /// An amplitude at or beyond the upright position.
     #[error(
-        "an amplitude of {0:?} rad is not below pi: a pendulum released there does not swing; give a smaller angle"
+        "an amplitude of {0:?} rad, {degrees}°, is not below pi: a pendulum released there does not swing; give a smaller angle",
+        degrees = (.0.to_degrees() * 1e6).round() / 1e6
     )]
     AmplitudeBeyondTop(f64),
     /// An energy below that of the pendulum at rest.

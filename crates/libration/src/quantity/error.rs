@@ -46,6 +46,14 @@ pub enum QuantityError {
         /// What it should be.
         dimension: Dimension,
     },
+    /// A decimal comma.
+    #[error("`{text}` has a comma: write it with a decimal point, {with_point}")]
+    DecimalComma {
+        /// The text, shortened.
+        text: String,
+        /// The same with a point.
+        with_point: String,
+    },
     /// A known unit of something else.
     #[error("`{text}` is {found}, not {dimension}: write {}", .dimension.examples())]
     WrongDimension {

@@ -119,6 +119,12 @@ fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static U
     if name.is_empty() {
         return Ok(Unit::si(dimension));
     }
+    if name.strip_prefix(',').is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit())) {
+        return Err(QuantityError::DecimalComma {
+            text: excerpt(text),
+            with_point: excerpt(&text.replacen(',', ".", 1)),
+        });
+    }
     let Some(unit) = Unit::named(name, dimension) else {
         return Err(QuantityError::UnknownUnit { text: excerpt(text), unit: excerpt(name), dimension });
     };

@@ -23,14 +23,14 @@ pub struct RoundedComplement {
 }
 
 impl RoundedComplement {
-    /// What rounding does to an angle; none of the upright position itself, which may be meant as a state of rest, and where the distance from the upright position keeps twelve digits, as it does below 179.98°. The
-    /// logarithm of the distance goes into the period, so that its error is smaller still.
+    /// What rounding does to an angle, the upright position itself included; none where the distance from it keeps twelve digits, as it does below
+    /// 179.98°. The logarithm of the distance goes into the period, so that its error is smaller still.
     #[must_use]
     pub fn of(angle: &Angle) -> Option<Self> {
         const KEPT: f64 = 1e-12;
         let wanted = angle.complement();
         let rounded = Angle::from_radians(angle.radians()).ok()?.complement();
-        let is_lost = wanted > 0.0 && (rounded - wanted).abs() > KEPT * wanted;
+        let is_lost = (rounded - wanted).abs() > KEPT * wanted;
         is_lost.then_some(Self { wanted, rounded })
     }
 }
@@ -38,9 +38,13 @@ impl RoundedComplement {
 impl fmt::Display for RoundedComplement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { wanted, rounded } = self;
+        match *wanted {
+            0.0 => write!(f, "the upright position becomes {rounded:.5e} rad from it")?,
+            _ => write!(f, "{wanted:e} rad from the upright position becomes {rounded:.5e} rad")?,
+        }
         write!(
             f,
-            "{wanted:e} rad from the upright position becomes {rounded:.5e} rad in the state that is integrated, the nearest double: all answers \
+            " in the state that is integrated, the nearest double: all answers \
              are about the motion from there; of a free pendulum `motion` and `period` keep the distance"
         )
     }

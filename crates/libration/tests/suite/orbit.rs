@@ -83,6 +83,23 @@ fn the_purely_cubic_oscillator_has_a_period_in_proportion_to_one_over_the_amplit
 }
 
 #[test]
+fn amplitudes_whose_squares_have_all_digits_have_the_right_orbit_and_smaller_ones_none() {
+    for exponent in (0..=323).step_by(3).chain([145, 146, 147, 154, 161, 162]) {
+        let amplitude: f64 = format!("1e-{exponent}").parse().unwrap();
+        match Orbit::released(&"x'' = -4*x".parse().unwrap(), amplitude) {
+            Ok(orbit) => {
+                assert_within(orbit.period(), PI, orbit.period_uncertainty(), &format!("1e-{exponent}"));
+                assert!(orbit.period_uncertainty() < 1e-13, "1e-{exponent}");
+            }
+            Err(error) => {
+                assert_eq!(error, NoOrbit::TooSmall(amplitude));
+                assert!(exponent > 145, "1e-{exponent}");
+            }
+        }
+    }
+}
+
+#[test]
 fn an_asymmetric_well_has_two_turning_points_and_one_period() {
     let well = "x'' + x + x^2 = 0";
     let above = released(well, 0.1);

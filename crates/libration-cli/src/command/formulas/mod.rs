@@ -23,8 +23,8 @@ pub(crate) struct Formulas {
     /// List only formulas within the tolerance at this amplitude and all smaller ones
     #[arg(long, requires = "tolerance", value_parser = arguments::angle)]
     amplitude: Option<Angle>,
-    /// Largest acceptable fractional error of the period, such as 1e-3
-    #[arg(long, value_parser = arguments::positive)]
+    /// Largest acceptable fractional error of the period, such as 1e-3 or 0.1%
+    #[arg(long, value_parser = arguments::fractional_error)]
     tolerance: Option<f64>,
     /// List the amplitudes at which one formula becomes better than another
     #[arg(long, conflicts_with_all = ["amplitude", "tolerance"])]

@@ -24,15 +24,25 @@ fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
 /// What `--figure` draws: the data of all traces with the motion, and what is left.
 pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let count = answer.measured.traces.len();
-    let pictures: Vec<Picture> =
-        (0..count).map(|trace| draw::whole(&swing(answer, trace), "Swing and fit")).collect();
+    let pictures: Vec<Picture> = (0..count).map(|trace| of_one_of(answer, trace)).collect();
     let aspect =
         pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    let t0 = found("T₀", answer.swings.fit.small_angle_period(), "s");
+    let t0 = found("T₀", answer.swings.small_angle_period(), "s");
     let picture = Picture::new("Swing and fitted motion", panels);
     let damping = format!("damping: {}", answer.swings.fit.damping);
     Picture { aspect, ..picture.with_parameters([t0, damping]) }
+}
+
+/// The data and what is left of one trace, which its axis of time names where there are several.
+fn of_one_of(answer: &Answer<'_>, trace: usize) -> Picture {
+    let mut picture = draw::whole(&swing(answer, trace), "");
+    if answer.measured.traces.len() > 1
+        && let Some(lowest) = picture.panels.last_mut()
+    {
+        lowest.x.label = format!("{} ({})", lowest.x.label, answer.measured.traces[trace].name());
+    }
+    picture
 }
 
 /// The name of a trace, for file names and titles; empty for a trace alone.
@@ -80,7 +90,7 @@ pub(super) fn of_periods(answer: &Answer<'_>) -> Vec<Block> {
     let beta = answer.swings.beta.as_ref().ok().map(|beta| (beta.factor.value, beta.t0.value));
     let caption = "The period of every cycle against its amplitude, with the exact law for the fitted T₀, the constant period of the \
                    small-angle formula, and the law with the fitted β";
-    let picture = draw::periods(&swings, answer.swings.fit.small_angle_period().value, beta);
+    let picture = draw::periods(&swings, answer.swings.small_angle_period().value, beta);
     vec![figure("periods", caption.to_owned(), picture)]
 }
 
