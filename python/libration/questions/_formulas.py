@@ -21,7 +21,7 @@ def formulas(
     amplitude : number or text, optional
         List only formulas within the tolerance at this amplitude and all smaller ones.
     tolerance : number or text, optional
-        Largest acceptable fractional error of the period, such as 1e-3.
+        Largest acceptable fractional error of the period, such as 1e-3 or 0.1%.
     crossovers : bool
         List the amplitudes at which one formula becomes better than another.
     formulas : number or text, or several, optional

@@ -108,15 +108,24 @@ impl<'a> Release<'a> {
     }
 
     fn orbit(&self) -> Result<Orbit, NoOrbit> {
+        if self.is_too_small() {
+            return Err(NoOrbit::TooSmall(self.start));
+        }
         let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
         let doubtful = match &found {
             Ok(orbit) => orbit.period_uncertainty() > TRUSTED * orbit.period(),
-            Err(NoOrbit::TooSmall(_)) => false,
             // Next to a separatrix rounding may lead elsewhere; where energy is lost or won nothing more is learnt.
             Err(_) => self.acceleration.is_free_of_velocity,
         };
         let found = found.and_then(|orbit| self.sure(orbit));
         if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
+    }
+
+    /// Whether squares of the displacement and of the velocity are so small that they are rounded to fewer digits than others, or to zero.
+    fn is_too_small(&self) -> bool {
+        const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+        let force = self.acceleration.at(&[self.start, 0.0]).abs();
+        force > 0.0 && libm::fmax(force * self.start.abs(), force * force) < LEAST
     }
 
     /// The orbit with its uncertainty: what other steps make of it, and what rounding does to an acceleration that is as large as
@@ -229,8 +238,6 @@ impl<'a> Release<'a> {
         /// What has not turned by then goes one way for good: a force that is felt at all turns a motion in the square root of what a
         /// number can hold.
         const FAR: f64 = 1e100;
-        /// Squares below this are rounded to fewer digits than others.
-        const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {
             return Err(NoOrbit::AtRest(vec![start.state[0]]));
@@ -240,9 +247,6 @@ impl<'a> Release<'a> {
                 true => NoOrbit::TooLarge(place),
                 false => NoOrbit::NoValue(place),
             });
-        }
-        if libm::fmax(first * start.state[0].abs(), first * first) < LEAST {
-            return Err(NoOrbit::TooSmall(place));
         }
         let happens = |step: &Step<'_>| sign_change(step, 1);
         // Roots before the quotient, which may be less than any number.

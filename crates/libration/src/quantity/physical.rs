@@ -122,7 +122,7 @@ fn unit_named(name: &str, text: &str, dimension: Dimension) -> Result<&'static U
     if name.strip_prefix(',').is_some_and(|rest| rest.starts_with(|letter: char| letter.is_ascii_digit())) {
         return Err(QuantityError::DecimalComma {
             text: excerpt(text),
-            with_point: excerpt(&text.replacen(',', ".", 1)),
+            with_point: excerpt(&text.replace(',', ".")),
         });
     }
     let Some(unit) = Unit::named(name, dimension) else {

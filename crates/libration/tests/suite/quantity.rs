@@ -64,7 +64,6 @@ fn unreadable_quantities_are_refused_quickly() {
     for text in [
         "",
         "m",
-        "1,2 m",
         "1..2 m",
         "--1 m",
         "+-1 m",
@@ -89,6 +88,18 @@ fn unreadable_quantities_are_refused_quickly() {
         let message = parse(text, Dimension::Length).unwrap_err().to_string();
         assert!(message.contains("write 1m") && message.len() < 300, "{text}: {message}");
     }
+}
+
+#[test]
+fn a_decimal_comma_is_refused_with_the_point_in_its_place() {
+    for (text, with_point) in [("1,2 m", "1.2 m"), ("0,5", "0.5"), ("1,25 ± 0,01 m", "1.25 ± 0.01 m")] {
+        let message = parse(text, Dimension::Length).unwrap_err().to_string();
+        let told =
+            message.contains("has a comma: write it with a decimal point") && message.contains(with_point);
+        assert!(told, "{text}: {message}");
+    }
+    let message = parse("1,m", Dimension::Length).unwrap_err().to_string();
+    assert!(message.contains("write 1m"), "{message}");
 }
 
 #[test]
