@@ -22,12 +22,16 @@ class Table:
     """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
 
     def __init__(self, columns: Any) -> None:
+        if isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read"):
+            raise TypeError(f"got {type(columns).__name__}: give the name of a file as text or as a path, or arrays by names with units")
         if isinstance(columns, np.ndarray) and columns.dtype.names is None:
             raise TypeError('an array has no names of columns: give a file, or arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
         if isinstance(columns, np.ndarray):
             columns = {name: columns[name] for name in columns.dtype.names}
         names = [str(name) for name in columns]
         arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
+        if not names:
+            raise ValueError('there are no columns: give arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
         lengths = {len(array) for array in arrays}
         if len(lengths) != 1 or any(array.ndim != 1 for array in arrays):
             shapes = ", ".join(f"{name}: {array.shape}" for name, array in zip(names, arrays))
@@ -130,6 +134,9 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
             options.append(f"--{parameter.name}")
         else:
             options += [f"--{parameter.name}={text}" for text in texts]
+    if read and "--header" in {f"--{parameter.name}" for parameter in catalogue()[words].parameters}:
+        # The names of columns are no row of numbers, even where they are numbers.
+        inherited = ["--header=present", *(word for word in inherited if not word.startswith("--header="))]
     if len(read) > 1:
         raise ValueError("two tables are given in place of files: save one of them as a file")
     own = {option.split("=")[0] for option in options}

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _plot
+from ._ask import catalogue
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,7 +18,9 @@ def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
     """The picture of an answer."""
     command = answer._asked.command
     if command not in PICTURES:
-        raise TypeError(f"there is no picture of an answer to `{command}`, but of {', '.join(PICTURES)}")
+        drawn = any(parameter.name == "figure" for parameter in catalogue()[command].parameters)
+        instead = "answer.picture() has that of the command" if drawn else f"there are some of {', '.join(PICTURES)}"
+        raise TypeError(f"there is no plot of an answer to `{command}`: {instead}")
     return PICTURES[command](answer, ax)
 
 
@@ -213,10 +216,13 @@ def _simulate(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _fit_trace(answer: Any, ax: "Axes | None") -> "Axes":
     rows = answer.residuals()
     ax = _plot.axes(ax, ("t / s", "θ / °"))
-    for place, trace in enumerate(dict.fromkeys(rows.trace)):
+    traces = list(dict.fromkeys(rows.trace))
+    law = _plot.COLOURS[1] if len(traces) == 1 else "black"
+    for place, trace in enumerate(traces):
         chosen, colour = rows.trace == trace, _plot.COLOURS[place % len(_plot.COLOURS)]
-        ax.plot(rows.time_s[chosen], np.degrees(rows.value[chosen]), linestyle="", marker=".", markersize=3, color=colour, alpha=0.5)
-        ax.plot(rows.time_s[chosen], np.degrees(rows.fitted[chosen]), color=colour, label=trace)
+        label = "measured" if len(traces) == 1 else trace
+        ax.plot(rows.time_s[chosen], np.degrees(rows.fitted[chosen]), color=law, linewidth=1.2, label="fitted")
+        ax.plot(rows.time_s[chosen], np.degrees(rows.value[chosen]), linestyle="", marker=".", markersize=3, color=colour, label=label)
     _plot.legend(ax)
     return ax
 

@@ -176,14 +176,14 @@ class Answer(Fields):
         """The rows, with a column for each number of a state."""
         import pandas
 
-        return pandas.DataFrame(self._columns())
+        return pandas.DataFrame({name: list(it) if it.ndim > 1 else it for name, it in self._columns().items()})
 
     def to_xarray(self) -> "xarray.Dataset":
         """The rows as a dataset over their number; its attributes are the texts and numbers beside them."""
         import xarray
 
         plain = {name: value for name, value in self._fields.items() if isinstance(value, (str, int, float)) and not isinstance(value, bool)}
-        columns = {name: ("row", it) for name, it in self._columns().items()}
+        columns = {name: (("row", *(f"{name}_{axis}" for axis in range(1, it.ndim))), it) for name, it in self._columns().items()}
         return xarray.Dataset(columns, attrs={**plain, "question": self.question})
 
     def _columns(self) -> dict[str, Column]:

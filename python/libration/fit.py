@@ -96,7 +96,10 @@ class Fit(Answer):
         return Rows([{name: cell if name == "trace" else float(cell) for name, cell in line.items()} for line in lines])
 
     def report(self, file: Path) -> None:
-        """Writes a report of a fitted motion with pictures, as .html, or as .md with the pictures beside it."""
+        """Writes a report of a fitted motion with pictures, as .html, or as .md with the pictures beside it.
+
+        The fit is made again for it; ``report=`` of `libration.lab.fit_trace` writes it with the first.
+        """
         self._again([f"--report={file}"])
 
     def _again(self, form: list[str]) -> str:

@@ -184,6 +184,8 @@ def simulate(
     >>> sol.events["theta"].t.round(9).tolist()
     [1.854074677, 5.562224032, 9.270373387]
     """
+    if not isinstance(system, str):
+        raise TypeError(f"system: got {type(system).__name__}: give the name of a system, or its equations as text, such as \"x'' + sin(x) = 0\"")
     wanted = np.atleast_1d(np.asarray(times))
     if wanted.dtype.kind in "USO":
         raise TypeError(f"times: got {times!r}: give a number or an array of numbers, such as numpy.linspace(0, 10, 101)")

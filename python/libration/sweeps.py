@@ -36,7 +36,7 @@ def sweep(
     over: Mapping[str, ArrayLike | Sequence[str] | str],
     store: "str | os.PathLike[str]",
     *,
-    keep: Iterable[str] | Mapping[str, str] = (),
+    keep: str | Iterable[str] | Mapping[str, str] = (),
     chunk: int | None = None,
     client: "distributed.Client | None" = None,
     progress: bool | Tell = False,
@@ -59,7 +59,8 @@ def sweep(
         The directory, such as ``"sweep.zarr"``; one that holds another sweep is refused.
     keep : list of str or dict, optional
         The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent"`` or ``"samples[-1].state[0]"``; a list has a range, such as
-        ``"points[0:100].state[1]"``, and is a further dimension. In a dict by their names. All numbers that stand alone, if nothing is given.
+        ``"points[0:100].state[1]"``, and is a further dimension. In a dict by their names. All numbers that stand alone, if nothing is given;
+        where all stand in lists, some have to be.
     chunk : int, optional
         How many points a chunk has at most; about 256 chunks, if it is not given. What is killed is lost from the beginning of its chunk.
     client : distributed.Client, optional
@@ -93,9 +94,13 @@ def sweep(
     >>> diagram.omega.dims, diagram.omega.shape
     (('A', 'omega_number'), (2, 3))
     """
+    if not over:
+        raise UsageError('over: there is no axis: give one by its name, such as {"amplitude": ["10deg", "20deg"]}')
+    if chunk is not None and chunk < 1:
+        raise UsageError(f"chunk: got {chunk}: give how many points a chunk has at most, 1 or more")
     words = _words(question, given)
     axes = [(str(name), _values(values)) for name, values in over.items()]
-    kept = [f"{name}={way}" for name, way in keep.items()] if isinstance(keep, Mapping) else list(keep)
+    kept = _kept(keep)
     place = Path(os.path.abspath(os.fspath(store)))
     with told(progress, "sweep") as tell:
         try:
@@ -108,6 +113,15 @@ def sweep(
             raise NoAnswer(f"cannot write {place}: {error}; whole chunks are kept, and the same call goes on from there") from error
     _zarr.clear(place)
     return _opened(place)
+
+
+def _kept(keep: str | Iterable[str] | Mapping[str, str]) -> list[str]:
+    if not isinstance(keep, Mapping):
+        return [keep] if isinstance(keep, str) else list(keep)
+    for name in keep:
+        if "/" in name:
+            raise UsageError(f"keep: got the name `{name}`: a name in a store has no `/`")
+    return [f"{name}={way}" for name, way in keep.items()]
 
 
 def _words(question: str | Sequence[str], given: Mapping[str, Any]) -> list[str]:

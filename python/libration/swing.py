@@ -40,19 +40,28 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
     _esm = Path(__file__).with_name("swing.js")
     _css = Path(__file__).with_name("swing.css")
 
-    angle = traitlets.Float(help="At t = 0, in degrees.").tag(sync=True)
-    velocity = traitlets.Float(help="At t = 0, in rad/s.").tag(sync=True)
+    angle = traitlets.CFloat(help="At t = 0, in degrees.").tag(sync=True)
+    velocity = traitlets.CFloat(help="At t = 0, in rad/s.").tag(sync=True)
     caption = traitlets.Unicode(read_only=True, help="The regime of the motion, and its period.").tag(sync=True)
     _course = traitlets.Dict().tag(sync=True)
 
     def __init__(self, motion: Motion) -> None:
-        self.pendulum = motion.pendulum
-        self.motion = motion
+        self._motion = motion
         start = motion(0.0)
         # 60° in radians and back are 60.00000000000001.
         super().__init__(angle=round(float(np.degrees(start.angle)), 12), velocity=float(start.velocity))
         self._show(motion)
         self.observe(self._begin, ["angle", "velocity"])
+
+    @property
+    def motion(self) -> Motion:
+        """What is drawn."""
+        return self._motion
+
+    @property
+    def pendulum(self) -> Pendulum:
+        """Whose motion it is."""
+        return self._motion.pendulum
 
     @traitlets.validate("angle", "velocity")
     def _check(self, proposal: Any) -> float:
@@ -68,7 +77,7 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
         return Motion(self.pendulum, f"{angle!r}deg", velocity)
 
     def _show(self, motion: Motion) -> None:
-        self.motion = motion
+        self._motion = motion
         with self.hold_sync():
             self.set_trait("caption", caption(motion))
             self._course = course(motion)

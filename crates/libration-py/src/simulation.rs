@@ -49,18 +49,23 @@ pub(crate) fn simulate(
     let asked = Asked::new(&question)?;
     let times = times.as_slice()?;
     let patience = Patience::new(progress);
-    let (outcome, dense) = py.detach(|| asked.followed(times, &patience));
+    let Followed { outcome, dense, is_full } = py.detach(|| asked.followed(times, &patience));
     let (solution, cause) = match outcome {
         Ok(solution) => (solution, None),
         Err(IntegrationError::Stopped { cause, solution }) => (*solution, Some(cause)),
         Err(error) => return Err(refusal::<SimulationError>(error)),
     };
-    let reason = cause.filter(|cause| *cause != Cause::Interrupted).map(|cause| {
-        refusal::<SimulationError>(format!(
-            "{cause} at t = {:?}: the motion is known up to there",
-            solution.end.time
-        ))
-    });
+    let end = solution.end.time;
+    let reason = match cause {
+        Some(Cause::Interrupted) if is_full => Some(format!(
+            "{} steps up to t = {end:?} take 2 GB, since the motion is kept for all times between: ask for shorter parts, or \
+             libration.questions.simulate, which keeps the states at the times alone",
+            solution.steps
+        )),
+        Some(Cause::Interrupted) | None => None,
+        Some(cause) => Some(format!("{cause} at t = {end:?}: the motion is known up to there")),
+    };
+    let reason = reason.map(refusal::<SimulationError>);
     Ok((
         NativeSimulation { model: asked.model, start: asked.start.state, solution, dense },
         patience.stopped_by().or(reason),
@@ -91,15 +96,22 @@ impl Asked {
         Ok(Self { model, system, start, effort: Effort::to_tolerance(*tolerance) })
     }
 
-    fn followed(
-        &self,
-        times: &[f64],
-        patience: &Patience,
-    ) -> (Result<Solution, IntegrationError>, [DenseSolution; 2]) {
+    fn followed(&self, times: &[f64], patience: &Patience) -> Followed {
+        /// Bytes that any machine with a notebook has.
+        const MOST: usize = 2_000_000_000;
+        /// Of a step, about: it has as many for each number of the state, and itself and what manages its memory take as much as one.
+        const TERMS: usize = 30;
+        let numbers = TERMS * (self.start.state.len() + 1);
+        let (mut steps, mut is_full) = (0_usize, false);
         let mut dense = [DenseSolution::default(), DenseSolution::default()];
         let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
         let span = first.abs().max(last.abs());
         let watch = |step: &Step<'_>| -> ControlFlow<()> {
+            steps += 1;
+            if steps.saturating_mul(numbers * size_of::<f64>()) > MOST {
+                is_full = true;
+                return ControlFlow::Break(());
+            }
             dense[usize::from(step.end() > step.start())].push(step);
             patience.go_on(progress(step.end().abs(), span))
         };
@@ -108,8 +120,16 @@ impl Asked {
             true => integrate_both_ways(system, start, times, effort, watch),
             false => integrate_watched(system, start, times, effort, watch),
         };
-        (outcome, dense)
+        Followed { outcome, dense, is_full }
     }
+}
+
+/// A motion with its steps, before the start and after it.
+struct Followed {
+    outcome: Result<Solution, IntegrationError>,
+    dense: [DenseSolution; 2],
+    /// Whether it was ended since its steps take too much memory.
+    is_full: bool,
 }
 
 /// Of a thousand parts of the time.

@@ -141,6 +141,12 @@ impl Wanted {
                         self.role
                     ));
                 }
+                None if self.uncertainties_of.is_none() && text.contains(['^', '²', '/']) => {
+                    return Err(format!(
+                        "{place}: `{text}` is not a unit of {}: give a column of periods themselves, in s, ms, us or min",
+                        self.role
+                    ));
+                }
                 _ => (
                     usual,
                     Some(format!("{place} is taken in {usual}: `{text}` is no unit that is known here")),

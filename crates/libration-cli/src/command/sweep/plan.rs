@@ -203,14 +203,16 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
     let kept: Vec<Kept> =
         keep.iter().map(|text| Kept::read(text).map_err(refused)).collect::<Result<_, _>>()?;
     match kept.iter().find(|kept| !kept.is_in(answer)) {
-        Some(missing) => Err(Failure::usage(
-            "--keep",
-            format!(
-                "answers have no `{}`: they have {}, and lists that `libration fields` describes",
-                missing.path,
-                kept::scalars(answer).join(", ")
-            ),
-        )),
+        Some(missing) => {
+            let alone = kept::scalars(answer).into_iter().map(|way| format!("{way}, ")).collect::<String>();
+            let what = format!("{alone}and lists").replace(", and", " and");
+            let what = if alone.is_empty() { "lists" } else { &what };
+            let reason = format!(
+                "answers have no `{}`: they have {what} that `libration fields` describes",
+                missing.path
+            );
+            Err(Failure::usage("--keep", reason))
+        }
         None => Ok(kept),
     }
 }

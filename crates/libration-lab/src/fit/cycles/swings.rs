@@ -186,6 +186,10 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let mut last = None;
     for pair in turns.windows(2).filter(|pair| !over(pair)) {
         let own = centre + whole_turns(f64::midpoint(values[pair[0]], values[pair[1]]));
+        // At the edges of a gap there are turns that are none, perhaps on the same side: nothing passes the centre between them.
+        if (values[pair[0]] > own) == (values[pair[1]] > own) {
+            continue;
+        }
         match stretches.last_mut() {
             Some(stretch) if last == Some(pair[0]) && (stretch.centre - own).abs() < 1.0 => {
                 stretch.turns.push(pair[1]);
@@ -277,6 +281,23 @@ mod tests {
         let centres: Vec<f64> = swings.stretches.iter().map(|stretch| stretch.centre).collect();
         assert!(centres.len() >= 2 && centres[0].abs() < 0.05, "{centres:?}");
         assert!((centres[centres.len() - 1] - TAU).abs() < 0.05, "{centres:?}");
+    }
+
+    #[test]
+    fn a_gap_whose_edges_look_like_turns_parts_two_stretches() {
+        // From a little above the centre, falling, to a little above it, rising: the lowest row is on the side of the highest ones.
+        let phase = |row: u32| f64::from(row) * 0.1;
+        let rows: Vec<u32> = (0..400).filter(|&row| !(140..174).contains(&row)).collect();
+        let times: Vec<f64> = rows.iter().map(|&row| phase(row)).collect();
+        let values: Vec<f64> = times.iter().map(|&t| libm::cos(t)).collect();
+        let trace = Trace::new("gap", Observable::Angle, times, values, None).unwrap();
+        let swings = swings(&trace).unwrap();
+        assert_eq!(swings.stretches.len(), 2, "{:?}", swings.stretches);
+        let sides = |stretch: &Stretch| {
+            let above = |row: &usize| trace.values()[*row] > stretch.centre;
+            stretch.turns.iter().map(above).collect::<Vec<bool>>()
+        };
+        assert!(swings.stretches.iter().all(|it| sides(it).windows(2).all(|pair| pair[0] != pair[1])));
     }
 
     #[test]

@@ -34,20 +34,29 @@ impl Grid {
         if size > self.limit { Err(MeasurementError::TooLarge { size, limit: self.limit }) } else { Ok(()) }
     }
 
-    /// The text; a cell that was added twice is what it was first.
+    /// The text; a cell that was added twice is what it was first. Files leave out blank cells: rows that begin with a number are all as long as
+    /// the longest of them.
     pub(super) fn into_text(mut self) -> Result<String, MeasurementError> {
         self.cells.sort_by_key(|(row, column, _)| (*row, *column));
         self.cells.dedup_by_key(|(row, column, _)| (*row, *column));
+        let rows = || self.cells.chunk_by(|one, next| one.0 == next.0);
+        let is_of_numbers = |row: &[(u32, u32, String)]| row[0].2.parse::<f64>().is_ok();
+        let ends = rows().filter(|row| is_of_numbers(row)).map(|row| row[row.len() - 1].1);
+        let last = ends.max().unwrap_or(0);
         let mut text = String::new();
-        let (mut at_row, mut at_column) = (0, 0);
-        for (row, column, cell) in &self.cells {
-            if *row > at_row {
-                self.repeat(&mut text, '\n', *row - at_row)?;
-                (at_row, at_column) = (*row, 0);
+        let mut at_row = 0;
+        for row in rows() {
+            self.repeat(&mut text, '\n', row[0].0 - at_row)?;
+            at_row = row[0].0;
+            let mut at_column = 0;
+            for (_, column, cell) in row {
+                self.repeat(&mut text, '\t', *column - at_column)?;
+                at_column = *column;
+                text.push_str(cell);
             }
-            self.repeat(&mut text, '\t', *column - at_column)?;
-            at_column = *column;
-            text.push_str(cell);
+            if is_of_numbers(row) {
+                self.repeat(&mut text, '\t', last - at_column)?;
+            }
         }
         Ok(text)
     }
@@ -70,6 +79,12 @@ mod tests {
         grid.number(2, 1, -0.25).unwrap();
         grid.text(0, 0, "a\tb").unwrap();
         assert_eq!(grid.into_text().unwrap(), "a b\n\n\t-0.25");
+        let mut blank = Grid::new(1000);
+        blank.text(0, 0, "of Monday").unwrap();
+        for (row, column) in [(1, 0), (1, 1), (2, 0), (3, 1)] {
+            blank.number(row, column, 0.5).unwrap();
+        }
+        assert_eq!(blank.into_text().unwrap(), "of Monday\n0.5\t0.5\n0.5\t\n\t0.5");
         let mut far = Grid::new(1000);
         far.number(0, 2000, 1.0).unwrap();
         assert!(far.into_text().is_err());
