@@ -121,7 +121,7 @@ def test_all_pictures_are_tested():
 
 
 def test_what_has_no_picture_says_so():
-    with pytest.raises(TypeError, match="no picture of an answer to `systems`, but of period, motion"):
+    with pytest.raises(TypeError, match="no plot of an answer to `systems`: there are some of period, motion"):
         lb.systems("lorenz").plot()
 
 
@@ -158,3 +158,17 @@ def test_progress_is_told_in_words():
     with pytest.raises(RuntimeError, match="enough"):
         lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=10_000_000, skip=1, progress=tell)
     assert len(told) == 2 and all("point" in it for it in told)
+
+
+def test_columns_of_lists_go_to_pandas_and_xarray():
+    pytest.importorskip("pandas")
+    xarray = pytest.importorskip("xarray")
+    modes = lb.modes("double_pendulum")
+    assert modes.to_pandas()["shape"].tolist()[0].tolist() == modes["modes"][0]["shape"]
+    assert isinstance(modes.to_xarray(), xarray.Dataset) and modes.to_xarray()["shape"].dims == ("row", "shape_1")
+
+
+def test_what_the_command_draws_is_said_to_be_there():
+    table = {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}
+    with pytest.raises(TypeError, match=r"picture\(\) has that of the command"):
+        lb.lab.fit_periods(table).plot()

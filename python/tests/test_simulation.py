@@ -165,3 +165,16 @@ def test_other_types_are_refused():
         PENDULUM(1j)
     with pytest.raises(KeyError, match="it has theta, theta'"):
         PENDULUM["phi"]
+
+
+def test_a_function_in_the_place_of_equations_is_refused():
+    with pytest.raises(TypeError, match="give the name of a system, or its equations as text"):
+        lb.simulate(lambda t, y: y, {"x": 1}, times=1)
+
+
+def test_a_motion_that_is_too_long_to_be_kept_ends_with_its_beginning():
+    # Equations of many coordinates, of which 1 GB is reached soon.
+    chain = "x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..256"
+    with pytest.raises(lb.errors.SimulationError, match="take 1 GB") as stopped:
+        lb.simulate(chain, {"x[1]": 1}, times=1e9)
+    assert stopped.value.partial.end > 1000

@@ -233,3 +233,17 @@ def test_a_cluster_that_is_killed_leaves_the_same_store(victim: str, tmp_path: P
 def test_plans_go_to_workers() -> None:
     plan = lb._plan.Plan(lb._native.sweep_plan(["period"], [("amplitude", ["0.5", "1.0"])], [], None))
     assert pickle.loads(pickle.dumps(plan)) == plan
+
+
+def test_what_is_kept_and_where_is_checked(tmp_path: Path) -> None:
+    question, over = "modes double_pendulum", {"m2": [1, 2]}
+    for keywords, told in [
+        ({"over": {}}, "there is no axis"),
+        ({"over": over, "chunk": 0}, "1 or more"),
+        ({"over": over, "keep": {"a/b": "modes[0].frequency"}}, "has no `/`"),
+        ({"over": over}, "all numbers of these answers stand in lists"),
+        ({"over": over, "keep": ["modes[0].freq"]}, "they have lists that"),
+    ]:
+        with pytest.raises(lb.errors.UsageError, match=told):
+            lb.sweep(question, store=tmp_path / "s.zarr", **keywords)
+    assert lb.sweep(question, over, tmp_path / "s.zarr", keep="omega=modes[0].frequency").omega.shape == (2,)

@@ -70,3 +70,12 @@ def test_it_shows_itself():
     assert "application/vnd.jupyter.widget-view+json" in bundle
     assert repr(swing) == f"Swing({swing.motion!r})"
     assert "export default { render }" in swing._esm and ".libration-swing" in swing._css
+
+
+def test_numbers_of_any_kind_are_starts():
+    swing = PENDULUM.release("60deg").swing()
+    for value in (np.float64(20), np.int64(20), np.float32(20), 20):
+        swing.angle = value
+        assert swing.motion == lb.Motion(PENDULUM, "20.0deg")
+    with pytest.raises(AttributeError):
+        swing.motion = PENDULUM.release("90deg")

@@ -58,7 +58,7 @@ pub(crate) fn simulate(
     let end = solution.end.time;
     let reason = match cause {
         Some(Cause::Interrupted) if is_full => Some(format!(
-            "{} steps up to t = {end:?} take 2 GB, since the motion is kept for all times between: ask for shorter parts, or \
+            "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: ask for shorter parts, or \
              libration.questions.simulate, which keeps the states at the times alone",
             solution.steps
         )),
@@ -98,7 +98,7 @@ impl Asked {
 
     fn followed(&self, times: &[f64], patience: &Patience) -> Followed {
         /// Bytes that any machine with a notebook has.
-        const MOST: usize = 2_000_000_000;
+        const MOST: usize = 1_000_000_000;
         /// Of a step, about: it has as many for each number of the state, and itself and what manages its memory take as much as one.
         const TERMS: usize = 30;
         let numbers = TERMS * (self.start.state.len() + 1);
