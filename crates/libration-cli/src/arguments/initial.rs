@@ -38,16 +38,16 @@ impl InitialOptions {
         self.initial.is_some()
     }
 
-    /// The state of the model that is meant, perhaps a state of rest.
+    /// The state of the model that a motion begins in.
     pub(crate) fn read(&self, model: &Model) -> Result<Initial, Failure> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
-        Initial::read(text, model, Meant::Rest)
+        Initial::read(text, model, Meant::Motion)
     }
 
-    /// The state of the model that a motion begins in.
-    pub(crate) fn read_of_motion(&self, model: &Model) -> Result<Initial, Failure> {
+    /// The state of the model that is asked about, perhaps a state of rest.
+    pub(crate) fn read_at_rest(&self, model: &Model) -> Result<Initial, Failure> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
-        Initial::read(text, model, Meant::Motion)
+        Initial::read(text, model, Meant::Rest)
     }
 
     /// The state with further names and values, which have reasons of their own not to be one.
@@ -82,7 +82,7 @@ impl SeveralInitialOptions {
         if self.initial.is_empty() {
             return Err(missing(model));
         }
-        self.initial.iter().map(|text| Initial::read(text, model, Meant::Rest)).collect()
+        self.initial.iter().map(|text| Initial::read(text, model, Meant::Motion)).collect()
     }
 }
 

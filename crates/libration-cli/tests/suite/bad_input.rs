@@ -149,7 +149,9 @@ fn starts_that_are_rounded_next_to_the_top_are_told() {
         ("180deg-1e-9deg", "180deg-1e-9deg: 1.7453"),
         ("180deg", "180deg: the upright position becomes 1.22465e-16 rad from it"),
     ] {
-        for question in ["simulate pendulum --times 0", "orbit pendulum"] {
+        for question in
+            ["simulate pendulum --times 0", "orbit pendulum", "section pendulum --at theta --points 1"]
+        {
             let output = libration(&format!("{question} --initial theta={start}"));
             assert_eq!(message(&output).matches(told).count(), 1, "{question}: {}", message(&output));
         }

@@ -100,7 +100,7 @@ impl OrbitQuestion {
         let driven = drive_period(model.equation());
         let start = match (self.initial.is_given(), driven) {
             (false, Some(_)) => model.state_at_rest(),
-            _ => self.initial.read_of_motion(model)?.state,
+            _ => self.initial.read(model)?.state,
         };
         let period = self.period.or(driven.map(|period| number(self.drive_periods) * period));
         if driven.is_none() && self.drive_periods > 1 {

@@ -160,7 +160,7 @@ impl ResponseQuestion {
     }
 
     fn response(&self, model: &Model, coordinate: usize) -> Result<Response, Failure> {
-        let start = self.initial.is_given().then(|| self.initial.read(model)).transpose()?;
+        let start = self.initial.is_given().then(|| self.initial.read_at_rest(model)).transpose()?;
         let options = ResponseOptions {
             start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
             drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),

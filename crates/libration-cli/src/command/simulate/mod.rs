@@ -145,13 +145,13 @@ impl Simulate {
             observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
         self.refuse_beside_sensitivities()?;
         let sensitivities = arguments::sensitivities(&self.sensitivity, &self.system.given()?, &model)?;
-        let asked = self.initial.is_given().then(|| self.initial.read_of_motion(&model)).transpose()?;
+        let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
         let (initial, earlier) = match &self.resume {
             Some(path) => {
                 let earlier = Earlier::find(path, &self.question(&model, &watched, vec![]), &self.times)?;
                 (earlier.initial(asked)?, Some(earlier))
             }
-            None => (asked.map_or_else(|| self.initial.read_of_motion(&model), Ok)?, None),
+            None => (asked.map_or_else(|| self.initial.read(&model), Ok)?, None),
         };
         let motion = SimulatedMotion {
             model: &model,

@@ -181,8 +181,7 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
 fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Failure> {
     let is_number = |kept: &Kept| {
         let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
-        let is_of = |it: &&Description| describes(it, &kept.described_as());
-        known.iter().find(is_of).is_some_and(|it| !is_null || !it.unit.is_empty())
+        description_of(known, kept).is_some_and(|it| !is_null || !it.unit.is_empty())
     };
     let alone = kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok());
     let alone: Vec<Kept> = alone.filter(is_number).collect();
@@ -204,13 +203,9 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
         keep.iter().map(|text| Kept::read(text).map_err(refused)).collect::<Result<_, _>>()?;
     match kept.iter().find(|kept| !kept.is_in(answer)) {
         Some(missing) => {
-            let alone = kept::scalars(answer).into_iter().map(|way| format!("{way}, ")).collect::<String>();
-            let what = format!("{alone}and lists").replace(", and", " and");
-            let what = if alone.is_empty() { "lists" } else { &what };
-            let reason = format!(
-                "answers have no `{}`: they have {what} that `libration fields` describes",
-                missing.path
-            );
+            let lists = "lists that `libration fields` describes".to_owned();
+            let what: Vec<String> = kept::scalars(answer).into_iter().chain([lists]).collect();
+            let reason = format!("answers have no `{}`: they have {}", missing.path, what.join(", "));
             Err(Failure::usage("--keep", reason))
         }
         None => Ok(kept),
@@ -232,10 +227,13 @@ fn named_apart(kept: Vec<Kept>, axes: &[Axis]) -> Vec<Kept> {
 }
 
 fn described(known: &[Description], kept: Kept) -> KeptField {
-    let way = kept.described_as();
-    let known = known.iter().find(|it| describes(it, &way));
-    let (unit, meaning) = known.map_or(("", ""), |it| (it.unit, it.meaning));
+    let (unit, meaning) = description_of(known, &kept).map_or(("", ""), |it| (it.unit, it.meaning));
     KeptField { kept, unit: unit.to_owned(), meaning: meaning.to_owned() }
+}
+
+fn description_of<'a>(known: &'a [Description], kept: &Kept) -> Option<&'a Description> {
+    let way = kept.described_as();
+    known.iter().find(|it| describes(it, &way))
 }
 
 /// Whether a description is that of the field at a place; capitals stand for any name.
