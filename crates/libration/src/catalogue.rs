@@ -39,7 +39,6 @@ pub fn is_like_a_key(text: &str) -> bool {
 
 /// A parameter of a named equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedParameter {
     /// Its name in the equations.
     pub name: &'static str,

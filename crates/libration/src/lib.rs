@@ -66,9 +66,6 @@
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //!
-//! With the feature `serde`, which is off by default, answers implement `serde::Serialize`: exact numbers, formulas and equations as
-//! the text that reads back, angles as radians beside their complement, failures as `{"error": …}`.
-//!
 //! The library reads no files, prints nothing and knows no clock. Functions of numbers return NaN outside
 //! their documented domain; constructors check their arguments once and return an error that says what was
 //! got and what would do. Results are the same bits on every platform, and each batch equals its own scalar
@@ -127,6 +124,3 @@ mod dispatch;
 
 mod fused;
 pub use fused::rounds_once;
-
-#[cfg(feature = "serde")]
-pub mod serialize;

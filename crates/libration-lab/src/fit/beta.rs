@@ -7,7 +7,6 @@ use super::uncertain::Uncertain;
 
 /// β, with the period of small swings that goes with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Beta {
     /// β, the factor on the law's excess R − 1: 1 is the law, 0 a constant period.
     pub factor: Uncertain,

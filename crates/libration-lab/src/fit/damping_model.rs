@@ -120,14 +120,6 @@ impl FromStr for DampingModel {
     }
 }
 
-/// As its name, such as `dry+quadratic`.
-#[cfg(feature = "serde")]
-impl serde::Serialize for DampingModel {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

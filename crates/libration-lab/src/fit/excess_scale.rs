@@ -11,7 +11,6 @@ use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 
 /// β with T0 left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExcessScaleFit {
     /// With uncertainties from those of the rows, [enlarged](Scatter) where they scatter more; without them from the scatter.
     pub beta: Beta,

@@ -15,7 +15,6 @@ pub struct Uncertainties<'a> {
 
 /// Where the weights of the rows come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Weighting {
     /// The uncertainties of periods and amplitudes, together the effective variance.
     PeriodsAndAmplitudes,
@@ -41,7 +40,6 @@ impl fmt::Display for Weighting {
 
 /// Rows of amplitude and period that a fit can use.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PeriodTable {
     pub(super) rows: Vec<Row>,
     weighting: Weighting,
@@ -49,7 +47,6 @@ pub struct PeriodTable {
 
 /// One measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub(super) struct Row {
     pub(super) amplitude: f64,
     pub(super) period: f64,

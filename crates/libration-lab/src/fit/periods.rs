@@ -19,7 +19,6 @@ pub struct PeriodsOptions {
 
 /// What a table of periods says.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PeriodFit {
     /// The rows that were fitted.
     pub table: PeriodTable,
@@ -33,10 +32,8 @@ pub struct PeriodFit {
     /// T0 under the constant period.
     pub constant: LawFit,
     /// T0 under each other law, or why there is none.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::named_outcomes"))]
     pub others: Vec<(String, Result<LawFit, FitError>)>,
     /// The test of the exact law, or why there is none.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::outcome"))]
     pub beta: Result<ExcessScaleFit, FitError>,
 }
 

@@ -19,7 +19,6 @@ const BY_CHANCE: f64 = 0.01;
 
 /// How rows scatter beside their stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ScatterVerdict {
     /// Chance explains the difference.
     AsStated,
@@ -31,7 +30,6 @@ pub enum ScatterVerdict {
 
 /// The Birge ratio that an uncertainty has been multiplied by, and why it is above one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Enlargement {
     /// The rows scatter by more than chance explains.
     ByScatter(f64),
@@ -57,7 +55,6 @@ impl fmt::Display for Enlargement {
 /// What a reader should know of rows whose scatter chance does not explain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ScatterWarning {
     /// They scatter more than stated: of right uncertainties one table in a hundred does.
     More {
@@ -110,7 +107,6 @@ impl fmt::Display for ScatterWarning {
 
 /// The scatter of rows about a law, in units of their stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scatter {
     chi2: f64,
     dof: usize,

@@ -9,7 +9,6 @@ use nalgebra::{DMatrix, DVector};
 
 /// T0 under one law.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LawFit {
     /// Of the law.
     pub key: String,

@@ -14,7 +14,6 @@ use libration::quantity::{Quantity, with_uncertainty};
 /// assert!((t0.deviation_from(2.0) - 27.87).abs() < 0.01);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uncertain {
     /// The estimate.
     pub value: f64,

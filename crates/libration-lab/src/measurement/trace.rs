@@ -27,7 +27,6 @@ pub enum TraceError {
 
 /// What the numbers of a trace are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Observable {
     /// The angle, in radians; where it is zero is not known.
     Angle,

@@ -3,10 +3,10 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;
 
-use dashu::base::BitTest;
-use dashu::float::FBig;
-use dashu::float::round::mode::HalfEven;
-use dashu::integer::{IBig, UBig};
+use dashu_base::BitTest;
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+use dashu_int::{IBig, UBig};
 
 use super::Rational;
 use crate::double_double::DoubleDouble;

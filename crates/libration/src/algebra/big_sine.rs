@@ -3,7 +3,7 @@
 //! Taylor's series in integers, in units of 2^−(precision + guard): for small angles a fraction of the cost of a reduction to a
 //! quadrant for each.
 
-use dashu::integer::IBig;
+use dashu_int::IBig;
 
 use super::BigFloat;
 

@@ -1,7 +1,7 @@
 //! Power series of fractions over one denominator: one greatest common divisor for a series, not one for each coefficient.
 
-use dashu::base::{Gcd, UnsignedAbs};
-use dashu::integer::{IBig, UBig};
+use dashu_base::{Gcd, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 
 use super::{Rational, product};
 

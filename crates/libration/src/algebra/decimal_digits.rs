@@ -1,7 +1,7 @@
 //! Fractions written with some decimal digits.
 
-use dashu::base::BitTest;
-use dashu::integer::{IBig, UBig};
+use dashu_base::BitTest;
+use dashu_int::{IBig, UBig};
 
 use super::Rational;
 

@@ -1,7 +1,7 @@
 //! Denominators that grow from order to order, so that few of them have to be found.
 
-use dashu::base::{BitTest, DivRem, Gcd, UnsignedAbs};
-use dashu::integer::{IBig, UBig};
+use dashu_base::{BitTest, DivRem, Gcd, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 
 use super::Rational;
 use super::mixed_radix::{CONFIRMING_PRIMES, MixedRadix};

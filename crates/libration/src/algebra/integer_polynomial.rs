@@ -1,7 +1,7 @@
 //! The product of polynomials with integer coefficients, as one product of two large integers.
 
-use dashu::base::{BitTest, Sign, UnsignedAbs};
-use dashu::integer::{IBig, UBig};
+use dashu_base::{BitTest, Sign, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 
 /// The product of two polynomials with integer coefficients, constant term first, by Kronecker substitution:
 /// both are evaluated at a power of two so large that the coefficients of the product cannot overlap.

@@ -1,6 +1,6 @@
 //! Integers from their residues modulo many primes, several integers at once.
 
-use dashu::integer::{IBig, UBig};
+use dashu_int::{IBig, UBig};
 
 use super::PrimeField;
 use super::prime_fields::{LANES, PRODUCTS, Residues, Sums};

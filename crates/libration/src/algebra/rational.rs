@@ -4,9 +4,9 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::str::FromStr;
 
-use dashu::base::{Approximation, BitTest, Sign};
-use dashu::integer::{IBig, UBig};
-use dashu::rational::RBig;
+use dashu_base::{Approximation, BitTest, Sign};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 /// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
 ///

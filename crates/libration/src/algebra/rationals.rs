@@ -1,7 +1,7 @@
 //! The field of fractions as a ring of coefficients.
 
-use dashu::base::{DivRem, Gcd};
-use dashu::integer::{IBig, UBig};
+use dashu_base::{DivRem, Gcd};
+use dashu_int::{IBig, UBig};
 
 use super::common_denominator::{OverCommon, composition};
 use super::{Function, Rational, Ring};

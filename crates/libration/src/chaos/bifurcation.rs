@@ -32,7 +32,6 @@ pub enum Continuation {
 
 /// The section for one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DiagramColumn {
     /// The value.
     pub value: f64,

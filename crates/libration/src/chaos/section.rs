@@ -51,7 +51,6 @@ impl Section {
 
 /// How many points of a section are skipped before the first that is recorded, and how many are recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Points {
     /// The transient.
     pub skipped: usize,
@@ -61,7 +60,6 @@ pub struct Points {
 
 /// The points of a section, as far as the motion came.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PoincareSection {
     /// Times and states.
     pub points: Vec<Moment>,
@@ -72,7 +70,6 @@ pub struct PoincareSection {
 /// Why a section has fewer points than were asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum SectionEnding {
     /// The integration stopped, or was interrupted.
     #[error("{0}")]

@@ -66,7 +66,6 @@ pub(super) fn has_jumps(equation: &Equation) -> bool {
 
 /// Why no motion of a system can be chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Theorem {
     /// One coordinate without the time, or several that know nothing of each other, or two whose equations are of the first order: in a
     /// plane bounded motions tend to equilibria and periodic motions (Poincaré and Bendixson).

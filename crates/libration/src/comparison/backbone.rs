@@ -78,23 +78,19 @@ pub enum NoBackbone {
 
 /// The frequencies at one amplitude, in radians a unit of time.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BackbonePoint {
     /// The largest displacement above the centre.
     pub amplitude: f64,
     /// By an orbit.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::serialize::outcome"))]
     pub orbit: Result<OrbitFrequency, NoOrbit>,
     /// By the perturbation series, where there is one.
     pub series: Option<SeriesFrequency>,
     /// By elliptic integrals, or why there is none; `None` for all but the pendulum.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::serialize::optional_outcome"))]
     pub exact: Option<Result<ExactValue, NoExactValue>>,
 }
 
 /// The frequency of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OrbitFrequency {
     /// 2π over the period.
     pub frequency: f64,
@@ -108,7 +104,6 @@ pub struct OrbitFrequency {
 
 /// The frequency of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SeriesFrequency {
     /// The sum of all its terms.
     pub frequency: f64,

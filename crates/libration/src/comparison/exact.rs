@@ -15,7 +15,6 @@ use std::f64::consts::TAU;
 
 /// A value found without the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExactValue {
     /// The value.
     pub value: f64,
@@ -30,7 +29,6 @@ pub struct ExactValue {
 
 /// How an exact value is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Method {
     /// Elliptic integrals and theta functions.
     Elliptic,

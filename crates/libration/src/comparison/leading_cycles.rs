@@ -15,7 +15,6 @@ use std::cell::Cell;
 
 /// A limit cycle for a small value of the parameter ε, to leading order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LeadingLimitCycle {
     /// The largest displacement from the equilibrium.
     pub amplitude: f64,
@@ -35,7 +34,6 @@ pub struct LeadingLimitCycle {
 
 /// All limit cycles in a range of amplitudes.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LeadingLimitCycles {
     /// The name of ε.
     pub parameter: String,

@@ -5,7 +5,6 @@ use std::str::FromStr;
 
 /// What is asked of a periodic motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum SeriesQuantity {
     /// T/T0.
     #[default]

@@ -42,7 +42,6 @@ pub struct SeriesComparison<'a> {
 
 /// The distance from zero up to which a series converges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Radius {
     /// By a theorem.
     Known(f64),

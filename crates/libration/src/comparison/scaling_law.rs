@@ -36,7 +36,6 @@ pub struct ScalingLaw {
 
 /// The coefficient of cos kΩt over the amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HarmonicRatio {
     /// k.
     pub k: usize,

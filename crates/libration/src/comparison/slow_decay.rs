@@ -40,7 +40,6 @@ pub struct SlowDecay {
 
 /// Where a slow flow is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SlowState {
     /// In seconds after the release.
     pub time: f64,

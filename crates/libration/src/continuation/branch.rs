@@ -8,7 +8,6 @@ use super::special::{SpecialKind, SpecialPoint, Stretch};
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Branch {
     /// Where it comes from.
     pub origin: Origin,
@@ -26,7 +25,6 @@ pub struct Branch {
 
 /// Where a branch comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Origin {
     /// A motion at an end of the range.
     Primary,
@@ -40,7 +38,6 @@ pub enum Origin {
 
 /// Why a branch goes on no farther.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Ending {
     /// It leaves the range of the parameter.
     RangeEnd,

@@ -38,7 +38,6 @@ impl Default for ChartOptions {
 
 /// Stability of the answers of a driven system over two of its parameters.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StabilityChart {
     /// The state of rest on a grid, where the start is one at all values of the parameters.
     pub rest: Option<RestStability>,

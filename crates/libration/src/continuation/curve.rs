@@ -14,7 +14,6 @@ use crate::roots::{Tolerance, zero_between};
 
 /// A singular motion at values of two parameters.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CurvePoint {
     /// The motion; its parameter is the first one, and its error is that of both parameters, across the curve.
     pub point: BranchPoint,
@@ -24,7 +23,6 @@ pub struct CurvePoint {
 
 /// Singular motions of one kind over two parameters, one behind the other.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpecialCurve {
     /// What happens on it.
     pub kind: SpecialKind,

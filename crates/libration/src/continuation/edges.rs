@@ -11,7 +11,6 @@ use crate::roots::{Tolerance, zero_between};
 
 /// Whether a state of rest is stable, on a grid over two parameters.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RestStability {
     /// The values of the first parameter and of the second.
     pub values: [Vec<f64>; 2],

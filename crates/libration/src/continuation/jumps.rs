@@ -9,7 +9,6 @@ use super::special::{SpecialKind, SpecialPoint};
 
 /// A fold in which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Jump {
     /// Whether it happens as the parameter rises.
     pub rising: bool,

@@ -14,7 +14,6 @@ const MOST: u32 = 100;
 /// # Ok::<(), libration::continuation::NoOrder>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ResonanceOrder {
     oscillations: u32,
     drive_periods: u32,

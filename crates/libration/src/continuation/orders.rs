@@ -13,7 +13,6 @@ use crate::orbit::Orbit;
 
 /// What the search for answers of an order came to.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OrderAnswers {
     /// The order.
     pub order: ResonanceOrder,
@@ -25,7 +24,6 @@ pub struct OrderAnswers {
 
 /// How far the search for answers of an order came.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum OrderFinding {
     /// No free oscillation has the frequency.
     NoOscillation,

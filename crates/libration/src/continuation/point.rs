@@ -11,7 +11,6 @@ use std::f64::consts::TAU;
 
 /// A periodic motion at one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BranchPoint {
     /// The value of the parameter.
     pub parameter: f64,

@@ -15,7 +15,6 @@ use crate::watch::{Stage, Watch};
 
 /// The periodic motions of a driven or self-excited system over a range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Response {
     /// Those from the ends of the range before those that branch off.
     pub branches: Vec<Branch>,

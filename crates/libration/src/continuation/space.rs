@@ -7,7 +7,6 @@ use std::f64::consts::TAU;
 /// Motions of one space stay among themselves when a parameter changes. So a fold of symmetric motions is a singular point in their
 /// own space, while a motion that loses its symmetry, or doubles its period, leaves it: the two never meet in one equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Space {
     /// After how many halves of the drive's period.
     pub half_periods: u32,
@@ -19,7 +18,6 @@ pub struct Space {
 
 /// An angle that comes back after whole turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Rotation {
     /// The number of the coordinate, from 0.
     pub coordinate: usize,

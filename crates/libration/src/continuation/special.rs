@@ -11,7 +11,6 @@ use std::f64::consts::TAU;
 
 /// What happens at a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum SpecialKind {
     /// The branch turns back: on one side of the value there are two motions, on the other none of them.
     Fold,
@@ -61,7 +60,6 @@ impl std::fmt::Display for SpecialKind {
 
 /// A singular point.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpecialPoint {
     /// What happens there.
     pub kind: SpecialKind,

@@ -13,7 +13,6 @@ use std::f64::consts::{PI, TAU};
 
 /// The motions through which a slow sweep of the parameter goes.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sweep {
     /// Whether the parameter rises.
     pub rising: bool,
@@ -23,7 +22,6 @@ pub struct Sweep {
 
 /// Where the motion settles at one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SweepPoint {
     /// The value.
     pub parameter: f64,

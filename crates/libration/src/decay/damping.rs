@@ -4,7 +4,6 @@ use super::DecayError;
 
 /// The damping c·θ′|θ′|ⁿ⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PowerLawTerm {
     /// n, zero or more: 0 is dry friction, 1 is viscous damping, 2 the drag of a fast flow.
     pub exponent: f64,

@@ -3,7 +3,6 @@
 /// Why no turning point follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum DecayEnding {
     /// Dry friction holds the pendulum where it turned, or stops it on its way down.
     Sticks,

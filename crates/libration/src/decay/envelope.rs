@@ -9,7 +9,6 @@ use crate::quadrature::gauss;
 
 /// How fast the amplitude is said to fall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum EnvelopeLaw {
     /// dE/dt is the mean over a cycle without damping, with exact integrals at any amplitude.
     Averaged,

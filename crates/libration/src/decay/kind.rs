@@ -4,7 +4,6 @@ use super::PowerLawTerm;
 
 /// A kind of damping that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum DampingKind {
     /// Dry friction: d·sign θ′, with d in rad/s².
     Dry,

@@ -9,7 +9,6 @@ use crate::taylor::IntegrationError;
 
 /// Where and when the pendulum turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TurningPoint {
     /// When, in seconds after the release.
     pub time: f64,

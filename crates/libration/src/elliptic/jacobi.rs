@@ -13,7 +13,6 @@ use crate::fused::FusedMultiplyAdd;
 
 /// Jacobi's functions at one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Jacobi {
     /// sn u = sin am u.
     pub sn: f64,

@@ -1,6 +1,6 @@
 //! Decimal numbers, exactly: text to fraction and back.
 
-use dashu::integer::{IBig, UBig};
+use dashu_int::{IBig, UBig};
 
 use crate::algebra::Rational;
 

@@ -34,7 +34,6 @@ use std::f64::consts::TAU;
 /// V. K. Melnikov, Trans. Moscow Math. Soc. 12 (1963) 1; J. Guckenheimer, P. Holmes, *Nonlinear Oscillations, Dynamical Systems, and
 /// Bifurcations of Vector Fields*, Springer 1983, section 4.5.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Melnikov {
     /// 1 on the separatrix where the angle grows, −1 on the other.
     pub direction: f64,
@@ -154,7 +153,6 @@ const LOOKS: u32 = 128;
 
 /// A value of a parameter at which simple zeros appear or vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Threshold {
     /// 1 on the separatrix where the angle grows, −1 on the other.
     pub direction: f64,

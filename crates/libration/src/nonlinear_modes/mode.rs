@@ -34,7 +34,6 @@ pub struct ModePoint {
 
 /// A change of stability between two amplitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StabilityChange {
     /// It lies between these, below and above.
     pub between: [f64; 2],

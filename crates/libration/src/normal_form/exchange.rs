@@ -13,7 +13,6 @@ use std::f64::consts::TAU;
 
 /// The exchange of energy between modes, from a state on.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Exchange {
     /// After so many seconds the amplitudes are as they were.
     pub period: f64,
@@ -27,7 +26,6 @@ pub struct Exchange {
 
 /// The exchange that the whole motion shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeasuredExchange {
     /// 2π over the mean frequency with which the amplitudes go around.
     pub period: f64,

@@ -5,7 +5,6 @@ use crate::algebra::{Complex, Surd};
 
 /// A motion in which all coordinates change in time as e^{st}.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mode {
     /// s, with an imaginary part that is not negative: the frequency, beside the rate of growth.
     pub exponent: Complex,
@@ -23,13 +22,11 @@ pub struct Mode {
     /// Other modes whose frequency is a small multiple of this one's, or of which this one's is.
     pub resonances: Vec<Resonance>,
     /// How its frequency changes with the amplitude.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::serialize::outcome"))]
     pub shift: Result<Shift, NoShift>,
 }
 
 /// What a mode does in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Behaviour {
     /// It oscillates with a constant amplitude.
     Oscillating,
@@ -43,7 +40,6 @@ pub enum Behaviour {
 
 /// Ω = ω + κa², where a is the coefficient of cos Ωt in the leading coordinate.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Shift {
     /// κ.
     pub coefficient: f64,
@@ -68,7 +64,6 @@ impl Mode {
 
 /// Another mode with which this one can exchange energy at small amplitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Resonance {
     /// The number of the other mode.
     pub other: usize,

@@ -32,7 +32,6 @@ use crate::watch::{Interrupted, Stage, Watch};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalModes {
     /// The names of the coordinates.
     pub variables: Vec<String>,

@@ -8,7 +8,6 @@ use crate::linear::eigenvalues;
 /// The Floquet multipliers of a periodic orbit: the eigenvalues of the matrix that maps a deviation to what it is one
 /// period later.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Floquet {
     /// By descending magnitude.
     ///
@@ -48,7 +47,6 @@ impl Divergence {
 
 /// What small deviations do. A shift along an orbit that no force beats time for stays, and does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Stability {
     /// All die out.
     Attracting,

@@ -7,7 +7,6 @@ use std::f64::consts::TAU;
 
 /// The coefficients of cos nΩt and sin nΩt, the time being counted from the orbit's start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Harmonic {
     /// n.
     pub n: usize,
@@ -27,7 +26,6 @@ impl Harmonic {
 
 /// The harmonics of one number of the state.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Harmonics {
     /// From n = 0 to the last one that stands above the rounding errors.
     pub terms: Vec<Harmonic>,

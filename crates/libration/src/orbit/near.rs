@@ -2,7 +2,6 @@
 
 /// A guess of an orbit.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OrbitGuess {
     /// A state on it: coordinates, then velocities.
     pub state: Vec<f64>,

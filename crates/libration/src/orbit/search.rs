@@ -25,7 +25,6 @@ pub struct OrbitSearch {
 
 /// How an orbit came about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum OrbitKind {
     /// One coordinate released from rest.
     Released,

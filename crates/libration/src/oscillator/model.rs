@@ -36,7 +36,6 @@ pub struct Oscillator {
 
 /// What makes the motions of an oscillator periodic.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Kind {
     /// The acceleration depends on the position only: energy is conserved.
     Conservative,

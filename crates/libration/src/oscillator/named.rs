@@ -15,7 +15,6 @@ use crate::expression::{Equation, EquationError, Expression};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedOscillator {
     /// The name it is asked for by.
     pub key: &'static str,

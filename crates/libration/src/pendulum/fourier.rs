@@ -12,7 +12,6 @@ use crate::elliptic::Modulus;
 
 /// The Fourier series of a motion.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FourierSeries {
     /// The fundamental angular frequency Ω in rad/s; zero where there is no period.
     pub fundamental: f64,
@@ -28,7 +27,6 @@ pub struct FourierSeries {
 
 /// One harmonic.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FourierTerm {
     /// The multiple of the fundamental frequency.
     pub n: usize,

@@ -43,7 +43,6 @@ pub struct Rest {
 /// The kind of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Regime {
     /// At rest at the bottom.
     RestStable,

@@ -6,7 +6,6 @@ use crate::fused::FusedMultiplyAdd;
 
 /// A state: near the top the angle alone would lose its complement, in rotation it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct State {
     /// Whole turns: angle = 2π·turns + angle in the turn. Not exact beyond 2⁵³, and no larger than an `i64`.
     pub turns: i64,

@@ -5,7 +5,6 @@ use super::{Amplitude, Pendulum};
 
 /// The period of a libration, and what belongs to it; each number is that of the method of its name, bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SwingPeriod {
     /// [`Pendulum::period`] in seconds.
     pub period: f64,

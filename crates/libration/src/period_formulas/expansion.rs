@@ -1,6 +1,6 @@
 //! Exact coefficients of the period's power series, to any order and without a table.
 
-use dashu::integer::{IBig, UBig};
+use dashu_int::{IBig, UBig};
 
 use crate::algebra::Rational;
 use crate::series::{even_reciprocal, exponential};

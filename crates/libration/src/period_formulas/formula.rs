@@ -38,7 +38,6 @@ pub struct PeriodFormula {
 
 /// Whether a formula was seen in the source named, or is ascribed to it from memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Attribution {
     /// The source has been read.
     Certain,
@@ -48,7 +47,6 @@ pub enum Attribution {
 
 /// What an evaluation on a pocket calculator takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Complexity {
     /// Sines, cosines, logarithms, powers, Bessel functions.
     pub functions: u16,
@@ -68,7 +66,6 @@ impl Complexity {
 
 /// The leading term, coefficient·θ0^power, of a fractional error at small amplitude.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LeadingError {
     /// The coefficient, exactly.
     pub coefficient: Rational,

@@ -17,7 +17,6 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 
 /// The amplitude at which an error is largest on an interval, and that error with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WorstError {
     /// Where.
     pub amplitude: Angle,
@@ -27,7 +26,6 @@ pub struct WorstError {
 
 /// An amplitude at which the errors of two formulas are equally large.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Crossover {
     /// Where.
     pub amplitude: Angle,

@@ -8,7 +8,6 @@ use crate::algebra::{Rational, Ring};
 /// Periodic motions x = xₑ + Σₖ aₖ cos kΩt + bₖ sin kΩt of an oscillator as power series. Lists are indexed by the
 /// power of the variable. Displacements count from the equilibrium. Coefficients are fractions, or another kind `C`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Expansion<C = Rational> {
     /// The displacement is given up to this power of the variable, the frequency up to one less; of a limit cycle
     /// both up to this power.
@@ -47,7 +46,6 @@ pub struct Expansion<C = Rational> {
 
 /// What the series of an expansion are in.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ExpansionVariable {
     /// The parameter ε of a family of motions, in this gauge.
     Epsilon(Gauge),
@@ -76,7 +74,6 @@ impl ExpansionVariable {
 
 /// Whether coefficients are exact fractions or stand for numbers that are none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Precision {
     /// Every coefficient is the number itself.
     Exact,
@@ -86,7 +83,6 @@ pub enum Precision {
 
 /// The coefficients of cos kΩt and sin kΩt.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HarmonicSeries<C = Rational> {
     /// Which harmonic.
     pub k: usize,
@@ -98,7 +94,6 @@ pub struct HarmonicSeries<C = Rational> {
 
 /// Physical relations by powers of an amplitude: the same in every gauge.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AmplitudeSeries<C = Rational> {
     /// Ω/ω0.
     pub frequency_ratio: Vec<C>,
@@ -113,7 +108,6 @@ pub struct AmplitudeSeries<C = Rational> {
 /// How an answer was checked. The series are always found modulo many primes, put together, and compared with five
 /// fresh primes of 30 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Certificate {
     /// All coefficients were computed again in plain rational arithmetic: they are proven.
     PlainRationals,

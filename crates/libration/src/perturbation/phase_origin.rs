@@ -2,7 +2,6 @@
 
 /// What a motion does where its phase Ωt is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum PhaseOrigin {
     /// It turns at its largest displacement; all harmonics are cosines.
     TurningPoint,

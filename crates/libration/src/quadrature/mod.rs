@@ -33,7 +33,6 @@ pub(crate) use running::{POINTS, points, running_integrals};
 
 /// The integral of a function, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Integral {
     /// NaN where it does not converge.
     pub value: f64,

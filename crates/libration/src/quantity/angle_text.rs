@@ -5,8 +5,8 @@
 
 use std::str::FromStr;
 
-use dashu::base::Signed;
-use dashu::rational::RBig;
+use dashu_base::Signed;
+use dashu_ratio::RBig;
 
 use super::angle::LARGEST_RADIANS;
 use super::decimal::{Decimal, LONGEST_TEXT};

@@ -1,7 +1,7 @@
 //! Decimal numbers from text, exactly; bounded before any arithmetic, so that no text is slow to read.
 
-use dashu::integer::{IBig, UBig};
-use dashu::rational::RBig;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 /// Longer texts are not numbers that anybody meant.
 pub(super) const LONGEST_TEXT: usize = 128;

@@ -5,7 +5,6 @@ use std::fmt;
 /// What a quantity measures, and with it the SI unit its value is kept in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Dimension {
     /// In metres.
     Length,

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use dashu::integer::{IBig, UBig};
+use dashu_int::{IBig, UBig};
 
 use super::angle_text::exact_angle;
 use super::decimal::Decimal;
@@ -44,7 +44,7 @@ impl Displacement {
             // A displacement has the unit that the equation of motion is written in.
             dimension: Dimension::Length,
         })?;
-        Ok(Self(PiCombination { pi_multiple: dashu::rational::RBig::ZERO, rest: number.exact() }))
+        Ok(Self(PiCombination { pi_multiple: dashu_ratio::RBig::ZERO, rest: number.exact() }))
     }
 
     /// The angle that a text says, a bare number being a decimal number of radians.
@@ -75,7 +75,7 @@ impl Displacement {
     pub fn degrees(&self) -> Option<f64> {
         let PiCombination { pi_multiple, rest } = &self.0;
         let is_multiple = rest.is_zero() && !pi_multiple.is_zero();
-        is_multiple.then(|| (pi_multiple * dashu::rational::RBig::from(180)).to_f64().value())
+        is_multiple.then(|| (pi_multiple * dashu_ratio::RBig::from(180)).to_f64().value())
     }
 
     /// As an angle with its complement, each in two words; `None` when its turns cannot be counted.

@@ -1,8 +1,8 @@
 //! Angles from numbers that nothing has rounded, turned into two words in one place.
 
-use dashu::base::{DivEuclid, Signed};
-use dashu::integer::IBig;
-use dashu::rational::RBig;
+use dashu_base::{DivEuclid, Signed};
+use dashu_int::IBig;
+use dashu_ratio::RBig;
 
 use super::angle::LARGEST_RADIANS;
 use super::fraction::Fraction;

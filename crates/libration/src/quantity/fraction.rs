@@ -1,8 +1,8 @@
 //! Fractions that are not reduced, and their rounding to two words.
 
-use dashu::base::{BitTest, Signed, UnsignedAbs};
-use dashu::integer::{IBig, UBig};
-use dashu::rational::RBig;
+use dashu_base::{BitTest, Signed, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 use crate::double_double::{DoubleDouble, fast_two_sum};
 

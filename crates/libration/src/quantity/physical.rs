@@ -2,8 +2,8 @@
 //!
 //! The decimal times the unit is taken exactly and rounded once.
 
-use dashu::base::Abs;
-use dashu::rational::RBig;
+use dashu_base::Abs;
+use dashu_ratio::RBig;
 
 use super::decimal::{Decimal, LONGEST_TEXT, exponent_length};
 use super::excerpt::excerpt;
@@ -13,7 +13,6 @@ use super::{Dimension, QuantityError};
 
 /// A value in its SI unit with its standard uncertainty, if one was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Quantity {
     /// In the SI unit of the dimension, finite.
     pub value: f64,

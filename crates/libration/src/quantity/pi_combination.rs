@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
-use dashu::float::{FBig, round::mode::HalfEven};
-use dashu::integer::{IBig, UBig};
-use dashu::rational::RBig;
+use dashu_float::{FBig, round::mode::HalfEven};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 use super::fraction::Fraction;
 

@@ -1,7 +1,7 @@
 //! Arithmetic progressions of exact numbers.
 
-use dashu::base::{Abs, Signed};
-use dashu::rational::RBig;
+use dashu_base::{Abs, Signed};
+use dashu_ratio::RBig;
 
 use super::excerpt::excerpt;
 use super::pi_combination::PiCombination;

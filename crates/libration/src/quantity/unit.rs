@@ -1,6 +1,6 @@
 //! The units that quantities are read in, each with its exact value.
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 
 use super::dimension::Dimension;
 use super::pi_combination::PiCombination;

@@ -7,7 +7,6 @@ use crate::elementary::count;
 
 /// A root of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PolynomialRoot {
     /// Where it is.
     pub value: Complex,

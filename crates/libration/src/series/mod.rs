@@ -21,7 +21,7 @@ mod power_series;
 pub(crate) mod recurrences;
 pub(crate) mod truncated;
 
-use dashu::integer::IBig;
+use dashu_int::IBig;
 
 pub use power_series::PowerSeries;
 pub use truncated::{SeriesPowers, powers, powers_of_inverse, product, reciprocal, square_root_of_unit};

@@ -1,6 +1,6 @@
 //! Equations that give each coefficient of a series from those before it, solved with fast products.
 
-use dashu::integer::IBig;
+use dashu_int::IBig;
 
 use crate::algebra::product;
 

@@ -26,7 +26,6 @@ pub struct Bodies {
 
 /// A body at a time: to the right and upwards, in metres where the system has metres, and else in lengths of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Body {
     /// Where it is.
     pub place: [f64; 2],

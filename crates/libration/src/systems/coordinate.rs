@@ -4,7 +4,6 @@ use crate::quantity::is_angle_name;
 
 /// A coordinate of a model.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Coordinate {
     /// Its name in the equations: `theta`.
     pub name: String,

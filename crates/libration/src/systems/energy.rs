@@ -117,7 +117,6 @@ impl Energy {
 
 /// What is known of the energy of a motion, to be gone on from.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EnergyAccount {
     /// The first state.
     pub start: Vec<f64>,

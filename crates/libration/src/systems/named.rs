@@ -15,7 +15,6 @@ use crate::quantity::STANDARD_GRAVITY;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedSystem {
     /// The name it is asked for by.
     pub key: &'static str,
@@ -53,7 +52,6 @@ pub struct NamedSystem {
 
 /// Which powers of a velocity make sense: none below zero, which grow without bound at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum VelocityPower {
     /// Of the velocity with its sign.
     Whole,
@@ -64,7 +62,6 @@ pub enum VelocityPower {
 /// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the
 /// rod. Formulas of the coordinates, the parameters and the time.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedBody {
     /// Where it is, to the right and upwards.
     pub place: [&'static str; 2],
@@ -74,7 +71,6 @@ pub struct NamedBody {
 
 /// A coordinate of a named system.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NamedCoordinate {
     /// Its name in the equations.
     pub name: &'static str,

@@ -5,7 +5,6 @@ use super::contacts::Contacts;
 
 /// Where an integration can be resumed, bit for bit as if it had never stopped: the start of a step.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Checkpoint {
     /// When.
     pub time: f64,
@@ -23,7 +22,6 @@ pub struct Checkpoint {
 
 /// What is known of the argument of an absolute value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModulusCheckpoint {
     /// Its sign.
     pub sign: f64,
@@ -35,7 +33,6 @@ pub struct ModulusCheckpoint {
 
 /// What is known of the formula of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EventCheckpoint {
     /// On which side of zero it is.
     pub side: Option<f64>,

@@ -65,7 +65,6 @@ pub enum IntegrationError {
 /// What stops an integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Cause {
     /// A state in which the accelerations or rates of change, or their time derivatives, have no finite value.
     #[error("the accelerations or rates of change have no finite value, or no derivative,")]

@@ -15,7 +15,6 @@ pub struct Event {
 
 /// Which changes of sign count, in the order in which the motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Direction {
     /// Both, and contacts without a change of sign.
     Any,
@@ -27,7 +26,6 @@ pub enum Direction {
 
 /// How a formula is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Contact {
     /// It becomes positive.
     Rising,
@@ -41,7 +39,6 @@ pub enum Contact {
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Occurrence {
     /// Which one of [`System::events`](super::System::events).
     pub event: usize,

@@ -4,7 +4,6 @@ use super::Occurrence;
 
 /// A time and the state at it: coordinates, then velocities.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Moment {
     /// When.
     pub time: f64,
@@ -14,7 +13,6 @@ pub struct Moment {
 
 /// What an integration has computed.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Solution {
     /// The states at the times asked for, as far as it came.
     pub samples: Vec<Moment>,

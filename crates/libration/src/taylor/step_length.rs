@@ -12,7 +12,6 @@ use crate::elementary::rough::{exp2, log2};
 
 /// How exact an integration shall be, and when it shall give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Effort {
     /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
     /// a part of how far it moves, of whatever order its equation is. So it depends neither on units nor on where zero is.

@@ -54,8 +54,6 @@ mod period_formulas;
 mod quantity;
 mod self_excited_branches;
 mod sensitivities;
-#[cfg(feature = "serde")]
-mod serialize;
 mod series;
 mod series_evaluation;
 mod slow_decay;

@@ -1,8 +1,8 @@
 //! Errors in units in the last place of a true value known to more than twice the digits of an `f64`.
 
-use dashu::base::Sign;
-use dashu::integer::{IBig, UBig};
-use dashu::rational::RBig;
+use dashu_base::Sign;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 /// A true value in two words: `hi` is the nearest `f64`, `lo` what is left, so that hi + lo has about 32 digits.
 #[derive(Clone, Copy, Debug, PartialEq)]

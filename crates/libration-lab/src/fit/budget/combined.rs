@@ -15,7 +15,6 @@ pub const COVERAGE_PROBABILITY: f64 = 0.95;
 
 /// What an input contributes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Contribution {
     /// Which one.
     pub input: BudgetInput,
@@ -52,7 +51,6 @@ impl Contribution {
 
 /// That two inputs are known by what they have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Correlation {
     /// Different ones.
     pub between: [BudgetInput; 2],
@@ -62,7 +60,6 @@ pub struct Correlation {
 
 /// The uncertainty of g with all that it comes from.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CombinedUncertainty {
     /// Of all inputs.
     pub contributions: Vec<Contribution>,

@@ -5,7 +5,6 @@ use super::effects::Values;
 /// An input of a budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum BudgetInput {
     /// From the pivot to the centre of the bob.
     Length,

@@ -96,7 +96,6 @@ pub enum BudgetError {
 
 /// How an uncertainty was found (Guide to the Expression of Uncertainty in Measurement, 4.2 and 4.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Evaluation {
     /// A: by the scatter of measurements.
     Statistics,
@@ -117,7 +116,6 @@ impl Evaluation {
 
 /// What is done about an effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Correction {
     /// g is larger by this part of itself than without the correction.
     Applied(f64),
@@ -131,7 +129,6 @@ pub enum Correction {
 
 /// A row of a budget.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BudgetRow {
     /// Of the effect.
     pub name: &'static str,
@@ -149,7 +146,6 @@ pub struct BudgetRow {
 
 /// g and where its uncertainty comes from.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Budget {
     /// In the order in which a laboratory writes them.
     pub rows: Vec<BudgetRow>,

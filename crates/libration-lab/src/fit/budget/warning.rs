@@ -9,7 +9,6 @@ use libration::quantity::{rounded, short};
 /// What is doubtful about g and its uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum BudgetWarning {
     /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period is the
     /// easier one of its two inputs to measure, so that the length is suspected.

@@ -27,7 +27,6 @@ const FEWEST: usize = 5;
 
 /// A coefficient of the damping.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Coefficient {
     /// Of which kind; it says the unit.
     pub term: DampingKind,
@@ -49,7 +48,6 @@ impl fmt::Display for Coefficient {
 
 /// One law through the extremes.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EnvelopeFit {
     /// Which kinds of damping it has.
     pub damping: DampingModel,
@@ -67,7 +65,6 @@ pub struct EnvelopeFit {
 
 /// The laws of the falling amplitude, the best one first. A law in which a coefficient would be negative is left out.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Envelope {
     /// At least one.
     pub fits: Vec<EnvelopeFit>,
@@ -76,7 +73,6 @@ pub struct Envelope {
     /// How many extremes are far from every law and do not count.
     pub outliers: usize,
     /// Of the extremes: one over their uncertainties, zero for outliers.
-    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) weights: Vec<f64>,
 }
 

@@ -74,7 +74,6 @@ impl Default for CyclesOptions {
 
 /// A full cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
     /// Of its middle, in seconds.
     pub time: f64,
@@ -91,7 +90,6 @@ pub struct Cycle {
 
 /// How far the pendulum went on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HalfSwing {
     /// In seconds; for a trace of angular velocities, when the pendulum is fastest.
     pub time: f64,
@@ -101,7 +99,6 @@ pub struct HalfSwing {
 
 /// The cycles of a trace and what they say.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycles {
     /// In the order of time.
     pub cycles: Vec<Cycle>,
@@ -121,18 +118,14 @@ pub struct Cycles {
     /// How much larger the scatter about the exact law is than the noise explains: χ² per degree of freedom.
     pub chi2_per_dof: Option<f64>,
     /// The test of the exact law, or why there is none.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::outcome"))]
     pub beta: Result<Beta, CyclesError>,
     /// Which damping the falling amplitude prefers, or why that cannot be said.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::outcome"))]
     pub envelope: Result<Envelope, CyclesError>,
     /// What a reader should know.
     pub warnings: Vec<CyclesWarning>,
     /// Those that count, with what their errors come from.
-    #[cfg_attr(feature = "serde", serde(skip))]
     rows: Vec<Row>,
     /// The same with the pivot moved by each of its two errors, where it was fitted.
-    #[cfg_attr(feature = "serde", serde(skip))]
     about_moved_pivot: Vec<Vec<Row>>,
 }
 

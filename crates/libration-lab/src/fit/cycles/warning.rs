@@ -9,7 +9,6 @@ use libration::quantity::{rounded, short};
 /// What a reader should know of how cycles were come by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum CyclesWarning {
     /// Swings that go over the top, which are no cycles.
     OverTheTop {

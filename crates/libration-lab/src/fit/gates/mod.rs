@@ -60,7 +60,6 @@ pub struct GateOptions {
 
 /// A period.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GateCycle {
     /// Of its middle, in seconds.
     pub time: f64,
@@ -74,7 +73,6 @@ pub struct GateCycle {
 
 /// Where T0 comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum T0Source {
     /// Every period with its amplitude.
     Speeds,
@@ -84,7 +82,6 @@ pub enum T0Source {
 
 /// The results of a fit to the times of a gate.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GatesFit {
     /// Passages of the bob.
     pub passages: usize,

@@ -13,7 +13,6 @@ const SHORT_BY_TIMINGS: f64 = 6.0;
 /// What a reader should know of the times of a gate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum GatesWarning {
     /// Edges whose other one is missing, left out.
     UnpairedEdges {

@@ -29,7 +29,6 @@ pub struct LengthsOptions {
 
 /// What a table of periods against lengths says.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LengthsFit {
     /// The laws that the rows can determine, simpler ones first.
     pub fits: Vec<LengthFit>,

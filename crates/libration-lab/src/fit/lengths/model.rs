@@ -20,7 +20,6 @@ const SETTLED: f64 = 1e-13;
 
 /// What is left free besides g.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum LengthModel {
     /// T² = 4π²R²L/g.
     Plain,
@@ -56,7 +55,6 @@ impl LengthModel {
 
 /// g and what else a law leaves free.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LengthFit {
     /// The law.
     pub model: LengthModel,

@@ -19,7 +19,6 @@ const A_QUARTER: std::ops::Range<f64> = 0.2..0.3;
 
 /// How the periods of a table were perhaps counted wrongly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum CountedAs {
     /// Half periods that were taken for whole ones.
     HalfPeriodsAsWhole,
@@ -30,7 +29,6 @@ pub enum CountedAs {
 /// What a reader should know of periods against lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum LengthsWarning {
     /// The rows want an offset of the lengths: without it chance would leave as much in fewer than one table in a hundred.
     OffsetNeeded,

@@ -86,7 +86,6 @@ pub enum PlanError {
 
 /// The relative standard uncertainties of g by each cause.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ExpectedUncertainty {
     /// By the length.
     pub length: f64,
@@ -187,7 +186,6 @@ impl PlannedRecording {
 
 /// A recording that would do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlannedSwings {
     /// From which it is released, in radians.
     pub amplitude: f64,
@@ -201,7 +199,6 @@ pub struct PlannedSwings {
 
 /// How g is measured to a wanted uncertainty.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Plan {
     /// The wanted relative standard uncertainty of g.
     pub target: f64,

@@ -12,7 +12,6 @@ use std::f64::consts::{PI, TAU};
 
 /// An answer on the curve of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedCurvePoint {
     /// Of the drive, in rad/s.
     pub frequency: f64,
@@ -26,7 +25,6 @@ pub struct FittedCurvePoint {
 
 /// A frequency at which a slow sweep jumps to another branch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedJump {
     /// In rad/s.
     pub frequency: Uncertain,
@@ -40,7 +38,6 @@ pub struct FittedJump {
 
 /// All answers of a fit, and its jumps.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedCurve {
     /// Branch by branch, in their order along it.
     pub branches: Vec<Vec<FittedCurvePoint>>,

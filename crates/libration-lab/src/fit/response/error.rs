@@ -4,7 +4,6 @@ use super::ResponseModel;
 
 /// Why a response cannot be fitted; rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum ResponseFitError {
     /// Columns of different lengths.

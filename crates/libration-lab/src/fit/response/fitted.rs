@@ -12,7 +12,6 @@ use nalgebra::{DMatrix, DVector};
 
 /// The parameters of an oscillator under a drive.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ResponseFit {
     /// The oscillator.
     pub model: ResponseModel,
@@ -43,7 +42,6 @@ pub struct ResponseFit {
 
 /// A row under a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedAnswer {
     /// The amplitude that the fit puts in the place of the measured one, on the same branch.
     pub amplitude: f64,

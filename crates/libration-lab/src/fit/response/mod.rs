@@ -53,7 +53,6 @@ use search::{Found, Search};
 
 /// What is measured as the amplitude of an answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum MeasuredAmplitude {
     /// The largest displacement.
     #[default]
@@ -64,7 +63,6 @@ pub enum MeasuredAmplitude {
 
 /// What a measured response says under several models.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ResponsesFit {
     /// Those that could be fitted, in the order of [`ResponseModel::ALL`].
     pub fits: Vec<ResponseFit>,

@@ -6,7 +6,6 @@ use libration::expression::Equation;
 
 /// An oscillator with weak damping under a periodic force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ResponseModel {
     /// x″ = −c·x′ − ω0²·x + A cos Ωt.
     Linear,

@@ -24,7 +24,6 @@ pub struct ResponseColumns<'a> {
 
 /// Rows of frequency, amplitude and perhaps phase that a fit can use.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ResponseTable {
     pub(super) rows: Vec<Row>,
     weighted: bool,
@@ -33,7 +32,6 @@ pub struct ResponseTable {
 
 /// One measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub(super) struct Row {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,

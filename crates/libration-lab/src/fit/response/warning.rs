@@ -13,7 +13,6 @@ const SURE: f64 = 2.0;
 /// What a reader should know of a fitted response.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum ResponseWarning {
     /// Rows, counted from one, between the folds of the curve, where no answer lasts: by more than three standard deviations.
     BetweenFolds(Vec<usize>),

@@ -4,7 +4,6 @@ use crate::fit::Uncertain;
 
 /// A harmonic of a measured swing: in-phase·cos nφ + quadrature·sin nφ, where the first harmonic has its maxima at φ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Harmonic {
     /// Its number; zero for the constant.
     pub n: usize,
@@ -60,7 +59,6 @@ impl Harmonic {
 
 /// Some swings of a trace.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumWindow {
     /// Of its middle, in s.
     pub time: f64,

@@ -9,7 +9,6 @@ use libration::watch::{Interrupted, Watch};
 
 /// A line of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumPoint {
     /// In Hz.
     pub frequency: f64,

@@ -33,7 +33,6 @@ impl Default for SpectrumOptions {
 
 /// The harmonics of a measured swing.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Spectrum {
     /// What was measured, in rad or rad/s.
     pub observable: Observable,

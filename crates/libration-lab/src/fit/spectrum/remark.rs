@@ -10,7 +10,6 @@ use crate::statistics::student::quantile;
 
 /// What a reader should know about a spectrum.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SpectrumRemark {
     /// The swings go about another value than zero.

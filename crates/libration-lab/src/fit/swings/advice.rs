@@ -8,7 +8,6 @@ use libration::quantity::{rounded, short};
 /// What would make a measurement of swings better.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Advice {
     /// No length was given, so that there is no gravity.
     GiveLength,
@@ -60,7 +59,6 @@ pub enum Advice {
 
 /// Rows at an end of a trace that do not follow the motion.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum EndOfTrace {
     /// Those before a time.
     Before {

@@ -7,17 +7,14 @@ use crate::fit::{Beta, DampingModel, SIGNIFICANT, Uncertain};
 
 /// Everything that recordings of swings say.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SwingsFit {
     /// Of the model that was asked for, or that the data prefer.
     pub fit: TraceFit,
     /// With the other models, where they were compared.
     pub comparison: Option<Comparison>,
     /// Of each trace.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::outcomes"))]
     pub cycles: Vec<Result<Cycles, CyclesError>>,
     /// The test of the exact law over all cycles, or why there is none.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::outcome"))]
     pub beta: Result<Beta, CyclesError>,
     /// Gravity or the length.
     pub pendulum: FittedPendulum,

@@ -12,7 +12,6 @@ use libration::quantity::{Quantity, STANDARD_GRAVITY};
 
 /// What ω0 says with the length of the pendulum, or without one.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum FittedPendulum {
     /// The length is known.
     Gravity {

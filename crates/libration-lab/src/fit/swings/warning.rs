@@ -7,7 +7,6 @@ use crate::fit::{DampingKind, DampingModel};
 /// What is doubtful about what swings say.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Warning {
     /// The search did not end at a minimum.
     NotConverged,
@@ -119,7 +118,6 @@ pub enum Warning {
         /// The name of the trace, where there are several.
         trace: Option<String>,
         /// Why.
-        #[cfg_attr(feature = "serde", serde(serialize_with = "libration::serialize::text"))]
         error: CyclesError,
     },
 }

@@ -4,7 +4,6 @@ use crate::statistics::count;
 
 /// How alike residuals are that follow each other.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Autocorrelation {
     /// Of residuals so many rows apart as the place counted from zero says; the first is 1.
     pub correlations: Vec<f64>,

@@ -21,7 +21,6 @@ pub struct FittedDecay {
 
 /// Where and when a fitted swing turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedTurningPoint {
     /// In the clock of the trace, in s.
     pub time: Uncertain,

@@ -8,7 +8,6 @@ use crate::fit::Uncertain;
 
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Parameter {
     /// `omega0`, `dry`, `linear`, `quadratic`, `scale`, or of one trace `offset`, `theta0`, `velocity0`.
     pub name: &'static str,
@@ -30,7 +29,6 @@ pub struct Parameter {
 
 /// What the model says of one trace.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedTrace {
     /// When its first row was, in the clock of the trace, in s.
     pub start_time: f64,
@@ -53,7 +51,6 @@ impl FittedTrace {
 
 /// The best motion of a model through traces.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TraceFit {
     /// The kinds of damping of the model.
     pub damping: DampingModel,
@@ -80,7 +77,6 @@ pub struct TraceFit {
     /// Whether the search ended at a minimum.
     pub converged: bool,
     /// In units of the stated uncertainties, outliers at their full size.
-    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) standard_residuals: Vec<f64>,
 }
 

@@ -2,8 +2,6 @@
 //! that just do not.
 
 mod advice;
-#[cfg(feature = "serde")]
-mod serialize;
 mod warnings;
 
 use std::cell::Cell;

@@ -9,8 +9,8 @@ mod variable;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu::base::{Gcd, UnsignedAbs};
-use dashu::integer::UBig;
+use dashu_base::{Gcd, UnsignedAbs};
+use dashu_int::UBig;
 
 pub use monomial::Monomial;
 pub use polynomials::Polynomials;

@@ -22,7 +22,6 @@ pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 
 /// The largest Lyapunov exponent of a motion, as far as it was measured.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,

@@ -12,7 +12,6 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_w
 
 /// How long a motion is followed, and how often the growth of a deviation is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Schedule {
     /// What passes before anything is measured.
     pub transient: f64,

@@ -9,7 +9,6 @@ use crate::taylor::{Cause, Effort};
 
 /// What the growth of deviations says about a motion.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum LyapunovVerdict {
     /// Deviations do not grow exponentially, or cannot by a theorem.
     Regular(Regularity),
@@ -22,7 +21,6 @@ pub enum LyapunovVerdict {
 /// Why a motion is regular.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Regularity {
     /// The equations allow no chaos.
     Theorem(Theorem),
@@ -40,7 +38,6 @@ pub enum Regularity {
 /// Why nothing is decided.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Doubt {
     /// The motion stopped, or was interrupted.
     Stopped(Cause),

@@ -26,7 +26,6 @@ use crate::elementary::count;
 /// C. Domb and M. F. Sykes, Proc. R. Soc. A **240**, 214 (1957); G. N. Mercer and A. J. Roberts, SIAM J. Appl. Math.
 /// **50**, 1547 (1990), appendix.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Convergence {
     /// The distance of the nearest singularity in x.
     pub radius: f64,
@@ -42,7 +41,6 @@ pub struct Convergence {
 
 /// The direction of the singularity that limits convergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Singularity {
     /// At a positive value: all later coefficients have one sign.
     Positive,

@@ -42,7 +42,6 @@ pub(crate) use stride::stride;
 /// assert_eq!(ratio.corrections_needed(1e-6), Some(8));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SeriesEvaluation {
     at: f64,
     steps: Vec<PartialSum>,
@@ -50,7 +49,6 @@ pub struct SeriesEvaluation {
 
 /// One term of a series, and the sum so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PartialSum {
     /// n.
     pub power: usize,
@@ -64,7 +62,6 @@ pub struct PartialSum {
 
 /// How much is missing from a sum, in magnitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Remainder {
     /// At most so much is missing, or about so much when it is estimated; infinite where the series does not
     /// converge, or is not known to.
@@ -75,7 +72,6 @@ pub struct Remainder {
 
 /// What a remainder rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Certainty {
     /// A theorem.
     Proven,

@@ -19,7 +19,6 @@ use crate::roots::{polynomial_roots, value_and_slope};
 /// assert_eq!(pade.poles()[0].position.re, 16.0);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pade {
     numerator: Vec<Rational>,
     denominator: Vec<Rational>,
@@ -30,7 +29,6 @@ pub struct Pade {
 
 /// A pole of an approximant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pole {
     /// Where it is.
     pub position: Complex,

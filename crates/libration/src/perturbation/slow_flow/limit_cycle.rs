@@ -10,7 +10,6 @@ use crate::roots::{PolynomialRoot, polynomial_roots};
 /// That of the root of a₁(A) which it begins with, [`root_error`](Self::root_error); what follows from it is as good as the cycles of
 /// a₁ are apart.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SlowLimitCycle {
     /// A, in the gauge of the slow flow; one power less than the others.
     pub amplitude: Vec<f64>,

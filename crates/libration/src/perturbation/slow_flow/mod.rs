@@ -58,7 +58,6 @@ pub type SlowSeries = Vec<Vec<PiSum>>;
 
 /// The slow flow of a weakly damped or excited oscillator, and its motion.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SlowFlow {
     /// The name of the small parameter.
     pub parameter: String,
@@ -87,7 +86,6 @@ pub struct SlowFlow {
 
 /// ψᵖ·(c·cos kψ + s·sin kψ).
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PhaseTerm {
     /// p.
     pub power: usize,

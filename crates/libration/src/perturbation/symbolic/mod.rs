@@ -18,7 +18,6 @@ use frequency::{Frequency, Point};
 
 /// The expansion of an oscillator whose parameters stay letters.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SymbolicExpansion {
     /// The letters, in the order of the alphabet.
     pub letters: Vec<String>,

@@ -48,7 +48,6 @@ pub struct TruncatedSystem {
 
 /// One solution of a truncated system.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TruncatedSolution {
     /// a₁, a₃, a₅, ….
     pub amplitudes: Vec<Complex>,

@@ -10,7 +10,6 @@ use crate::algebra::Complex;
 
 /// What is to be thought of a solution of a truncated system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum SolutionVerdict {
     /// It grows out of small oscillations: followed to amplitude 0 it has a₁ = amplitude and Δ = 1.
     Accepted,

@@ -6,7 +6,6 @@ use crate::fit::trace::TraceFit;
 
 /// A number averaged over the models that the data leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModelAverage {
     /// The mean, each model with its weight; its uncertainty includes the spread between the models.
     pub mean: Uncertain,

@@ -17,7 +17,6 @@ use crate::statistics::count;
 
 /// The same traces under several models.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Comparison {
     /// One for each model that could be fitted, simpler ones first.
     pub fits: Vec<TraceFit>,

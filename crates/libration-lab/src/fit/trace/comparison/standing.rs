@@ -5,7 +5,6 @@ use crate::fit::trace::{DampingModel, TraceFit};
 
 /// How a model stands beside the preferred one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Standing {
     /// The one that the data prefer.
     Preferred,
