@@ -73,54 +73,15 @@
 //! tested.
 
 // In reading order.
-pub mod quantity;
-
-pub mod catalogue;
-
-pub mod elliptic;
-
-pub mod pendulum;
-
-pub mod period_formulas;
-
-pub mod algebra;
-mod linear;
-pub mod quadrature;
-pub mod roots;
-pub mod series;
-
-pub mod expression;
-
-pub mod watch;
-
-pub mod oscillator;
-
-pub mod perturbation;
-
-pub mod comparison;
-
-pub mod taylor;
-
-pub mod chaos;
-pub mod continuation;
-pub mod systems;
-
-pub mod orbit;
-
-pub mod spectrum;
-
-pub mod decay;
-pub mod melnikov;
-pub mod nonlinear_modes;
-pub mod normal_form;
-pub mod normal_modes;
-
-// What all of them stand on.
-mod double_double;
-
-mod elementary;
-
-mod dispatch;
-
-mod fused;
-pub use fused::rounds_once;
+#[doc(inline)]
+pub use libration_branches::{continuation, melnikov, nonlinear_modes, normal_form, normal_modes};
+#[doc(inline)]
+pub use libration_kernels::{elliptic, fused::rounds_once};
+#[doc(inline)]
+pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
+#[doc(inline)]
+pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+#[doc(inline)]
+pub use libration_pendulum::{pendulum, period_formulas};
+#[doc(inline)]
+pub use libration_perturbation::{comparison, perturbation};

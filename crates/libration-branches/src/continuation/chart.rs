@@ -1,0 +1,317 @@
+//! Stability over two parameters: the edges of a state of rest, and the curves of singular points of driven motions.
+
+use super::branch::Branch;
+use super::curve::{CurvePoint, SpecialCurve, Trace};
+use super::edges::{Crossing, Grid, RestStability};
+use super::error::NoBranch;
+use super::family::{Family, TOLERANCES};
+use super::options::ResponseOptions;
+use super::point::BranchPoint;
+use super::response::Response;
+use super::singular::Singular;
+use super::space::Space;
+use super::special::{SpecialKind, SpecialPoint, Test};
+use libration_numbers::algebra::BigFloat;
+use libration_numbers::expression::{Equation, Expression};
+use libration_numbers::watch::{Stage, Watch};
+
+/// What is asked of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartOptions {
+    /// The state of rest, or that from which driven motions are looked for; where all numbers are zero, if there is none.
+    pub start: Option<Vec<f64>>,
+    /// How many periods of the drive an answer takes.
+    pub drive_periods: u32,
+    /// How many times one after the other branches may lose their symmetry or double their period.
+    pub generations: usize,
+    /// On so many lines across each parameter driven motions are followed, whose singular points the curves begin with.
+    pub lines: u32,
+    /// Points of one curve each way.
+    pub most_points: usize,
+}
+
+impl Default for ChartOptions {
+    fn default() -> Self {
+        Self { start: None, drive_periods: 1, generations: 1, lines: 3, most_points: 2000 }
+    }
+}
+
+/// Stability of the answers of a driven system over two of its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StabilityChart {
+    /// The state of rest on a grid, where the start is one at all values of the parameters.
+    pub rest: Option<RestStability>,
+    /// The edges at rest, then the curves of driven motions.
+    pub curves: Vec<SpecialCurve>,
+    /// Whether the watch ended it before all was followed.
+    pub interrupted: bool,
+}
+
+impl StabilityChart {
+    /// The chart over ranges of two parameters, which are left open in the equations.
+    ///
+    /// Where the start is a state of rest whatever the parameters are, as a pendulum's whose pivot moves up and down, its Floquet multipliers are
+    /// computed on a grid, and the curves on which one of them is +1 or −1, or two complex ones have size one, are followed through it. Then
+    /// driven motions are followed along some lines of the chart, and from their folds, losses of symmetry, period doublings and Neimark–Sacker
+    /// points the curves of these, through their cusps.
+    ///
+    /// # Accuracy
+    /// Newton's method ends at the rounding of the motion; every point has its error. Where a curve leaves the chart its last point is on the edge.
+    /// What lies within a grid of 32 intervals each way, and curves that none of the lines meets, are not found.
+    ///
+    /// # Errors
+    /// Equations without a periodic drive, another open parameter, a range without a width.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
+    /// // How fast a pivot has to move up and down for the pendulum to stand on it.
+    /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;
+    /// let options = ChartOptions { lines: 0, ..ChartOptions::default() };
+    /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options)?;
+    /// let edge = chart.curves.iter().find(|curve| curve.kind == SpecialKind::BranchPoint).ok_or("no edge")?;
+    /// let slow = edge.points.iter().find(|it| it.point.parameter == 5.0).ok_or("no end")?;
+    /// // Reference: Hill's matrix with 30 digits.
+    /// assert!((slow.second - 0.2877861746702333933585712).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # References
+    /// Yu. A. Kuznetsov, *Elements of Applied Bifurcation Theory*, 3rd ed., Springer 2004, chapters 8 and 10, doi:10.1007/978-1-4757-3978-7.
+    pub fn over(
+        equation: &Equation,
+        parameters: [&str; 2],
+        ranges: [[f64; 2]; 2],
+        options: &ChartOptions,
+    ) -> Result<Self, NoBranch> {
+        Self::over_watched(equation, parameters, ranges, options, &Watch::none())
+    }
+
+    /// As [`over`](Self::over); `watch` is asked at each step. Where it stops what is there until then is given.
+    ///
+    /// # Errors
+    /// As [`over`](Self::over).
+    pub fn over_watched(
+        equation: &Equation,
+        parameters: [&str; 2],
+        ranges: [[f64; 2]; 2],
+        options: &ChartOptions,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoBranch> {
+        for [from, to] in ranges {
+            if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
+                return Err(NoBranch::Range { from, to });
+            }
+        }
+        watch.begin(Stage::Whole, None);
+        let ranges = ranges.map(|[from, to]| [from.min(to), from.max(to)]);
+        let family = Family::new(equation, &parameters, &ranges, watch)?;
+        let start = options.start.clone().unwrap_or_else(|| vec![0.0; family.layout.numbers()]);
+        let survey = Survey { equation, parameters, family: &family, ranges, options, start: &start };
+        let (rest, mut curves) = survey.rest();
+        survey.driven(&mut curves);
+        Ok(Self { rest, curves, interrupted: watch.is_stopped() })
+    }
+}
+
+impl StabilityChart {
+    /// Ranges of the second parameter in which rest is stable at the least value of the first, 0, or at its greatest, 1: between the ends of the
+    /// edges there. `None` where the start is no rest.
+    #[must_use]
+    pub fn rest_is_stable_at(&self, end: usize) -> Option<Vec<[f64; 2]>> {
+        Some(self.rest.as_ref()?.at_ends[end.min(1)].clone())
+    }
+}
+
+struct Survey<'a> {
+    equation: &'a Equation,
+    parameters: [&'a str; 2],
+    family: &'a Family<'a>,
+    ranges: [[f64; 2]; 2],
+    options: &'a ChartOptions,
+    start: &'a [f64],
+}
+
+/// A singular point of a branch, from which a curve may be followed.
+struct Seed {
+    kind: SpecialKind,
+    space: Space,
+    point: BranchPoint,
+    second: f64,
+}
+
+impl Survey<'_> {
+    fn space(&self) -> Space {
+        Space::of_periods(self.options.drive_periods)
+    }
+
+    /// Whether the start stays where it is, at some values of the parameters and of the time.
+    fn is_at_rest(&self) -> bool {
+        const SAME: f64 = 1e-11;
+        const PARTS: [[f64; 2]; 3] = [[0.1, 0.35], [0.52, 0.77], [0.93, 0.61]];
+        PARTS.iter().all(|parts| {
+            let value = |(part, [low, high]): (&f64, &[f64; 2])| low + part * (high - low);
+            let parameters: Vec<f64> = parts.iter().zip(&self.ranges).map(value).collect();
+            let rate = |time: f64| self.family.rate(self.start, time, &parameters);
+            parts.iter().all(|time| rate(7.0 * time).is_some_and(|rate| rate.iter().all(|x| x.abs() <= SAME)))
+        })
+    }
+
+    /// Its stability on the grid, and the edges.
+    fn rest(&self) -> (Option<RestStability>, Vec<SpecialCurve>) {
+        if !self.is_at_rest() {
+            return (None, vec![]);
+        }
+        let grid = Grid::new(self.family, self.space(), self.start, self.ranges);
+        let mut edges: Vec<(Crossing, SpecialCurve)> = vec![];
+        for crossing in grid.crossings() {
+            if self.family.watch.is_stopped() {
+                break;
+            }
+            if !edges.iter().any(|(first, edge)| self.is_same(edge, [first, &crossing])) {
+                edges.extend(self.edge(&crossing).map(|edge| (crossing, edge)));
+            }
+        }
+        let edges: Vec<SpecialCurve> = edges.into_iter().map(|(_, edge)| edge).collect();
+        (Some(grid.stability(&edges)), edges)
+    }
+
+    fn edge(&self, crossing: &Crossing) -> Option<SpecialCurve> {
+        let singular = Singular {
+            family: self.family,
+            space: self.space(),
+            test: crossing.test,
+            rest: Some(self.start),
+        };
+        let image = singular.image(&crossing.place, TOLERANCES[0])?;
+        let point = self.family.point(self.space(), self.start, &crossing.place, &image, 0.0)?;
+        let kind = match crossing.test {
+            Test::Flip => SpecialKind::PeriodDoubling,
+            Test::Torus if point.is_torus() => SpecialKind::NeimarkSacker,
+            Test::Torus => return None,
+            Test::Branching | Test::Fold => SpecialKind::BranchPoint,
+        };
+        let start = (&crossing.place[..], &point);
+        Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(kind))
+    }
+
+    /// Whether an edge that was followed from one crossing goes through another one, and the test rises to the same side of it.
+    fn is_same(&self, edge: &SpecialCurve, crossings: [&Crossing; 2]) -> bool {
+        /// Of the ranges: what straight lines between points miss.
+        const SAME: f64 = 2e-3;
+        let [[off, first], [near, other]] = crossings.map(|it| self.side(edge, it));
+        let same_test = crossings[0].test == crossings[1].test;
+        same_test && off.is_finite() && near <= SAME && (first > 0.0) == (other > 0.0)
+    }
+
+    /// How far an edge passes from a crossing, and on which side of it, seen along the edge, the test rises.
+    fn side(&self, edge: &SpecialCurve, crossing: &Crossing) -> [f64; 2] {
+        let widths = self.ranges.map(|[low, high]| high - low);
+        let relative = |it: &CurvePoint| {
+            let [x, y] = crossing.place;
+            [(it.point.parameter - x) / widths[0], (it.second - y) / widths[1]]
+        };
+        let of_pair = |pair: &[CurvePoint]| {
+            let [a, b] = [relative(&pair[0]), relative(&pair[1])];
+            let along = [b[0] - a[0], b[1] - a[1]];
+            let square = along[0] * along[0] + along[1] * along[1];
+            let part = (-(a[0] * along[0] + a[1] * along[1]) / square).clamp(0.0, 1.0);
+            let off = libm::hypot(a[0] + part * along[0], a[1] + part * along[1]);
+            let left = if crossing.along == 0 { -along[1] } else { along[0] };
+            [off, if crossing.rises { left } else { -left }]
+        };
+        let nearest = edge.points.windows(2).map(of_pair).min_by(|a, b| a[0].total_cmp(&b[0]));
+        nearest.unwrap_or([f64::INFINITY; 2])
+    }
+
+    /// The curves of singular points of driven motions, from those on some lines.
+    fn driven(&self, curves: &mut Vec<SpecialCurve>) {
+        let lines = (0..2).flat_map(|fixed| (1..=self.options.lines).map(move |line| (fixed, line)));
+        for (fixed, line) in lines {
+            let [low, high] = self.ranges[fixed];
+            let value = low + (high - low) * f64::from(line) / f64::from(self.options.lines + 1);
+            for seed in self.seeds(fixed, value) {
+                if self.family.watch.is_stopped() {
+                    return;
+                }
+                if !curves.iter().any(|curve| self.is_on(curve, &seed, fixed)) {
+                    curves.extend(self.curve(&seed));
+                }
+            }
+        }
+    }
+
+    /// The singular points along a line.
+    fn seeds(&self, fixed: usize, value: f64) -> Vec<Seed> {
+        let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
+        let equation = exact.and_then(|exact| self.equation.with(&[(self.parameters[fixed], exact)]).ok());
+        let Some(equation) = equation else { return vec![] };
+        let options = ResponseOptions {
+            start: Some(self.start.to_vec()),
+            drive_periods: self.options.drive_periods,
+            generations: self.options.generations,
+            ..ResponseOptions::default()
+        };
+        let open = 1 - fixed;
+        let watch = self.family.watch.part();
+        let response =
+            Response::over_watched(&equation, self.parameters[open], self.ranges[open], &options, &watch);
+        let seed = |branch: &Branch, special: &SpecialPoint| {
+            let point = special.point.clone();
+            let (first, second) =
+                if fixed == 0 { (value, point.parameter) } else { (point.parameter, value) };
+            Seed {
+                kind: special.kind,
+                space: branch.space,
+                point: BranchPoint { parameter: first, ..point },
+                second,
+            }
+        };
+        let branches = response.map(|response| response.branches).unwrap_or_default();
+        branches
+            .iter()
+            .flat_map(|branch| branch.special.iter().map(move |special| seed(branch, special)))
+            .filter(|seed| {
+                test_of(seed.kind).is_some() && seed.point.ranges.iter().any(|[low, high]| high - low > 1e-9)
+            })
+            .collect()
+    }
+
+    fn curve(&self, seed: &Seed) -> Option<SpecialCurve> {
+        let singular =
+            Singular { family: self.family, space: seed.space, test: test_of(seed.kind)?, rest: None };
+        let place: Vec<f64> =
+            seed.point.state.iter().copied().chain([seed.point.parameter, seed.second]).collect();
+        let start = (&place[..], &seed.point);
+        Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(seed.kind))
+    }
+
+    /// Whether a curve of its kind goes through a seed: on the line where this was found it has the same parameters there.
+    fn is_on(&self, curve: &SpecialCurve, seed: &Seed, fixed: usize) -> bool {
+        /// Of the range: what straight lines between points miss.
+        const SAME: f64 = 2e-3;
+        let values = |it: &CurvePoint| [it.point.parameter, it.second];
+        let (here, open) = ([seed.point.parameter, seed.second], 1 - fixed);
+        let width = self.ranges[open][1] - self.ranges[open][0];
+        let goes_through = |pair: &[CurvePoint]| {
+            let [a, b] = [values(&pair[0]), values(&pair[1])];
+            let part = (here[fixed] - a[fixed]) / (b[fixed] - a[fixed]);
+            (0.0..=1.0).contains(&part)
+                && (a[open] + part * (b[open] - a[open]) - here[open]).abs() <= SAME * width
+        };
+        curve.kind == seed.kind
+            && curve.space.drive_periods() == seed.space.drive_periods()
+            && !curve.at_rest
+            && curve.points.windows(2).any(goes_through)
+    }
+}
+
+/// What vanishes at a singular point that makes a curve.
+fn test_of(kind: SpecialKind) -> Option<Test> {
+    match kind {
+        SpecialKind::Fold => Some(Test::Branching),
+        SpecialKind::SymmetryBreaking | SpecialKind::PeriodDoubling => Some(Test::Flip),
+        SpecialKind::NeimarkSacker => Some(Test::Torus),
+        SpecialKind::NeutralSaddle | SpecialKind::BranchPoint | SpecialKind::Hopf => None,
+    }
+}

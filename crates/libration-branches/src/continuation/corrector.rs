@@ -1,0 +1,106 @@
+//! Newton's method for a state and a parameter together.
+
+use super::family::{Family, Image};
+use super::space::Space;
+use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::linear::solve;
+
+/// A state and the parameter behind it, with what the motion makes of them.
+#[derive(Clone, Debug)]
+pub(super) struct Corrected {
+    /// The unknowns of the motion, then the parameter.
+    pub(super) place: Vec<f64>,
+    pub(super) image: Image,
+    /// How far the first guess was off, in units.
+    pub(super) first: f64,
+}
+
+/// Newton's rounds; each doubles the digits once the guess is near.
+const MOST_ROUNDS: usize = 12;
+/// A last correction below this is made, and nothing more is to be gained: its square is below the rounding.
+const CLOSE: f64 = 3e-9;
+/// What no longer shrinks is rounding if it is below this.
+const ROUNDING: f64 = 1e-9;
+
+/// Of a family in one space, with the sizes in which states and the parameter are measured.
+#[derive(Clone, Debug)]
+pub(super) struct Corrector<'a> {
+    pub(super) family: &'a Family<'a>,
+    pub(super) space: Space,
+    pub(super) tolerance: f64,
+    /// Derivatives are taken from before the last correction where that is no larger, which changes them by as much.
+    pub(super) stale: f64,
+}
+
+impl Corrector<'_> {
+    /// The motion of the space nearest to a guess in the plane across a direction, which is given in units.
+    pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
+        let mut place = guess.to_vec();
+        let (mut first, mut before) = (0.0, f64::INFINITY);
+        for round in 0..MOST_ROUNDS {
+            let image = self.image(&place)?;
+            if round == 0 && is_rounding(&image, &place, units) {
+                return Some(Corrected { place, image, first });
+            }
+            let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
+            let right: Vec<f64> =
+                image.defect.iter().zip(units).map(|(d, unit)| -d / unit).chain([-off]).collect();
+            let change = solve(&Doubles, |x| x.abs(), &bordered(&image, across, units), &right)?;
+            let size = norm(&change);
+            if round == 0 {
+                first = size;
+            }
+            if !size.is_finite() || (size > 0.5 * before && size > ROUNDING) {
+                return None;
+            }
+            for ((number, change), unit) in place.iter_mut().zip(&change).zip(units) {
+                *number += change * unit;
+            }
+            if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
+                let image = if size > self.stale { self.image(&place)? } else { image };
+                return Some(Corrected { place, image, first });
+            }
+            before = size;
+        }
+        None
+    }
+
+    pub(super) fn image(&self, place: &[f64]) -> Option<Image> {
+        let (parameter, state) = place.split_last()?;
+        self.family.image(self.space, state, &[*parameter], self.tolerance)
+    }
+
+    /// The unit vector along the branch, in units, that goes with another one.
+    pub(super) fn tangent(&self, image: &Image, along: &[f64], units: &[f64]) -> Option<Vec<f64>> {
+        let mut right = vec![0.0; along.len()];
+        *right.last_mut()? = 1.0;
+        let tangent = solve(&Doubles, |x| x.abs(), &bordered(image, along, units), &right)?;
+        let size = norm(&tangent);
+        size.is_finite().then(|| tangent.iter().map(|x| x / size).collect())
+    }
+}
+
+/// Whether a motion closes up to the rounding of its state. No correction makes it better, and at a state of rest where other motions branch
+/// off the correction of a rounding error has no bound.
+fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
+    const ROUNDINGS: f64 = 4.0;
+    let largest =
+        |numbers: &[f64]| numbers.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+    largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
+}
+
+/// The derivatives of the defect by state and parameter, in units, above a row.
+pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
+    let numbers = image.defect.len();
+    let entry = |i: usize, j: usize| {
+        let own = if i == j { 1.0 } else { 0.0 };
+        let derivative = if j < numbers { image.map[i][j] - own } else { image.by_parameters[0][i] };
+        derivative * units[j] / units[i]
+    };
+    let rows = (0..numbers).map(|i| (0..=numbers).map(|j| entry(i, j)).collect());
+    rows.chain([last.to_vec()]).collect()
+}
+
+pub(super) fn norm(vector: &[f64]) -> f64 {
+    vector.iter().fold(0.0, |length: f64, x| libm::hypot(length, *x))
+}

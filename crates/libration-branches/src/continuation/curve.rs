@@ -1,0 +1,379 @@
+//! A curve of singular points over two parameters, followed from one of them.
+
+use super::branch::Ending;
+use super::corrector::norm;
+use super::family::TOLERANCES;
+use super::node::largest_swing;
+use super::point::BranchPoint;
+use super::singular::Singular;
+use super::space::Space;
+use super::special::{SpecialKind, Test};
+use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::linear::solve;
+use libration_numbers::roots::{Tolerance, zero_between};
+
+/// A singular motion at values of two parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// The motion; its parameter is the first one, and its error is that of both parameters, across the curve.
+    pub point: BranchPoint,
+    /// The value of the second parameter.
+    pub second: f64,
+}
+
+/// Singular motions of one kind over two parameters, one behind the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpecialCurve {
+    /// What happens on it.
+    pub kind: SpecialKind,
+    /// Whether the motion is the rest: then the curve is an edge of its stability, or of one of its multipliers.
+    pub at_rest: bool,
+    /// How its motions repeat themselves.
+    pub space: Space,
+    /// In their order; of a closed curve the last is the first.
+    pub points: Vec<CurvePoint>,
+    /// Where two folds meet and end, seen from the parameters.
+    pub cusps: Vec<CurvePoint>,
+    /// Why it ends, before the first point and behind the last.
+    pub endings: [Ending; 2],
+}
+
+/// The longest, the first and the shortest step, in units of the motion and of the ranges.
+const STEPS: [f64; 3] = [0.04, 0.01, 1e-7];
+/// The largest angle between the directions at both ends, and the one that is meant.
+const TURNS: [f64; 2] = [0.3, 0.1];
+/// A step whose guess is farther off than this part of it may have come to another curve.
+const FAR: f64 = 0.2;
+/// A step that comes near enough to the end of a range where two curves meet on it, as at the tip of a tongue.
+const SHORT: f64 = 1e-3;
+
+/// A place on a curve.
+#[derive(Clone, Debug)]
+struct Spot {
+    place: Vec<f64>,
+    /// Along the curve, a unit vector in units.
+    tangent: Vec<f64>,
+    point: CurvePoint,
+}
+
+/// A curve under way.
+pub(super) struct Trace<'a> {
+    singular: Singular<'a>,
+    ranges: [[f64; 2]; 2],
+    most_points: usize,
+    units: Vec<f64>,
+    largest: f64,
+    spots: Vec<Spot>,
+    cusps: Vec<CurvePoint>,
+}
+
+impl<'a> Trace<'a> {
+    /// From near a place, in the sizes of a motion there, towards one side.
+    pub(super) fn new(
+        singular: Singular<'a>,
+        ranges: [[f64; 2]; 2],
+        most_points: usize,
+        start: (&[f64], &BranchPoint),
+    ) -> Option<Self> {
+        let largest = largest_swing(start.1);
+        let mut trace =
+            Self { singular, ranges, most_points, units: vec![], largest, spots: vec![], cusps: vec![] };
+        trace.units = trace.units_of(start.1);
+        let (along, place) = trace.first(start.0)?;
+        let spot = trace.spot(place, &along)?;
+        trace.spots.push(spot);
+        Some(trace)
+    }
+
+    /// The curve both ways from its first place.
+    pub(super) fn followed(mut self, kind: SpecialKind) -> SpecialCurve {
+        let (start, units) = (self.spots[0].clone(), self.units.clone());
+        let onward = self.walked();
+        let (mut points, mut cusps) = (self.points(), std::mem::take(&mut self.cusps));
+        let mut endings = [onward; 2];
+        if onward != Ending::Closed {
+            let turned = start.tangent.iter().map(|x| -x).collect();
+            (self.units, self.largest) = (units, largest_swing(&start.point.point));
+            self.spots = vec![Spot { tangent: turned, ..start }];
+            endings[0] = self.walked();
+            points = self.points().into_iter().skip(1).rev().chain(points).collect();
+            cusps = self.cusps.into_iter().rev().chain(cusps).collect();
+        }
+        let Singular { space, rest, .. } = self.singular;
+        SpecialCurve { kind, at_rest: rest.is_some(), space, points, cusps, endings }
+    }
+
+    fn points(&self) -> Vec<CurvePoint> {
+        self.spots.iter().map(|spot| spot.point.clone()).collect()
+    }
+
+    fn walked(&mut self) -> Ending {
+        let mut length = STEPS[1];
+        while self.spots.len() < self.most_points {
+            if self.singular.family.watch.reached(self.spots.len()).is_err() {
+                return Ending::Interrupted;
+            }
+            let Some(ending) = self.step(&mut length) else { continue };
+            return if self.singular.family.watch.is_stopped() { Ending::Interrupted } else { ending };
+        }
+        Ending::PointLimit
+    }
+
+    fn at(&self) -> &Spot {
+        self.spots.last().expect("a trace begins with a spot")
+    }
+
+    fn step(&mut self, length: &mut f64) -> Option<Ending> {
+        let Some((next, turn)) = self.next(*length) else {
+            *length *= 0.5;
+            return (*length < STEPS[2]).then_some(Ending::Lost);
+        };
+        if self.belongs_to_less(&next) {
+            self.spots.push(next);
+            return Some(Ending::BranchPoint);
+        }
+        let longer = (TURNS[1] / turn.max(1e-3)).clamp(0.5, 1.6);
+        if let Some((which, value)) = self.outside(&next) {
+            let end = self.at_value(&next, which, value);
+            if end.is_none() && *length > SHORT {
+                *length *= 0.5;
+                return None;
+            }
+            self.spots.extend(end);
+            return Some(Ending::RangeEnd);
+        }
+        if self.closes(&next, *length) {
+            let start = self.spots[0].clone();
+            self.spots.push(start);
+            return Some(Ending::Closed);
+        }
+        if self.singular.test == Test::Torus && !next.point.point.is_torus() {
+            return Some(Ending::BranchPoint);
+        }
+        if self.turns_back(&next) {
+            let Some(turning) = self.turning(&next) else { return Some(Ending::Lost) };
+            if self.belongs_to_less(&turning) {
+                self.spots.push(turning);
+                return Some(Ending::BranchPoint);
+            }
+            self.cusps.push(turning.point);
+        }
+        *length = (*length * longer).min(STEPS[0]);
+        self.largest = self.largest.max(largest_swing(&next.point.point));
+        self.spots.push(next);
+        self.rescale();
+        None
+    }
+
+    /// The spot after a step, and the angle it turned by.
+    fn next(&self, length: f64) -> Option<(Spot, f64)> {
+        let Spot { place, tangent, .. } = self.at();
+        let step = place.iter().zip(tangent).zip(&self.units);
+        let guess: Vec<f64> = step.map(|((x, t), unit)| x + length * t * unit).collect();
+        let corrected = self.corrected(&guess, tangent)?;
+        if norm(&self.difference(&corrected, &guess)) > FAR * length {
+            return None;
+        }
+        let spot = self.spot(corrected, tangent)?;
+        let cosine: f64 = spot.tangent.iter().zip(tangent).map(|(a, b)| a * b).sum();
+        let turn = libm::acos(cosine.clamp(-1.0, 1.0));
+        (turn <= TURNS[0]).then_some((spot, turn))
+    }
+
+    /// Newton's method across a direction; the slopes are kept once it is near.
+    fn corrected(&self, guess: &[f64], across: &[f64]) -> Option<Vec<f64>> {
+        const MOST_ROUNDS: usize = 16;
+        const NEAR: f64 = 1e-3;
+        /// Of units: some roundings.
+        const DONE: f64 = 3e-15;
+        const ROUNDING: f64 = 1e-9;
+        let mut place = guess.to_vec();
+        let (mut before, mut rows) = (f64::INFINITY, vec![]);
+        for _ in 0..MOST_ROUNDS {
+            if before > NEAR {
+                rows = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
+                rows.push(across.to_vec());
+            }
+            let off: f64 = self.difference(&place, guess).iter().zip(across).map(|(x, t)| x * t).sum();
+            let values = self.singular.values(&place, &self.units, TOLERANCES[0])?;
+            let right: Vec<f64> = values.iter().map(|x| -x).chain([-off]).collect();
+            let change = solve(&Doubles, |x| x.abs(), &rows, &right)?;
+            let size = norm(&change);
+            if !size.is_finite() || (size > 0.5 * before && size > ROUNDING) {
+                return None;
+            }
+            for ((number, change), unit) in place.iter_mut().zip(&change).zip(&self.units) {
+                *number += change * unit;
+            }
+            if size < DONE || size > 0.5 * before {
+                return Some(place);
+            }
+            before = size;
+        }
+        None
+    }
+
+    fn difference(&self, a: &[f64], b: &[f64]) -> Vec<f64> {
+        a.iter().zip(b).zip(&self.units).map(|((a, b), unit)| (a - b) / unit).collect()
+    }
+
+    /// A direction along the curve at its first place, and this place: across whichever unknown gives the best determined one.
+    fn first(&self, place: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let slopes = self.singular.slopes(place, &self.units, TOLERANCES[0])?;
+        let along = |j: usize| {
+            let across: Vec<f64> = (0..place.len()).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+            tangent(&slopes, &across).map(|tangent| (tangent[j].abs(), tangent))
+        };
+        let (_, along) = (0..place.len()).filter_map(along).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let place = self.corrected(place, &along)?;
+        Some((along, place))
+    }
+
+    /// A place with its direction, its motion and its error.
+    fn spot(&self, place: Vec<f64>, along: &[f64]) -> Option<Spot> {
+        let slopes = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
+        let tangent = tangent(&slopes, along)?;
+        let error = self.error(&place, slopes, &tangent)?;
+        let Singular { family, space, .. } = self.singular;
+        let image = self.singular.image(&place, TOLERANCES[0])?;
+        let (state, parameters) = self.singular.parts(&place);
+        let point = family.point(space, state, parameters, &image, error)?;
+        let second = parameters[1];
+        Some(Spot { tangent, point: CurvePoint { point, second }, place })
+    }
+
+    /// What the values miss, and what another tolerance and the rounding of the unknowns change, as parameters across the curve.
+    fn error(&self, place: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
+        let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
+        let rounding =
+            f64::EPSILON * place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs()).sum::<f64>();
+        let missed = |(own, other): (f64, f64)| own.abs() + other.abs() + rounding;
+        let right = values(TOLERANCES[0])?.into_iter().zip(values(TOLERANCES[1])?).map(missed).chain([0.0]);
+        let right: Vec<f64> = right.collect();
+        rows.push(tangent.to_vec());
+        let change = solve(&Doubles, |x| x.abs(), &rows, &right)?;
+        let last = change.iter().zip(&self.units).rev().take(2).map(|(x, unit)| (x * unit).abs());
+        Some(4.0 * last.fold(0.0, f64::max))
+    }
+
+    fn units_of(&self, point: &BranchPoint) -> Vec<f64> {
+        let widths = self.ranges.map(|[low, high]| high - low);
+        if self.singular.rest.is_some() {
+            return widths.to_vec();
+        }
+        let sizes = self.singular.family.units(point, self.largest, widths[0]);
+        sizes.into_iter().chain([widths[1]]).collect()
+    }
+
+    /// Takes the sizes of the last motion; directions stay as they are.
+    fn rescale(&mut self) {
+        let units = self.units_of(&self.at().point.point);
+        let old = std::mem::replace(&mut self.units, units);
+        let of_old = |tangent: &[f64]| {
+            let scaled: Vec<f64> =
+                tangent.iter().zip(&old).zip(&self.units).map(|((t, old), new)| t * old / new).collect();
+            let size = norm(&scaled);
+            scaled.into_iter().map(|x| x / size).collect::<Vec<f64>>()
+        };
+        let turned: Vec<Vec<f64>> = self.spots.iter().map(|spot| of_old(&spot.tangent)).collect();
+        self.spots.iter_mut().zip(turned).for_each(|(spot, tangent)| spot.tangent = tangent);
+    }
+
+    /// The parameter that leaves its range first on the way to a spot, and the end of it.
+    fn outside(&self, next: &Spot) -> Option<(usize, f64)> {
+        let (_, now) = self.singular.parts(&self.at().place);
+        let (_, then) = self.singular.parts(&next.place);
+        let leaves = |which: usize| {
+            let [low, high] = self.ranges[which];
+            let value = if then[which] < low { low } else { high };
+            let is_out = !(low..=high).contains(&then[which]);
+            is_out.then(|| ((value - now[which]) / (then[which] - now[which]), which, value))
+        };
+        let first = (0..2).filter_map(leaves).min_by(|a, b| a.0.total_cmp(&b.0));
+        first.map(|(_, which, value)| (which, value))
+    }
+
+    /// The spot on the way to another one where a parameter has a value.
+    fn at_value(&self, next: &Spot, which: usize, value: f64) -> Option<Spot> {
+        let (now, then) = (&self.at().place, &next.place);
+        let number = now.len() - 2 + which;
+        let part = (value - now[number]) / (then[number] - now[number]);
+        let mut guess: Vec<f64> = now.iter().zip(then).map(|(x, y)| x + part * (y - x)).collect();
+        guess[number] = value;
+        let across: Vec<f64> = (0..now.len()).map(|i| if i == number { 1.0 } else { 0.0 }).collect();
+        let mut place = self.corrected(&guess, &across)?;
+        place[number] = value;
+        self.spot(place, &self.at().tangent)
+    }
+
+    /// Whether the way to a spot goes through the first one in the same direction.
+    fn closes(&self, next: &Spot, length: f64) -> bool {
+        if self.spots.len() < 4 {
+            return false;
+        }
+        let start = &self.spots[0];
+        let side = |place: &[f64]| -> f64 {
+            self.difference(place, &start.place).iter().zip(&start.tangent).map(|(a, b)| a * b).sum()
+        };
+        let [before, after] =
+            [&self.at().place, &next.place].map(|place| self.difference(place, &start.place));
+        let near = norm(&before).min(norm(&after)) <= 1.5 * length;
+        near && side(&self.at().place) < 0.0 && side(&next.place) >= 0.0
+    }
+
+    /// Whether the parameters go back on the way to a spot.
+    fn turns_back(&self, next: &Spot) -> bool {
+        let product =
+            |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).rev().take(2).map(|(a, b)| a * b).sum() };
+        self.singular.rest.is_none() && product(&self.at().tangent, &next.tangent) < 0.0
+    }
+
+    /// Where they turn back: the direction along the curve is one of the state alone.
+    fn turning(&self, next: &Spot) -> Option<Spot> {
+        const WIDTH: f64 = 1e-10;
+        let (a, b) = (self.at(), next);
+        let secant = self.difference(&b.place, &a.place);
+        let size = norm(&secant);
+        let secant: Vec<f64> = secant.into_iter().map(|x| x / size).collect();
+        let change: Vec<f64> = b.tangent.iter().zip(&a.tangent).map(|(b, a)| b - a).rev().take(2).collect();
+        let spot_at = |s: f64| {
+            let guess: Vec<f64> = a.place.iter().zip(&b.place).map(|(x, y)| x + s * (y - x)).collect();
+            let place = self.corrected(&guess, &secant)?;
+            self.spot(place, &a.tangent)
+        };
+        let along = |spot: &Spot| -> f64 { spot.tangent.iter().rev().zip(&change).map(|(t, w)| t * w).sum() };
+        let ends = [(0.0, along(a)), (1.0, along(b))];
+        let value = |s: f64| spot_at(s).map_or(f64::NAN, |spot| along(&spot));
+        spot_at(zero_between(ends, Tolerance::absolute(WIDTH), value)?)
+    }
+
+    /// Whether a motion belongs to a smaller space: there the curve goes back as its own image, half a period later or mirrored.
+    fn belongs_to_less(&self, spot: &Spot) -> bool {
+        /// Of the size of the motion.
+        const SAME: f64 = 1e-3;
+        const REST: f64 = 0.05;
+        let Singular { family, space, rest, .. } = self.singular;
+        if rest.is_some() {
+            return false;
+        }
+        let (state, parameters) = self.singular.parts(&spot.place);
+        let in_units = |numbers: &[f64]| {
+            norm(&numbers.iter().zip(&self.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())
+        };
+        let misses = |smaller: Space| {
+            family.image(smaller, state, parameters, TOLERANCES[0]).map(|image| in_units(&image.defect))
+        };
+        let is_smaller = |smaller: Space| misses(smaller).is_some_and(|off| off < SAME);
+        (space.mirrored && in_units(state) < REST)
+            || space.within(family.symmetry).into_iter().any(is_smaller)
+    }
+}
+
+/// The unit vector that slopes map to zero and that goes with another one.
+fn tangent(slopes: &[Vec<f64>], along: &[f64]) -> Option<Vec<f64>> {
+    let rows: Vec<Vec<f64>> = slopes.iter().cloned().chain([along.to_vec()]).collect();
+    let right: Vec<f64> = (0..along.len()).map(|i| if i + 1 < along.len() { 0.0 } else { 1.0 }).collect();
+    let tangent = solve(&Doubles, |x| x.abs(), &rows, &right)?;
+    let size = norm(&tangent);
+    size.is_finite().then(|| tangent.iter().map(|x| x / size).collect())
+}

@@ -1,0 +1,172 @@
+//! The edges of stability of a state of rest over two parameters, found on a grid.
+
+use super::curve::SpecialCurve;
+use super::family::{Family, TOLERANCES};
+use super::node::Tests;
+use super::point::is_stable;
+use super::space::Space;
+use super::special::Test;
+use libration_numbers::internals::linear::eigenvalues;
+use libration_numbers::roots::{Tolerance, zero_between};
+
+/// Whether a state of rest is stable, on a grid over two parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RestStability {
+    /// The values of the first parameter and of the second.
+    pub values: [Vec<f64>; 2],
+    /// For each value of the second parameter, for each of the first; none where the motion cannot be followed.
+    pub stable: Vec<Vec<Option<bool>>>,
+    /// Ranges of the second parameter in which it is stable, at the least value of the first and at its greatest.
+    pub at_ends: [Vec<[f64; 2]>; 2],
+}
+
+/// Intervals of the grid each way.
+const INTERVALS: u32 = 32;
+
+/// The grid, with the tests at its places.
+pub(super) struct Grid<'a> {
+    family: &'a Family<'a>,
+    space: Space,
+    rest: &'a [f64],
+    values: [Vec<f64>; 2],
+    tests: Vec<Vec<Option<(Tests, bool)>>>,
+}
+
+/// A place between neighbours of the grid at which a test vanishes.
+#[derive(Clone, Debug)]
+pub(super) struct Crossing {
+    pub(super) test: Test,
+    pub(super) place: [f64; 2],
+    /// The parameter along which it was found, and whether the test rises with it.
+    pub(super) along: usize,
+    pub(super) rises: bool,
+}
+
+impl<'a> Grid<'a> {
+    pub(super) fn new(family: &'a Family<'a>, space: Space, rest: &'a [f64], ranges: [[f64; 2]; 2]) -> Self {
+        let values = ranges.map(|[low, high]| {
+            let value = |k: u32| low + (high - low) * f64::from(k) / f64::from(INTERVALS);
+            (0..=INTERVALS).map(|k| if k == INTERVALS { high } else { value(k) }).collect::<Vec<f64>>()
+        });
+        let mut grid = Self { family, space, rest, values, tests: vec![] };
+        let row = |second: &f64| grid.values[0].iter().map(|first| grid.at([*first, *second])).collect();
+        grid.tests = grid.values[1].iter().map(row).collect();
+        grid
+    }
+
+    /// With the edges that were followed from the crossings.
+    pub(super) fn stability(&self, edges: &[SpecialCurve]) -> RestStability {
+        let stable = |it: &Option<(Tests, bool)>| it.as_ref().map(|(_, stable)| *stable);
+        let stable = self.tests.iter().map(|row| row.iter().map(stable).collect()).collect();
+        let ends = [self.values[0].first(), self.values[0].last()];
+        let at_ends = ends.map(|end| end.map_or_else(Vec::new, |first| self.stable_ranges(*first, edges)));
+        RestStability { values: self.values.clone(), stable, at_ends }
+    }
+
+    /// The ranges of the second parameter, between the ends that edges have at this value of the first, in whose middle rest is stable: they
+    /// may be narrower than the grid.
+    fn stable_ranges(&self, first: f64, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
+        let ends = edges.iter().flat_map(|edge| &edge.points);
+        let ends = ends.filter(|it| it.point.parameter.to_bits() == first.to_bits()).map(|it| it.second);
+        let outermost = [self.values[1].first(), self.values[1].last()];
+        let mut cuts: Vec<f64> = ends.chain(outermost.into_iter().flatten().copied()).collect();
+        cuts.sort_by(f64::total_cmp);
+        let mut ranges: Vec<[f64; 2]> = vec![];
+        for [from, to] in cuts.windows(2).map(|pair| [pair[0], pair[1]]).filter(|[from, to]| from < to) {
+            if self.at([first, 0.5 * (from + to)]).is_none_or(|(_, is_stable)| !is_stable) {
+                continue;
+            }
+            match ranges.last_mut() {
+                Some(last) if last[1].to_bits() == from.to_bits() => last[1] = to,
+                _ => ranges.push([from, to]),
+            }
+        }
+        ranges
+    }
+
+    fn at(&self, place: [f64; 2]) -> Option<(Tests, bool)> {
+        if self.family.watch.go_on().is_err() {
+            return None;
+        }
+        let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
+        let tests = Tests::new(&image, 0.0)?;
+        Some((tests, is_stable(&eigenvalues(&image.map)?)))
+    }
+
+    /// Where tests vanish along the lines of the grid.
+    pub(super) fn crossings(&self) -> Vec<Crossing> {
+        let tests = [Test::Branching, Test::Flip, Test::Torus];
+        let lines = (0..2).flat_map(|along| (0..self.values[1 - along].len()).map(move |line| (along, line)));
+        let lines: Vec<(usize, usize)> = lines.collect();
+        let of_test =
+            |test: Test| lines.iter().flat_map(move |&(along, line)| self.on_line(test, along, line));
+        tests.into_iter().flat_map(of_test).collect()
+    }
+
+    fn on_line(&self, test: Test, along: usize, line: usize) -> Vec<Crossing> {
+        let values: Vec<Option<f64>> = (0..self.values[along].len())
+            .map(|k| {
+                let it = if along == 0 { &self.tests[line][k] } else { &self.tests[k][line] };
+                it.as_ref().map(|(tests, _)| test.of(tests)).filter(|value| value.abs() > test.sure())
+            })
+            .collect();
+        let place = |value: f64| {
+            let across = self.values[1 - along][line];
+            if along == 0 { [value, across] } else { [across, value] }
+        };
+        let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
+        let axis = &self.values[along];
+        let crossing = |[from, to]: [(f64, f64); 2]| {
+            /// Of the distance: a place from which Newton's method goes on.
+            const WIDTH: f64 = 1e-6;
+            let width = WIDTH * (to.0 - from.0).abs();
+            let at = zero_between([from, to], Tolerance::absolute(width), value_at)?;
+            Some(Crossing { test, place: place(at), along, rises: from.1 < to.1 })
+        };
+        let mut found = vec![];
+        for k in 1..axis.len() {
+            let (Some(before), Some(after)) = (values[k - 1], values[k]) else { continue };
+            let ends = [(axis[k - 1], before), (axis[k], after)];
+            if (before > 0.0) != (after > 0.0) {
+                found.extend(crossing(ends));
+            } else if let Some(next) = values.get(k + 1).copied().flatten()
+                && let Some(least) = dip([ends[0], ends[1], (axis[k + 1], next)], value_at)
+                && least.1.abs() > test.sure()
+            {
+                found.extend(crossing([ends[0], least]));
+                found.extend(crossing([least, (axis[k + 1], next)]));
+            }
+        }
+        found
+    }
+}
+
+/// Where a function of one sign at three places, nearest to zero in the middle, has the other sign between them: a narrow tongue.
+fn dip(places: [(f64, f64); 3], value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+    const ROUNDS: u32 = 30;
+    const GOLDEN: f64 = 0.381_966_011_250_105_2;
+    let sign = places[1].1.signum();
+    let [low, middle, high] = places.map(|(_, value)| sign * value);
+    if !(low > middle && high >= middle && middle > 0.0) {
+        return None;
+    }
+    let [mut a, mut b, mut c] = places.map(|(place, _)| place);
+    let mut least = middle;
+    for _ in 0..ROUNDS {
+        let right = c - b > b - a;
+        let there = if right { b + GOLDEN * (c - b) } else { b - GOLDEN * (b - a) };
+        let here = sign * value(there);
+        if here < 0.0 {
+            return Some((there, sign * here));
+        }
+        if here < least {
+            (a, c) = if right { (b, c) } else { (a, b) };
+            (b, least) = (there, here);
+        } else if right {
+            c = there;
+        } else {
+            a = there;
+        }
+    }
+    None
+}

@@ -1,0 +1,159 @@
+//! Which free oscillations a weak drive keeps up against the damping, and at which phases.
+
+use super::backbone::undriven;
+use super::order::ResonanceOrder;
+use libration_motion::orbit::Orbit;
+use libration_numbers::algebra::Doubles;
+use libration_numbers::roots::{Tolerance, zero_between};
+use libration_numbers::{
+    expression::{Equation, Expression, Order, Symbol},
+    internals::expression::{Jet, Tape},
+};
+use std::f64::consts::{PI, TAU};
+
+/// An oscillator and what is left of it without its drive and its velocity.
+pub(super) struct EnergyBalance {
+    pub(super) equation: Equation,
+    pub(super) free: Equation,
+    /// What the one has and the other has not.
+    rest: Tape,
+    is_odd: bool,
+    is_periodic: bool,
+}
+
+/// Places of release with the frequencies of the free oscillations from there, in the order of the places, for each side of the bottom.
+pub(super) type Frequencies = Vec<Vec<(f64, f64)>>;
+
+/// What the rest does to a free oscillation over a whole number of periods of both.
+pub(super) enum Work {
+    /// Nothing that depends on the phase.
+    WithoutPhase,
+    /// At no phase as much as is taken from it, but at most this part.
+    TooWeak(f64),
+    /// It gives as much as it takes at these states, when the phase of the drive is zero.
+    Balanced(Vec<Vec<f64>>),
+}
+
+impl EnergyBalance {
+    /// Of one coordinate with its second derivative, all of whose parameters have values.
+    pub(super) fn new(equation: Equation) -> Option<Self> {
+        let free = undriven(&equation)?;
+        let place = Symbol::plain(&equation.variables()[0]);
+        let inputs = [place.clone(), place.with_primes(1), Symbol::plain("t")];
+        let difference = Expression::Subtract(
+            Box::new(equation.derivatives()[0].clone()),
+            Box::new(free.derivatives()[0].clone()),
+        );
+        let rest = Tape::new(&[&difference], &inputs).ok()?;
+        let force = Tape::new(&[&free.derivatives()[0]], &inputs).ok()?;
+        let at = |place: f64| value(&force, [place, 0.0, 0.0]);
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs()).max(1e-300);
+        let places = [0.31, 0.83, 1.7, 2.9];
+        Some(Self {
+            is_odd: places.iter().all(|place| same(at(*place), -at(-place))),
+            is_periodic: places.iter().all(|place| (at(*place) - at(place + TAU)).abs() <= 1e-12),
+            equation,
+            free,
+            rest,
+        })
+    }
+
+    /// The frequencies of free oscillations of all sizes; where left and right are alike, of one side.
+    pub(super) fn frequencies(&self) -> Frequencies {
+        let places = self.places();
+        let of =
+            |sign: f64| places.iter().map(|place| (sign * place, self.frequency(sign * place))).collect();
+        if self.is_odd { vec![of(1.0)] } else { vec![of(1.0), of(-1.0)] }
+    }
+
+    fn frequency(&self, place: f64) -> f64 {
+        Orbit::released(&self.free, place).map_or(f64::NAN, |orbit| orbit.frequency())
+    }
+
+    /// The free oscillations of a frequency, each released from rest.
+    pub(super) fn oscillations(&self, frequencies: &Frequencies, frequency: f64) -> Vec<Orbit> {
+        /// Near enough for what is a first guess.
+        const CLOSE: f64 = 1e-4;
+        let pairs = frequencies.iter().flat_map(|side| side.windows(2));
+        let places = pairs.filter_map(|pair| {
+            let ends = [pair[0], pair[1]].map(|(place, own)| (place, own - frequency));
+            zero_between(ends, Tolerance::relative(CLOSE), |place| self.frequency(place) - frequency)
+        });
+        places.filter_map(|place| Orbit::released(&self.free, place).ok()).collect()
+    }
+
+    /// Six decades, or from the bottom to a hundredth of a radian below the top.
+    fn places(&self) -> Vec<f64> {
+        const PER_DECADE: i32 = 5;
+        let decades = |from: i32, to: i32| {
+            (from * PER_DECADE..=to * PER_DECADE).map(|k| libm::exp10(f64::from(k) / f64::from(PER_DECADE)))
+        };
+        if !self.is_periodic {
+            return decades(-3, 3).collect();
+        }
+        let below = decades(-3, 1).filter(|place| *place < 0.5 * PI);
+        let above = decades(-2, 1).filter(|place| *place < 0.5 * PI).rev().map(|place| PI - place);
+        below.chain(above).collect()
+    }
+
+    /// The work of the rest over an oscillation that goes on by an order in a period of the drive.
+    pub(super) fn work(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64) -> Work {
+        const PHASES: u32 = 48;
+        /// Of the sum of the sizes: more than what the sums miss.
+        const NONE: f64 = 1e-7;
+        let phase = |j: u32| drive_period * f64::from(j) / f64::from(PHASES);
+        let values: Vec<[f64; 2]> =
+            (0..=PHASES).map(|j| self.work_at(orbit, order, drive_period, phase(j))).collect();
+        let works = || values.iter().map(|[work, _]| *work);
+        let (low, high) = works().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let size = values.iter().map(|[_, size]| *size).fold(0.0, f64::max);
+        if high - low <= NONE * size {
+            return Work::WithoutPhase;
+        }
+        if low > 0.0 || high < 0.0 {
+            return Work::TooWeak((high - low) / (high + low).abs());
+        }
+        let at = |shift: f64| self.work_at(orbit, order, drive_period, shift)[0];
+        let stretches = (0..PHASES).zip(values.windows(2));
+        let zeros = stretches.filter_map(|(j, pair)| {
+            let ends = [(phase(j), pair[0][0]), (phase(j + 1), pair[1][0])];
+            zero_between(ends, Tolerance::relative(1e-9), at)
+        });
+        Work::Balanced(zeros.map(|shift| orbit.state_at(shift)).collect())
+    }
+
+    /// Of the oscillation that is so long ahead when the phase of the drive is zero; and the sum of the sizes.
+    fn work_at(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64, ahead: f64) -> [f64; 2] {
+        const STEPS: u32 = 48;
+        let steps = STEPS * (order.oscillations() + order.drive_periods());
+        let whole = drive_period * f64::from(order.drive_periods());
+        // The frequency of the oscillation is nearly the one that is meant.
+        let whole_of_orbit = orbit.period() * f64::from(order.oscillations());
+        (0..steps).fold([0.0, 0.0], |[work, size], j| {
+            let part = f64::from(j) / f64::from(steps);
+            let state = orbit.state_at(part * whole_of_orbit + ahead);
+            let power = state[1] * value(&self.rest, [state[0], state[1], part * whole]);
+            [work + power, size + power.abs()]
+        })
+    }
+
+    /// The free oscillator with a part of the rest, which is a letter of its own.
+    pub(super) fn with_part_of_rest(&self) -> (Equation, String) {
+        let full = &self.equation.derivatives()[0];
+        let taken: Vec<String> = full.symbols().into_iter().map(|it| it.name).collect();
+        let mut name = "strength".to_owned();
+        while taken.contains(&name) {
+            name.push('_');
+        }
+        let free = &self.free.derivatives()[0];
+        let rest = Expression::Subtract(Box::new(full.clone()), Box::new(free.clone()));
+        let part = Expression::Multiply(Box::new(Expression::Symbol(Symbol::plain(&name))), Box::new(rest));
+        let sum = Expression::Add(Box::new(free.clone()), Box::new(part));
+        let variables = self.equation.variables().to_vec();
+        (Equation::of_derivatives(variables, vec![Order::Second], vec![sum]), name)
+    }
+}
+
+fn value(tape: &Tape, inputs: [f64; 3]) -> f64 {
+    Jet::new(&Doubles, tape, &inputs).map_or(f64::NAN, |jet| jet.result(0)[0])
+}

@@ -1,0 +1,292 @@
+//! A system over its open parameters: how the end of a motion depends on its start and on them.
+
+use super::drive_law::DriveLaw;
+use super::error::NoBranch;
+use super::field::{Field, Rates, returned};
+use super::space::{Space, Symmetry};
+use super::symmetry::symmetry;
+use libration_motion::internals::orbit::depends_on_time;
+use libration_motion::taylor::{
+    Effort, IntegrationError, Moment, OwnedStep, StateLayout, System, Trajectory, with_sensitivities,
+};
+use libration_numbers::algebra::Doubles;
+use libration_numbers::watch::Watch;
+use libration_numbers::{
+    expression::{Equation, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// What sets the period of a motion.
+#[derive(Debug)]
+enum Beat {
+    /// The drive, at each value of the open parameters.
+    Drive(DriveLaw),
+    /// The motion itself: its period is one more unknown, and it begins where the first coordinate turns back.
+    Own(Field),
+}
+
+/// A system over its open parameters. The unknowns of a motion are the numbers of its state, followed by its period where no drive sets it.
+#[derive(Debug)]
+pub(super) struct Family<'w> {
+    pub(super) layout: StateLayout,
+    pub(super) symmetry: Option<Symmetry>,
+    beat: Beat,
+    plain: System,
+    /// Followed by the derivatives by each parameter and by each number of the start.
+    with_derivatives: System,
+    rates: Tape,
+    pub(super) watch: &'w Watch<'w>,
+}
+
+/// Where a motion leads in the time of its space, its mirror image where the space has one.
+#[derive(Clone, Debug)]
+pub(super) struct Image {
+    /// What its end misses of the start; then, where no drive sets the period, what the start misses of its phase.
+    pub(super) defect: Vec<f64>,
+    /// How the end depends on the start, by rows: the derivative of the defect by the unknowns, plus one.
+    pub(super) map: Vec<Vec<f64>>,
+    /// How the return to the phase depends on the start, where no drive sets the period.
+    returned: Option<Vec<Vec<f64>>>,
+    /// And on each parameter, of which the time is a function.
+    pub(super) by_parameters: Vec<Vec<f64>>,
+}
+
+impl Image {
+    /// Where the time depends on the parameters with some slopes.
+    fn in_time_of_drive(mut self, rate: &[f64], slopes: &[f64]) -> Self {
+        for (by_parameter, slope) in self.by_parameters.iter_mut().zip(slopes) {
+            by_parameter.iter_mut().zip(rate).for_each(|(x, rate)| *x += slope * rate);
+        }
+        self
+    }
+
+    /// Where the period, a share of which is the time, is an unknown, and that the first coordinate turns back at the start an equation.
+    fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates) -> Option<Self> {
+        let (phase, slopes) = (start.rates[0], &start.slopes[0]);
+        let (by_state, by_parameters) = slopes.split_at(self.map.len());
+        self.returned = Some(returned(&self.map, rate, by_state)?);
+        self.map.iter_mut().zip(rate).for_each(|(row, rate)| row.push(share * rate));
+        self.map.push(by_state.iter().copied().chain([1.0]).collect());
+        self.defect.push(phase);
+        self.by_parameters.iter_mut().zip(by_parameters).for_each(|(all, slope)| all.push(*slope));
+        Some(self)
+    }
+
+    /// The map whose eigenvalues are the multipliers; without a drive the 1 of a deviation along the motion is a 0 there.
+    pub(super) fn return_map(&self) -> &[Vec<f64>] {
+        self.returned.as_ref().unwrap_or(&self.map)
+    }
+}
+
+/// The tolerance of steps from which places are computed, and another one that makes other errors.
+pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
+/// Steps of one motion.
+const MOST_STEPS: usize = 100_000;
+
+impl<'w> Family<'w> {
+    /// Of a driven system.
+    pub(super) fn new(
+        equation: &Equation,
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
+        let law = DriveLaw::new(equation, parameters)?;
+        Self::with_beat(equation, parameters, ranges, Beat::Drive(law), watch)
+    }
+
+    /// Of one that nothing drives, where the time does not stand in the equations.
+    pub(super) fn free_or_driven(
+        equation: &Equation,
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
+        if depends_on_time(equation) {
+            return Self::new(equation, parameters, ranges, watch);
+        }
+        let field = Field::new(equation, parameters)?;
+        Self::with_beat(equation, parameters, ranges, Beat::Own(field), watch)
+    }
+
+    fn with_beat(
+        equation: &Equation,
+        parameters: &[&str],
+        ranges: &[[f64; 2]],
+        beat: Beat,
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
+        let layout = StateLayout::new(equation);
+        let plain = System::with_parameters(equation, parameters)?.for_many_steps();
+        let derivatives = with_sensitivities(equation, parameters, layout.numbers());
+        let with_derivatives = System::with_parameters(&derivatives, parameters)?.for_many_steps();
+        let mut inputs = layout.symbols(equation.variables());
+        inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
+        let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
+        let law = match &beat {
+            Beat::Drive(law) => Some(law),
+            Beat::Own(_) => None,
+        };
+        let symmetry = symmetry(&layout, &rates, law, ranges);
+        Ok(Self { layout, symmetry, beat, plain, with_derivatives, rates, watch })
+    }
+
+    pub(super) fn is_driven(&self) -> bool {
+        self.field().is_none()
+    }
+
+    /// The rates of change, where no drive sets the period.
+    pub(super) fn field(&self) -> Option<&Field> {
+        match &self.beat {
+            Beat::Drive(_) => None,
+            Beat::Own(field) => Some(field),
+        }
+    }
+
+    /// The state among the unknowns.
+    pub(super) fn state<'u>(&self, unknowns: &'u [f64]) -> &'u [f64] {
+        &unknowns[..self.layout.numbers()]
+    }
+
+    /// The time of a space.
+    pub(super) fn duration(&self, space: Space, unknowns: &[f64], parameters: &[f64]) -> Option<f64> {
+        let period = match &self.beat {
+            Beat::Drive(law) => law.period(parameters)?.0,
+            Beat::Own(_) => *unknowns.last()?,
+        };
+        (period > 0.0).then(|| 0.5 * f64::from(space.half_periods) * period)
+    }
+
+    /// The period of the drive, if there is one.
+    pub(super) fn drive_period(&self, parameters: &[f64]) -> Option<f64> {
+        match &self.beat {
+            Beat::Drive(law) => law.period(parameters).map(|(period, _)| period),
+            Beat::Own(_) => None,
+        }
+    }
+
+    /// The image of a motion with its derivatives; `None` where the motion cannot be followed.
+    pub(super) fn image(
+        &self,
+        space: Space,
+        unknowns: &[f64],
+        parameters: &[f64],
+        tolerance: f64,
+    ) -> Option<Image> {
+        let state = self.state(unknowns);
+        let duration = self.duration(space, unknowns, parameters)?;
+        let (numbers, by) = (self.layout.numbers(), parameters.len());
+        let place = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, by + numbers);
+        let mut start = vec![0.0; numbers * (1 + by + numbers)];
+        for (number, value) in state.iter().enumerate() {
+            start[place(number, 0)] = *value;
+            start[place(number, 1 + by + number)] = 1.0;
+        }
+        let end = self.end(&self.with_derivatives, start, parameters, duration, tolerance)?;
+        let own: Vec<f64> = (0..numbers).map(|number| end[place(number, 0)]).collect();
+        let sign = space.sign();
+        let rate: Vec<f64> = self.rate(&own, duration, parameters)?.iter().map(|x| sign * x).collect();
+        let row =
+            |number: usize| (0..numbers).map(|start| sign * end[place(number, 1 + by + start)]).collect();
+        let by_parameter =
+            |number: usize| (0..numbers).map(|it| sign * end[place(it, 1 + number)]).collect::<Vec<f64>>();
+        let image = Image {
+            defect: space.missed(&own, state),
+            map: (0..numbers).map(row).collect(),
+            returned: None,
+            by_parameters: (0..by).map(by_parameter).collect(),
+        };
+        let share = 0.5 * f64::from(space.half_periods);
+        match &self.beat {
+            Beat::Drive(law) => {
+                let (_, slopes) = law.period(parameters)?;
+                Some(
+                    image.in_time_of_drive(
+                        &rate,
+                        &slopes.iter().map(|slope| share * slope).collect::<Vec<_>>(),
+                    ),
+                )
+            }
+            Beat::Own(field) => image.beginning_at_turn(&rate, share, field.at(state, parameters)?),
+        }
+    }
+
+    /// A start that is not at rest: one that is goes aside a little.
+    pub(super) fn displaced(&self, mut state: Vec<f64>, value: f64) -> Vec<f64> {
+        const REST: f64 = 1e-9;
+        const ASIDE: f64 = 0.1;
+        let rates = self.field().and_then(|field| field.at(&state, &[value]));
+        if rates.is_some_and(|it| it.rates.iter().all(|rate| rate.abs() <= REST)) {
+            state[0] += ASIDE * state[0].abs().max(1.0);
+        }
+        state
+    }
+
+    /// How often the first coordinate turns back in a period from a turn on.
+    pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
+        let (steps, _) = self.motion(state, &[value], period, TOLERANCES[1]).ok()?;
+        let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
+        let begins_to = |own: &&OwnedStep| !rises(own, own.step().start()) && rises(own, own.step().end());
+        u32::try_from(steps.iter().filter(begins_to).count().max(1)).ok()
+    }
+
+    fn end(
+        &self,
+        system: &System,
+        state: Vec<f64>,
+        parameters: &[f64],
+        duration: f64,
+        tolerance: f64,
+    ) -> Option<Vec<f64>> {
+        let start = Moment { time: 0.0, state };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
+        let solution = trajectory.integrate_watched(system, &effort(tolerance), |_| self.watch.flow());
+        Some(solution.ok()?.end.state).filter(|state| state.iter().all(|it| it.is_finite()))
+    }
+
+    /// The motion alone, step by step, and its end.
+    pub(super) fn motion(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        duration: f64,
+        tolerance: f64,
+    ) -> Result<(Vec<OwnedStep>, Vec<f64>), IntegrationError> {
+        let start = Moment { time: 0.0, state: state.to_vec() };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
+        let mut steps = vec![];
+        let solution = trajectory.integrate_watched(&self.plain, &effort(tolerance), |step| {
+            steps.push(step.to_owned_step());
+            self.watch.flow()
+        })?;
+        Ok((steps, solution.end.state))
+    }
+
+    /// Where a state at a phase of the drive leads from one time to another.
+    pub(super) fn moved_on(&self, state: &[f64], value: f64, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+        let start = Moment { time: from, state: state.to_vec() };
+        let trajectory = Trajectory { start, parameters: vec![value], times: &[to] };
+        let solution =
+            trajectory.integrate_watched(&self.plain, &effort(TOLERANCES[1]), |_| self.watch.flow());
+        Some(solution.ok()?.end.state)
+    }
+
+    /// The derivative of a state by the time.
+    pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
+        let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
+        let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;
+        let coordinates = 0..self.layout.coordinates();
+        let mut rate = vec![0.0; state.len()];
+        for coordinate in coordinates {
+            if let Some(velocity) = self.layout.velocity(coordinate) {
+                rate[coordinate] = state[velocity];
+            }
+            rate[self.layout.driven(coordinate)] = jet.result(coordinate)[0];
+        }
+        Some(rate)
+    }
+}
+
+fn effort(tolerance: f64) -> Effort {
+    Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) }
+}

@@ -1,0 +1,88 @@
+//! Hopf points: where a limit cycle shrinks to a state of rest.
+
+use super::field::Field;
+use super::point::{BranchPoint, is_stable};
+use libration_numbers::algebra::{Complex, Doubles};
+use libration_numbers::internals::linear::{eigenvalues, solve};
+use libration_numbers::roots::{Tolerance, zero_between};
+use std::f64::consts::TAU;
+
+/// A state of rest at a value of the parameter.
+struct Rest {
+    state: Vec<f64>,
+    /// Of the rates by the state.
+    eigenvalues: Vec<Complex>,
+    /// The one above the real axis whose frequency is nearest to that of the cycle.
+    critical: Complex,
+}
+
+/// The Hopf point near a state, a period and a value of the parameter, in a range with a width: a pair of eigenvalues is imaginary there. Its
+/// error is that of the parameter.
+pub(super) fn hopf(
+    field: &Field,
+    near: &[f64],
+    [period, value]: [f64; 2],
+    width: f64,
+) -> Option<BranchPoint> {
+    /// The first part of the range in which it is looked for, and how often this is doubled.
+    const NEAR: f64 = 1e-6;
+    const DOUBLINGS: i32 = 16;
+    let rest = |value: f64| Rest::near(field, near, value, TAU / period);
+    let growth = |value: f64| rest(value).map_or(f64::NAN, |it| it.critical.re);
+    let ends = |doublings: i32| {
+        let aside = NEAR * width * libm::exp2(f64::from(doublings));
+        [value - aside, value + aside].map(|end| (end, growth(end)))
+    };
+    let mut brackets = (0..DOUBLINGS).map(ends);
+    let bracket = brackets.find(|[a, b]| a.1.is_finite() && b.1.is_finite() && (a.1 > 0.0) != (b.1 > 0.0))?;
+    let parameter = zero_between(bracket, Tolerance::relative(f64::EPSILON), growth)?;
+    let Rest { state, eigenvalues, critical } = rest(parameter)?;
+    let [a, b] = bracket;
+    let slope = ((b.1 - a.1) / (b.0 - a.0)).abs();
+    let error = 4.0 * f64::EPSILON * (parameter.abs() + eigenvalues.first()?.abs() / slope);
+    let period = TAU / critical.im;
+    let multiplier = |it: Complex| {
+        Complex { re: libm::cos(it.im * period), im: libm::sin(it.im * period) }
+            .scaled(libm::exp(it.re * period))
+    };
+    let mut multipliers: Vec<Complex> = eigenvalues.into_iter().map(multiplier).collect();
+    multipliers.sort_by(|a, b| b.abs().total_cmp(&a.abs()));
+    Some(BranchPoint {
+        parameter,
+        period,
+        rotation: None,
+        ranges: state.iter().map(|x| [*x; 2]).collect(),
+        state,
+        stable: is_stable(&multipliers),
+        multipliers,
+        error,
+    })
+}
+
+impl Rest {
+    /// By Newton's method from a state.
+    fn near(field: &Field, state: &[f64], value: f64, frequency: f64) -> Option<Self> {
+        const MOST_ROUNDS: usize = 30;
+        let (mut state, mut before) = (state.to_vec(), f64::INFINITY);
+        for _ in 0..MOST_ROUNDS {
+            let found = field.at(&state, &[value])?;
+            let jacobian: Vec<Vec<f64>> =
+                found.slopes.iter().map(|row| row[..state.len()].to_vec()).collect();
+            let change = solve(&Doubles, |x| x.abs(), &jacobian, &found.rates)?;
+            let size = change.iter().map(|x| x.abs()).fold(0.0, f64::max);
+            if !size.is_finite() {
+                return None;
+            }
+            state.iter_mut().zip(&change).for_each(|(x, change)| *x -= change);
+            if size == 0.0 || (size > 0.5 * before && size < 1e-9) {
+                let own = eigenvalues(&jacobian)?;
+                let off = |it: &&Complex| (it.im - frequency).abs();
+                let above = own.iter().filter(|it| it.im > 0.0);
+                let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+                return Some(Self { state, eigenvalues: own, critical });
+            }
+            before = size;
+        }
+        None
+    }
+}

@@ -1,0 +1,141 @@
+//! A place on a branch, with its direction and what tells singular points.
+
+use super::corrector::{Corrected, Corrector, norm};
+use super::family::{Family, Image};
+use super::point::BranchPoint;
+use libration_numbers::algebra::Complex;
+use libration_numbers::internals::linear::eigenvalues;
+use std::f64::consts::TAU;
+
+/// A place on a branch.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub(super) corrected: Corrected,
+    /// Along the branch, not in units.
+    pub(super) direction: Vec<f64>,
+    pub(super) point: BranchPoint,
+    pub(super) tests: Tests,
+}
+
+/// What changes its sign at singular points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tests {
+    /// How the parameter goes along the branch.
+    pub(super) fold: f64,
+    /// Whether a multiplier of the map is +1.
+    pub(super) branching: f64,
+    /// Whether one is −1.
+    pub(super) flip: f64,
+    /// Whether the product of two is 1, in units of the square of the largest.
+    pub(super) torus: f64,
+}
+
+impl Node {
+    /// With the direction that goes with another one.
+    pub(super) fn new(
+        corrector: &Corrector<'_>,
+        corrected: Corrected,
+        along: &[f64],
+        units: &[f64],
+    ) -> Option<Self> {
+        let along = in_units(along, units);
+        // Where branches cross there are several directions.
+        let tangent = corrector.tangent(&corrected.image, &along, units).unwrap_or(along);
+        let point = corrector.point(&corrected, &tangent, units)?;
+        let tests = Tests::new(&corrected.image, tangent.last().copied()?)?;
+        let direction = tangent.iter().zip(units).map(|(t, unit)| t * unit).collect();
+        Some(Self { corrected, direction, point, tests })
+    }
+
+    /// The node nearest to a place, across a direction and along one, where the parameter has a range of a width: once to learn the sizes of
+    /// its motion, and again with these.
+    pub(super) fn near(
+        corrector: &Corrector<'_>,
+        place: &[f64],
+        [across, along]: [&[f64]; 2],
+        width: f64,
+    ) -> Option<Self> {
+        let mut sizes = vec![1.0; place.len()];
+        *sizes.last_mut()? = width;
+        let mut node: Option<Self> = None;
+        for _ in 0..2 {
+            let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
+            let found = Self::new(corrector, corrected, along, &sizes)?;
+            sizes = corrector.family.units(&found.point, largest_swing(&found.point), width);
+            node = Some(found);
+        }
+        node
+    }
+
+    pub(super) fn place(&self) -> &[f64] {
+        &self.corrected.place
+    }
+}
+
+impl Tests {
+    pub(super) fn new(image: &Image, fold: f64) -> Option<Self> {
+        let own = eigenvalues(image.return_map())?;
+        let one = Complex::from(1.0);
+        let product = |factors: &mut dyn Iterator<Item = Complex>| factors.fold(one, |a, b| a * b).re;
+        // The product of a large multiplier and its inverse is as inexact as the square of the large one.
+        let largest = own.first().map_or(1.0, |it| it.abs().max(1.0));
+        let rounding = largest * largest;
+        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        Some(Self {
+            fold,
+            branching: product(&mut own.iter().map(|it| *it - one)),
+            flip: product(&mut own.iter().map(|it| *it + one)),
+            torus: product(&mut pairs.map(|(i, j)| (own[i] * own[j] - one).scaled(1.0 / rounding))),
+        })
+    }
+}
+
+/// A direction as a unit vector in units.
+pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
+    let scaled: Vec<f64> = direction.iter().zip(units).map(|(x, unit)| x / unit).collect();
+    let size = norm(&scaled);
+    scaled.into_iter().map(|x| x / size).collect()
+}
+
+/// The half widths of what the coordinates go, the largest of them, or 1 at rest.
+pub(super) fn largest_swing(point: &BranchPoint) -> f64 {
+    let largest = point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max);
+    if largest > 1e-9 { largest } else { 1.0 }
+}
+
+impl Family<'_> {
+    /// The sizes of the unknowns, then that of the parameter: half of what a coordinate goes, its share of the velocity, and the period where
+    /// it is unknown. What hardly moves beside the largest swing is measured by a part of this.
+    pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {
+        const HARDLY: f64 = 0.02;
+        let swing = |coordinate: usize| {
+            let [low, high] = point.ranges[coordinate];
+            (0.5 * (high - low)).max(HARDLY * largest)
+        };
+        let places = (0..self.layout.coordinates()).map(swing);
+        let sizes = self.layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
+        let period = (!self.is_driven()).then_some(point.period);
+        sizes.into_iter().chain(period).chain([width]).collect()
+    }
+}
+
+/// The cubic through two places with their directions: Hermite's, from 0 to 1.
+pub(super) fn between(a: &Node, b: &Node, units: &[f64], s: f64) -> Vec<f64> {
+    let distance = norm(&difference(b.place(), a.place(), units));
+    let slope = |node: &Node| {
+        let size = norm(&node.direction.iter().zip(units).map(|(x, unit)| x / unit).collect::<Vec<_>>());
+        node.direction.iter().map(|x| x * distance / size).collect::<Vec<_>>()
+    };
+    let (from, to) = (slope(a), slope(b));
+    let (one, other) = (s * s * (3.0 - 2.0 * s), s * (1.0 - s));
+    (0..from.len())
+        .map(|j| {
+            let [x, y] = [a.place()[j], b.place()[j]];
+            x + one * (y - x) + other * ((1.0 - s) * from[j] - s * to[j])
+        })
+        .collect()
+}
+
+pub(super) fn difference(a: &[f64], b: &[f64], units: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).zip(units).map(|((a, b), unit)| (a - b) / unit).collect()
+}

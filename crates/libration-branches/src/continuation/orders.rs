@@ -1,0 +1,160 @@
+//! Sub- and superharmonic answers, found from the free oscillations.
+
+use super::branch::{Branch, Origin, Walked};
+use super::energy_balance::{EnergyBalance, Frequencies, Work};
+use super::error::NoBranch;
+use super::full_strength::ToFullStrength;
+use super::jumps::landing;
+use super::order::ResonanceOrder;
+use super::search::{Search, Start};
+use super::space::{Space, Symmetry};
+use libration_motion::orbit::Orbit;
+use libration_numbers::expression::Equation;
+
+/// What the search for answers of an order came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrderAnswers {
+    /// The order.
+    pub order: ResonanceOrder,
+    /// How many branches of it are followed that had not been.
+    pub branches: usize,
+    /// How far it came.
+    pub finding: OrderFinding,
+}
+
+/// How far the search for answers of an order came.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub enum OrderFinding {
+    /// No free oscillation has the frequency.
+    NoOscillation,
+    /// The work of the drive on those that have it does not depend on their phase, to the first order.
+    NoWork,
+    /// At its best phase the drive gives no more than this part of what the damping takes, to the first order.
+    TooWeak(f64),
+    /// Balanced oscillations lead to no answer as drive and damping grow from zero to what they are.
+    NotReached,
+    /// There are answers.
+    Found,
+}
+
+/// Values of the parameter at which free oscillations are tried, in the middle of equal parts of the range.
+const VALUES: u32 = 16;
+
+impl Search<'_> {
+    /// The branches of an order that are not among those followed, each told as it is found.
+    pub(super) fn of_order(
+        &self,
+        order: ResonanceOrder,
+        branches: &mut Vec<Branch>,
+        mut told: impl FnMut(&Walked),
+    ) -> Result<OrderAnswers, NoBranch> {
+        let (mut finding, before) = (OrderFinding::NoOscillation, branches.len());
+        let mut known: Option<(Equation, Frequencies)> = None;
+        for k in 0..VALUES {
+            if self.family.watch.is_stopped() {
+                break;
+            }
+            let value = self.range[0] + self.width() * (f64::from(k) + 0.5) / f64::from(VALUES);
+            let Some(drive) = self.family.drive_period(&[value]) else { continue };
+            let equation = self.at(value).map_err(NoBranch::NoStart)?;
+            let balance = EnergyBalance::new(equation).ok_or(NoBranch::NotOneOscillator)?;
+            let ratio = f64::from(order.oscillations()) / f64::from(order.drive_periods());
+            let frequency = ratio * std::f64::consts::TAU / drive;
+            let frequencies = match known.take() {
+                Some((free, frequencies)) if free == balance.free => frequencies,
+                _ => balance.frequencies(),
+            };
+            let orbits = balance.oscillations(&frequencies, frequency);
+            known = Some((balance.free.clone(), frequencies));
+            for orbit in &orbits {
+                let reached =
+                    self.reached_from(&balance, orbit, [value, drive], order, branches, &mut told)?;
+                if reached > finding {
+                    finding = reached;
+                }
+            }
+        }
+        Ok(OrderAnswers { order, branches: branches.len() - before, finding })
+    }
+
+    fn reached_from(
+        &self,
+        balance: &EnergyBalance,
+        orbit: &Orbit,
+        [value, drive]: [f64; 2],
+        order: ResonanceOrder,
+        branches: &mut Vec<Branch>,
+        told: &mut impl FnMut(&Walked),
+    ) -> Result<OrderFinding, NoBranch> {
+        let states = match balance.work(orbit, order, drive) {
+            Work::WithoutPhase => return Ok(OrderFinding::NoWork),
+            Work::TooWeak(part) => return Ok(OrderFinding::TooWeak(part)),
+            Work::Balanced(states) => states,
+        };
+        let space = Space::of_periods(order.drive_periods());
+        let (low, high) = orbit.range(0);
+        let mut finding = OrderFinding::NotReached;
+        let Some(way) = ToFullStrength::new(balance, self.family.watch) else { return Ok(finding) };
+        for state in states {
+            let Some(answer) = way.answer(space, &state, 0.5 * (high - low)) else { continue };
+            let start = Start { unknowns: answer.state, space };
+            let smallest = self.smallest(space, &start.unknowns, value);
+            if smallest.drive_periods() < order.drive_periods() {
+                continue;
+            }
+            finding = OrderFinding::Found;
+            if self.is_followed(branches, value, &start) {
+                continue;
+            }
+            let Some(mut walked) = self.both_ways(value, &start)? else { continue };
+            walked.branch.origin = Origin::FreeOscillation;
+            told(&walked);
+            branches.push(walked.branch);
+        }
+        Ok(finding)
+    }
+
+    /// Whether a motion, begun at another period of the drive or mirrored, is on one of the branches.
+    pub(super) fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
+        /// Of the size of the state.
+        const SAME: f64 = 1e-6;
+        let Some(copies) = self.copies(start, value) else { return false };
+        let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let is_copy = |state: &[f64]| copies.iter().any(|copy| start.space.is_near(copy, state, SAME * size));
+        let stretches = branches.iter().flat_map(|branch| {
+            branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
+        });
+        stretches
+            .filter(|(space, [a, b])| {
+                space.drive_periods() == start.space.drive_periods()
+                    && (a.parameter < value) != (b.parameter < value)
+            })
+            .any(|(space, pair)| is_copy(&landing(&self.corrector(space), pair, value, self.width()).state))
+    }
+
+    /// The states of a motion and of its mirror image whenever the phase of the drive is zero.
+    pub(super) fn copies(&self, start: &Start, value: f64) -> Option<Vec<Vec<f64>>> {
+        let mut copies = vec![];
+        let mut state = start.unknowns.clone();
+        let halves = 2 * start.space.drive_periods();
+        let half = 0.5 * self.family.drive_period(&[value])?;
+        for number in 0..halves {
+            let mirrored = || state.iter().map(|x| -x).collect();
+            let is_whole = number % 2 == 0;
+            match self.family.symmetry {
+                Some(Symmetry::Unshifted) if is_whole => copies.push(mirrored()),
+                Some(Symmetry::HalfPeriod) if !is_whole => copies.push(mirrored()),
+                _ => {}
+            }
+            if is_whole {
+                copies.push(state.clone());
+            }
+            state = self.family.moved_on(
+                &state,
+                value,
+                [f64::from(number), f64::from(number + 1)].map(|it| it * half),
+            )?;
+        }
+        Some(copies)
+    }
+}

@@ -1,0 +1,228 @@
+//! Singular points to as many digits as are wanted.
+
+use super::corrector::norm;
+use super::error::NoBranch;
+use super::family::{Family, TOLERANCES};
+use super::node::largest_swing;
+use super::precise_flow::{PreciseFlow, PreciseImage};
+use super::singular::Singular;
+use super::space::Space;
+use super::special::{SpecialKind, SpecialPoint, Test};
+use libration_motion::internals::orbit::depends_on_time;
+use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
+use libration_numbers::expression::Equation;
+use libration_numbers::internals::linear::{eigenvalues, solve};
+use libration_numbers::watch::Watch;
+
+/// A singular point in floats of many bits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PreciseSpecial {
+    /// The value of the parameter.
+    pub parameter: BigFloat,
+    /// The state when the phase of the drive is zero: coordinates, then velocities.
+    pub state: Vec<BigFloat>,
+    /// The parameter may be wrong by so much: what series of another order change in it, and rounding.
+    pub error: f64,
+}
+
+/// Bits beyond the wanted digits.
+const SPARE: usize = 40;
+/// Corrections; each gains some nine digits.
+const MOST_ROUNDS: usize = 200;
+
+impl SpecialPoint {
+    /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the parameter, to so many
+    /// digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision.
+    /// `None` for neutral saddles and for more than two numbers of the state at Neimark–Sacker points, for branch points of motions that are not
+    /// at rest at zero, where nothing drives, and where the motion cannot be followed.
+    ///
+    /// # Accuracy
+    /// As its error says, below the last of the digits.
+    ///
+    /// # Errors
+    /// Equations without a periodic drive, another open parameter.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::continuation::{Response, ResponseOptions};
+    /// let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
+    /// let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+    /// let response = Response::over(&pendulum, "w", [0.8, 0.9], &options)?;
+    /// let branch = &response.branches[0];
+    /// let fold = branch.special[0].to_digits(&pendulum, "w", branch.space, 25)?.ok_or("no digits")?;
+    /// // Reference: Fourier collocation and Taylor series in floats of 130 bits.
+    /// assert_eq!(fold.parameter.to_rational().to_decimal(25), "0.8721575691379171688795389");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn to_digits(
+        &self,
+        equation: &Equation,
+        parameter: &str,
+        space: Space,
+        digits: u32,
+    ) -> Result<Option<PreciseSpecial>, NoBranch> {
+        self.to_digits_watched(equation, parameter, space, digits, &Watch::none())
+    }
+
+    /// As [`to_digits`](Self::to_digits); `watch` is asked at each step, and where it stops there is nothing.
+    ///
+    /// # Errors
+    /// As [`to_digits`](Self::to_digits).
+    pub fn to_digits_watched(
+        &self,
+        equation: &Equation,
+        parameter: &str,
+        space: Space,
+        digits: u32,
+        watch: &Watch<'_>,
+    ) -> Result<Option<PreciseSpecial>, NoBranch> {
+        let value = self.point.parameter;
+        let width = value.abs().max(f64::MIN_POSITIVE);
+        if !depends_on_time(equation) {
+            return Ok(None);
+        }
+        let family = Family::new(equation, &[parameter], &[[value - width, value + width]], watch)?;
+        let flow = PreciseFlow::new(equation, parameter, watch)?;
+        let is_zero = self.point.state.iter().all(|x| *x == 0.0);
+        let is_rest = is_zero && self.point.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits());
+        let test = match self.kind {
+            SpecialKind::Fold => Test::Branching,
+            SpecialKind::BranchPoint if is_rest => Test::Branching,
+            SpecialKind::SymmetryBreaking | SpecialKind::PeriodDoubling => Test::Flip,
+            SpecialKind::NeimarkSacker if self.point.state.len() == 2 => Test::Torus,
+            _ => return Ok(None),
+        };
+        let rest = is_rest.then_some(&self.point.state[..]);
+        let singular = Singular { family: &family, space, test, rest };
+        let units = family.units(&self.point, largest_swing(&self.point), width);
+        let bits = usize::try_from(digits).unwrap_or(usize::MAX / 8) * 10 / 3 + SPARE;
+        let root = Root { singular, flow, units, ring: Floats { precision: bits }, digits };
+        Ok(root.found(self))
+    }
+}
+
+struct Root<'a> {
+    singular: Singular<'a>,
+    flow: PreciseFlow<'a>,
+    units: Vec<f64>,
+    ring: Floats,
+    digits: u32,
+}
+
+impl Root<'_> {
+    fn found(&self, special: &SpecialPoint) -> Option<PreciseSpecial> {
+        let state = &special.point.state;
+        let free = if self.singular.rest.is_some() { &[][..] } else { state };
+        let start: Vec<f64> = free.iter().copied().chain([special.point.parameter]).collect();
+        let units = &self.units[self.units.len() - start.len()..];
+        let slopes = self.singular.slopes(&start, units, TOLERANCES[0])?;
+        let big = |x: f64| BigFloat::from_f64(x, self.ring.precision);
+        let mut place: Vec<BigFloat> = start.iter().map(|x| big(*x)).collect::<Option<_>>()?;
+        let order = u32::try_from(self.ring.precision / 3).ok()?;
+        let wanted = libm::exp10(-f64::from(self.digits) - 3.0);
+        let mut before = f64::INFINITY;
+        for _ in 0..MOST_ROUNDS {
+            let change = self.change(&slopes, &place, units, order)?;
+            let size = norm(&change);
+            if !size.is_finite() || size > before {
+                return None;
+            }
+            for ((number, change), unit) in place.iter_mut().zip(&change).zip(units) {
+                *number = self.ring.add(number, &big(change * unit)?);
+            }
+            if size < wanted {
+                return self.with_error(&slopes, place, units, order);
+            }
+            before = size;
+        }
+        None
+    }
+
+    /// Newton's correction in units, by series to an order.
+    fn change(&self, slopes: &[Vec<f64>], place: &[BigFloat], units: &[f64], order: u32) -> Option<Vec<f64>> {
+        let zero: Vec<BigFloat> = vec![self.ring.zero(); self.flow_numbers()];
+        let (state, parameter) = match self.singular.rest {
+            Some(_) => (&zero[..], place),
+            None => place.split_at(place.len() - 1),
+        };
+        let image = self.flow.image(self.ring, order, self.singular.space, [state, parameter])?;
+        let test = self.test(&image)?;
+        let missed = image.defect.iter().zip(units).map(|(d, unit)| d.to_f64() / unit);
+        let values: Vec<f64> =
+            if self.singular.rest.is_some() { vec![test] } else { missed.chain([test]).collect() };
+        let right: Vec<f64> = values.into_iter().map(|x| -x).collect();
+        solve(&Doubles, |x| x.abs(), slopes, &right)
+    }
+
+    fn flow_numbers(&self) -> usize {
+        self.singular.family.layout.numbers()
+    }
+
+    /// The same test as in double precision, to the relative accuracy of what is left of it.
+    fn test(&self, image: &PreciseImage) -> Option<f64> {
+        let ring = self.ring;
+        let shifted = |by: i64| -> Vec<Vec<BigFloat>> {
+            let shift = BigFloat::from_integer(by, ring.precision);
+            let own = |(i, row): (usize, &Vec<BigFloat>)| {
+                let entry = |(j, x): (usize, &BigFloat)| if i == j { ring.add(x, &shift) } else { x.clone() };
+                row.iter().enumerate().map(entry).collect()
+            };
+            image.map.iter().enumerate().map(own).collect()
+        };
+        Some(match self.singular.test {
+            Test::Fold | Test::Branching => determinant(ring, shifted(-1))?.to_f64(),
+            Test::Flip => determinant(ring, shifted(1))?.to_f64(),
+            Test::Torus => {
+                let rounded: Vec<Vec<f64>> =
+                    image.map.iter().map(|row| row.iter().map(BigFloat::to_f64).collect()).collect();
+                let largest = eigenvalues(&rounded)?.first().map_or(1.0, |it| it.abs().max(1.0));
+                let one = BigFloat::from_integer(1, ring.precision);
+                ring.subtract(&determinant(ring, image.map.clone())?, &one).to_f64() / (largest * largest)
+            }
+        })
+    }
+
+    fn with_error(
+        &self,
+        slopes: &[Vec<f64>],
+        place: Vec<BigFloat>,
+        units: &[f64],
+        order: u32,
+    ) -> Option<PreciseSpecial> {
+        /// Another order makes other steps and other rounding.
+        const MORE: u32 = 9;
+        let change = self.change(slopes, &place, units, order + MORE)?;
+        let mut state = place;
+        let parameter = state.pop()?;
+        let unit = *units.last()?;
+        let rounding =
+            libm::exp2(-f64::from(u32::try_from(self.ring.precision).ok()?)) * parameter.to_f64().abs();
+        let error = 4.0 * (norm(&change) * unit + rounding);
+        if self.singular.rest.is_some() {
+            state = vec![self.ring.zero(); self.flow_numbers()];
+        }
+        Some(PreciseSpecial { parameter, state, error })
+    }
+}
+
+/// By elimination with the largest pivot of each column.
+fn determinant(ring: Floats, mut rows: Vec<Vec<BigFloat>>) -> Option<BigFloat> {
+    let mut product = BigFloat::from_integer(1, ring.precision);
+    for column in 0..rows.len() {
+        let size = |row: &usize| rows[*row][column].to_f64().abs();
+        let pivot = (column..rows.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        if pivot != column {
+            rows.swap(pivot, column);
+            product = ring.negate(&product);
+        }
+        let leading = rows[column].clone();
+        product = ring.multiply(&product, &leading[column]);
+        for row in rows.iter_mut().skip(column + 1) {
+            let factor = ring.divide(&row[column], &leading[column])?;
+            for (entry, above) in row.iter_mut().zip(&leading) {
+                *entry = ring.subtract(entry, &ring.multiply(&factor, above));
+            }
+        }
+    }
+    Some(product)
+}

@@ -1,0 +1,202 @@
+//! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
+
+use super::branch::Branch;
+use super::error::NoBranch;
+use super::family::Family;
+use super::jumps::{Jump, jumps};
+use super::options::ResponseOptions;
+use super::orders::OrderAnswers;
+use super::point::BranchPoint;
+use super::search::{Search, Start};
+use super::space::Space;
+use super::switching::Leaving;
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::{Stage, Watch};
+
+/// The periodic motions of a driven or self-excited system over a range of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Response {
+    /// Those from the ends of the range before those that branch off.
+    pub branches: Vec<Branch>,
+    /// What the search for each order came to.
+    pub orders: Vec<OrderAnswers>,
+    /// The jumps of slow sweeps, branch by branch.
+    pub jumps: Vec<Jump>,
+    /// Whether a drive sets the periods; else the motions are limit cycles.
+    pub driven: bool,
+    /// Whether the watch ended it before all was followed.
+    pub interrupted: bool,
+}
+
+impl Response {
+    /// The branches of periodic motions of a driven system over a range of one of its parameters, which is left open in the equations: an
+    /// amplitude, a damping, or the frequency of the drive itself. They begin with the motions that Newton's method finds at the ends of
+    /// the range, and go through folds by pseudo-arclength; motions that lose their symmetry or double their period are followed too.
+    ///
+    /// Where the time does not stand in the equations they are limit cycles, from those to which the start settles at the ends of the range; the
+    /// period is one more unknown, and a motion begins where the first coordinate turns back. A branch that shrinks to a state of rest ends there,
+    /// at a Hopf point. Each turn of the first coordinate counts as a period of its own as long as the cycle is not known otherwise.
+    ///
+    /// Motions come from the Taylor integrator with the equations of small deviations, so that no number of harmonics is too large. A symmetric
+    /// motion is followed by its half period and its mirror image: folds, losses of symmetry and doublings are then zeros of different functions.
+    /// They are found along the branch to the last digits.
+    ///
+    /// # Accuracy
+    /// As the errors of points and singular points say, some 1e-14 where no multiplier is large.
+    ///
+    /// # Errors
+    /// A time that stands elsewhere than in a periodic drive, another open parameter, a range without a width, no motion at either end, free
+    /// motions that come in families at each value, as where energy is conserved.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// // The limit cycle of the Brusselator begins at b = 1 + a² with the period 2π/a.
+    /// let brusselator = "x' = 1 + x^2*y - (b + 1)*x; y' = b*x - x^2*y".parse()?;
+    /// let response = Response::over(&brusselator, "b", [1.5, 3.0], &ResponseOptions::default())?;
+    /// let hopf = response.branches[0].special.iter().find(|it| it.kind == SpecialKind::Hopf).ok_or("no Hopf point")?;
+    /// assert!((hopf.point.parameter - 2.0).abs() < 1e-14 && (hopf.point.period - std::f64::consts::TAU).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    /// ```
+    /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// // Duffing's equation with hardening, which bends its resonance to higher frequencies.
+    /// let duffing = "x'' = -0.05*x' - x - 0.1*x^3 + 0.18*cos(w*t)".parse()?;
+    /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default())?;
+    /// let folds = response.branches[0].special.iter().filter(|it| it.kind == SpecialKind::Fold);
+    /// // Reference: Fourier collocation with 30 digits.
+    /// assert!(folds.map(|it| it.point.parameter).any(|w| (w - 1.269601955545892477518364).abs() < 1e-13));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # References
+    /// R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapters 4, 5 and 7, doi:10.1007/978-1-4419-1740-9.
+    pub fn over(
+        equation: &Equation,
+        parameter: &str,
+        range: [f64; 2],
+        options: &ResponseOptions,
+    ) -> Result<Self, NoBranch> {
+        Self::over_watched(equation, parameter, range, options, &Watch::none())
+    }
+
+    /// As [`over`](Self::over); `watch` is asked at each step, and told how many points there are. Where it stops the branches are given as
+    /// far as they were followed.
+    ///
+    /// # Errors
+    /// As [`over`](Self::over), and [`NoBranch::Interrupted`] before the first point.
+    pub fn over_watched(
+        equation: &Equation,
+        parameter: &str,
+        range: [f64; 2],
+        options: &ResponseOptions,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoBranch> {
+        let [from, to] = range;
+        if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
+            return Err(NoBranch::Range { from, to });
+        }
+        watch.begin(Stage::Whole, None);
+        let range = [from.min(to), from.max(to)];
+        if let Some(at) = options.at.filter(|at| !(range[0]..=range[1]).contains(at)) {
+            return Err(NoBranch::Outside { at, from, to });
+        }
+        let family = Family::free_or_driven(equation, &[parameter], &[range], watch)?;
+        let needs_drive =
+            options.drive_periods != 1 || !options.orders.is_empty() || options.rotation.is_some();
+        if !family.is_driven() && needs_drive {
+            return Err(NoBranch::NotDriven);
+        }
+        let search = Search { equation, parameter, family: &family, range, options };
+        options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
+        search.response()
+    }
+}
+
+impl Search<'_> {
+    fn response(&self) -> Result<Response, NoBranch> {
+        let mut branches: Vec<Branch> = vec![];
+        let mut left: Vec<(usize, Leaving)> = vec![];
+        let mut met: Vec<(Space, f64)> = vec![];
+        let mut missing = None;
+        let [low, high] = self.range;
+        let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
+        for (value, into) in places {
+            let starts = match self.starts(value) {
+                Ok(starts) => starts,
+                Err(NoBranch::Interrupted(interrupted)) if branches.is_empty() => {
+                    return Err(interrupted.into());
+                }
+                Err(error) => {
+                    missing = Some(error);
+                    continue;
+                }
+            };
+            for start in starts {
+                if self.is_known(&branches, value, &start) {
+                    continue;
+                }
+                let walked = match self.through(value, &start, into) {
+                    Ok(Some(walked)) => walked,
+                    Ok(None) => continue,
+                    Err(error) => {
+                        missing = Some(error);
+                        continue;
+                    }
+                };
+                left.extend(self.leaving(&walked, 0));
+                met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
+                branches.push(walked.branch);
+            }
+        }
+        let mut orders = vec![];
+        for order in &self.options.orders {
+            orders.push(self.of_order(*order, &mut branches, |walked| left.extend(self.leaving(walked, 0)))?);
+        }
+        if let (true, Some(error)) = (branches.is_empty(), missing) {
+            return Err(error);
+        }
+        while let Some((generation, start)) = left.pop() {
+            if self.family.watch.is_stopped() {
+                break;
+            }
+            if met.iter().any(|(space, parameter)| self.is_met(&start, *space, *parameter)) {
+                continue;
+            }
+            let Some(walked) = self.switched(&start) else { continue };
+            left.extend(self.leaving(&walked, generation));
+            met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
+            branches.push(walked.branch);
+        }
+        let jumps = jumps(&branches, |space| self.corrector(space), self.width());
+        let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
+        Ok(Response { branches, orders, jumps, driven, interrupted })
+    }
+
+    /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.
+    fn is_known(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
+        if start.space.rotation.is_some() && self.is_followed(branches, value, start) {
+            return true;
+        }
+        /// Of the size of the state.
+        const SAME: f64 = 1e-7;
+        let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
+        let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
+        // An answer that goes around once in several periods of the drive may begin with any of them.
+        let copies = start.space.rotation.and_then(|_| self.copies(start, value));
+        let copies = copies.unwrap_or_else(|| vec![start.unknowns.clone()]);
+        let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {
+            true => copies.iter().any(|copy| start.space.is_near(&point.state, copy, SAME * size)),
+            // Which of its turns the cycle begins with is a matter of chance.
+            false => {
+                let turn = point.period / f64::from(branch.space.drive_periods());
+                branch.space.drive_periods() == start.space.drive_periods()
+                    && start.unknowns.last().is_some_and(|period| is_near(turn, *period))
+            }
+        };
+        let ends = branches.iter().flat_map(|branch| {
+            [branch.points.first(), branch.points.last()].into_iter().flatten().map(move |it| (branch, it))
+        });
+        ends.filter(|(_, point)| point.parameter.to_bits() == value.to_bits()).any(is_same)
+    }
+}

@@ -1,0 +1,84 @@
+//! Motions in which an angle goes around in step with the drive.
+
+use super::error::NoBranch;
+use super::search::{Search, Start};
+use super::space::{Rotation, Space};
+use libration_motion::chaos::angles;
+use std::f64::consts::TAU;
+
+/// Phases of the angle from which motions are looked for, evenly spread.
+const PHASES: u32 = 16;
+/// Periods of the drive between two trials of Newton's method, and how many trials: what attracts is reached, as for the motions of `Orbit::driven`.
+const SETTLING: [u32; 2] = [10, 5];
+
+impl Search<'_> {
+    /// Whether a coordinate can go around.
+    pub(super) fn check(&self, rotation: Rotation) -> Result<(), NoBranch> {
+        let names = self.equation.variables();
+        let is_angle = angles(self.equation).get(rotation.coordinate).copied().unwrap_or(false);
+        match names.get(rotation.coordinate) {
+            Some(_) if is_angle => Ok(()),
+            Some(name) => Err(NoBranch::NotAnAngle(name.clone())),
+            None => Err(NoBranch::NotAnAngle(format!("of number {}", rotation.coordinate))),
+        }
+    }
+
+    /// Motions that go around at a value of the parameter, each once: what Newton's method finds from all phases of the angle at the even speed, or
+    /// where the motion from there goes.
+    pub(super) fn rotating(&self, rotation: Rotation, value: f64) -> Result<Vec<Start>, NoBranch> {
+        let space = Space { rotation: Some(rotation), ..self.space() };
+        let none = || NoBranch::NoRotation { turns: rotation.turns, drive_periods: space.drive_periods() };
+        let duration = self.family.duration(space, &[], &[value]).ok_or_else(none)?;
+        let mut found: Vec<(Start, Vec<Vec<f64>>)> = vec![];
+        for phase in 0..PHASES {
+            let angle = TAU * f64::from(phase) / f64::from(PHASES);
+            let Some(start) = self.rotating_from(space, self.even(rotation, angle, duration), value) else {
+                continue;
+            };
+            self.family.watch.go_on()?;
+            /// Of the size of the state.
+            const SAME: f64 = 1e-7;
+            let size = start.unknowns.iter().map(|x| x.abs()).fold(1.0, f64::max);
+            let is_same = |copy: &Vec<f64>| space.is_near(copy, &start.unknowns, SAME * size);
+            if !found.iter().flat_map(|(_, copies)| copies).any(is_same) {
+                let copies = self.copies(&start, value).unwrap_or_default();
+                found.push((start, copies));
+            }
+        }
+        if found.is_empty() { Err(none()) } else { Ok(found.into_iter().map(|(start, _)| start).collect()) }
+    }
+
+    /// The state that was given, turned by an angle, at the speed of the even rotation.
+    fn even(&self, rotation: Rotation, angle: f64, duration: f64) -> Vec<f64> {
+        let layout = &self.family.layout;
+        let mut state = self.options.start.clone().unwrap_or_else(|| vec![0.0; layout.numbers()]);
+        state[rotation.coordinate] += angle;
+        if let Some(velocity) = layout.velocity(rotation.coordinate) {
+            state[velocity] = TAU * f64::from(rotation.turns) / duration;
+        }
+        state
+    }
+
+    fn rotating_from(&self, space: Space, mut state: Vec<f64>, value: f64) -> Option<Start> {
+        let corrector = self.corrector(space);
+        let units = vec![1.0; state.len() + 1];
+        let mut across = vec![0.0; units.len()];
+        across[state.len()] = 1.0;
+        let [periods, trials] = SETTLING;
+        let period = self.family.drive_period(&[value])?;
+        for _ in 0..trials {
+            let place: Vec<f64> = state.iter().copied().chain([value]).collect();
+            if let Some(corrected) = corrector.corrected(&place, &across, &units) {
+                let mut unknowns = corrected.place;
+                unknowns.pop();
+                let angle = &mut unknowns[space.rotation?.coordinate];
+                *angle -= TAU * libm::rint(*angle / TAU);
+                return Some(Start { unknowns, space });
+            }
+            for _ in 0..periods {
+                state = self.family.moved_on(&state, value, [0.0, period])?;
+            }
+        }
+        None
+    }
+}

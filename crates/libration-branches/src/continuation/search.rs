@@ -1,0 +1,162 @@
+//! Where branches are looked for: a system over a range of a parameter, and what is asked of it.
+
+use super::branch::{Ending, Limits, Origin, Walk, Walked};
+use super::corrector::Corrector;
+use super::error::NoBranch;
+use super::family::{Family, TOLERANCES};
+use super::node::{Node, Tests};
+use super::options::ResponseOptions;
+use super::space::Space;
+use libration_motion::chaos::angles;
+use libration_motion::orbit::{NoOrbit, Orbit};
+use libration_numbers::algebra::BigFloat;
+use libration_numbers::expression::{Equation, Expression};
+use std::f64::consts::TAU;
+
+pub(super) struct Search<'a> {
+    pub(super) equation: &'a Equation,
+    pub(super) parameter: &'a str,
+    pub(super) family: &'a Family<'a>,
+    pub(super) range: [f64; 2],
+    pub(super) options: &'a ResponseOptions,
+}
+
+/// A motion from which a branch is followed.
+pub(super) struct Start {
+    pub(super) unknowns: Vec<f64>,
+    pub(super) space: Space,
+}
+
+impl Search<'_> {
+    /// The equations with a value of the parameter.
+    pub(super) fn at(&self, value: f64) -> Result<Equation, NoOrbit> {
+        let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
+        let put_in = exact.and_then(|exact| self.equation.with(&[(self.parameter, exact)]).ok());
+        put_in.ok_or(NoOrbit::NoPeriod)
+    }
+
+    /// Periodic motions at an end of the range.
+    pub(super) fn starts(&self, value: f64) -> Result<Vec<Start>, NoBranch> {
+        if let Some(rotation) = self.options.rotation {
+            return self.rotating(rotation, value);
+        }
+        match self.start(value) {
+            Ok(start) => Ok(vec![start]),
+            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(error) => Err(NoBranch::NoStart(error)),
+        }
+    }
+
+    fn start(&self, value: f64) -> Result<Start, NoOrbit> {
+        let equation = self.at(value)?;
+        let state = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
+        if !self.family.is_driven() {
+            let state = self.family.displaced(state, value);
+            let cycle = Orbit::limit_cycle_watched(&equation, &state, self.family.watch)?;
+            let turns = self.family.turns(&cycle.start(), value, cycle.period()).ok_or(NoOrbit::NoPeriod)?;
+            let period = cycle.period() / f64::from(turns);
+            let unknowns = cycle.start().into_iter().chain([period]).collect();
+            return Ok(Start { unknowns, space: Space::of_periods(turns) });
+        }
+        let duration = self.family.duration(self.space(), &[], &[value]).ok_or(NoOrbit::NoPeriod)?;
+        let unknowns = match Orbit::driven_watched(&equation, duration, &state, self.family.watch) {
+            Ok(orbit) => self.about_the_nearest_bottom(&orbit),
+            // The drive has the amplitude zero.
+            Err(NoOrbit::NotDriven) => state,
+            Err(error) => return Err(error),
+        };
+        Ok(Start { unknowns, space: self.space() })
+    }
+
+    /// The start of an orbit, whose angles have gone around on the way to it, as many turns back: its mirror image is one about zero.
+    fn about_the_nearest_bottom(&self, orbit: &Orbit) -> Vec<f64> {
+        let is_angle = angles(self.equation).into_iter().chain(std::iter::repeat(false));
+        let moved = |(number, (x, is_angle)): (usize, (f64, bool))| {
+            let (low, high) = orbit.range(number);
+            if is_angle { x - TAU * libm::rint(0.5 * (low + high) / TAU) } else { x }
+        };
+        orbit.start().into_iter().zip(is_angle).enumerate().map(moved).collect()
+    }
+
+    pub(super) fn space(&self) -> Space {
+        Space::of_periods(self.options.drive_periods)
+    }
+
+    pub(super) fn width(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
+
+    pub(super) fn limits(&self, start: &Node, space: Space) -> Limits {
+        /// Times the least period: at so low a frequency the motion follows the drive through all its superharmonic resonances.
+        const SLOW: f64 = 100.0;
+        let periods = self.range.map(|value| self.family.drive_period(&[value]));
+        let least = periods.into_iter().flatten().fold(f64::INFINITY, f64::min);
+        let least = if self.family.is_driven() { least } else { start.point.period };
+        let periods = f64::from(space.drive_periods());
+        Limits {
+            range: self.range,
+            most_points: self.options.most_points,
+            longest_period: SLOW * periods * least,
+        }
+    }
+
+    pub(super) fn corrector(&self, space: Space) -> Corrector<'_> {
+        /// Multipliers of points need no more digits than that.
+        const STALE: f64 = 1e-12;
+        Corrector { family: self.family, space, tolerance: TOLERANCES[0], stale: STALE }
+    }
+
+    /// The branch through a motion, in the smallest space that has it: from an end of the range on, or both ways.
+    pub(super) fn through(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
+        match self.options.at {
+            Some(_) => self.both_ways(value, start),
+            None => self.primary(value, start, into),
+        }
+    }
+
+    pub(super) fn primary(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
+        /// A multiplier of a free motion that is 1 to half the digits, beside that of a deviation along the motion.
+        const FAMILY: f64 = 1e-6;
+        let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
+        let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
+        if !self.family.is_driven() {
+            let tests = corrector.image(&place).and_then(|image| Tests::new(&image, 0.0));
+            if tests.is_some_and(|tests| tests.branching.abs() < FAMILY) {
+                return Err(NoBranch::Family);
+            }
+        }
+        let mut along = vec![0.0; place.len()];
+        along[place.len() - 1] = into;
+        let node = Node::near(&corrector, &place, [&along, &along], self.width());
+        Ok(node.map(|node| {
+            let limits = self.limits(&node, start.space);
+            Walk::new(corrector, limits, node).walked(Origin::Primary)
+        }))
+    }
+
+    pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
+        /// Of the size of the state. A motion that Newton's method has closed misses its mirror image by rounding, or by a difference.
+        const SAME: f64 = 1e-9;
+        let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
+        let belongs = |smaller: &Space| {
+            let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
+            image.is_some_and(|it| it.defect.iter().all(|d| d.abs() <= SAME * size))
+        };
+        match space.within(self.family.symmetry).into_iter().find(belongs) {
+            Some(smaller) => self.smallest(smaller, state, value),
+            None => space,
+        }
+    }
+
+    /// The branch through a motion at a value, both ways.
+    pub(super) fn both_ways(&self, value: f64, start: &Start) -> Result<Option<Walked>, NoBranch> {
+        let Some(onward) = self.primary(value, start, 1.0)? else { return Ok(None) };
+        if onward.branch.ending == Ending::Closed {
+            return Ok(Some(onward));
+        }
+        Ok(Some(match self.primary(value, start, -1.0)? {
+            Some(back) => back.turned_into(&onward),
+            None => onward.beginning_lost(),
+        }))
+    }
+}

@@ -1,0 +1,318 @@
+//! Singular points of a branch, to the last digits.
+
+use super::corrector::{Corrected, Corrector, norm};
+use super::family::TOLERANCES;
+use super::hopf::hopf;
+use super::node::{Node, Tests, between, difference, in_units};
+use super::point::BranchPoint;
+use super::space::Space;
+use libration_numbers::roots::{Tolerance, zero_between};
+use std::f64::consts::TAU;
+
+/// What happens at a singular point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpecialKind {
+    /// The branch turns back: on one side of the value there are two motions, on the other none of them.
+    Fold,
+    /// A symmetric motion loses its symmetry: two mirrored ones branch off.
+    SymmetryBreaking,
+    /// A motion with twice the period branches off.
+    PeriodDoubling,
+    /// Two complex multipliers cross the unit circle: a second frequency comes up.
+    NeimarkSacker,
+    /// The product of two real multipliers is one: no bifurcation, though the determinant looks like one.
+    NeutralSaddle,
+    /// Another branch of the same period crosses this one.
+    BranchPoint,
+    /// A limit cycle shrinks to a state of rest, where two complex eigenvalues cross the imaginary axis.
+    Hopf,
+}
+
+impl SpecialKind {
+    /// The name that machines read.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::SymmetryBreaking => "symmetry_breaking",
+            Self::PeriodDoubling => "period_doubling",
+            Self::NeimarkSacker => "neimark_sacker",
+            Self::NeutralSaddle => "neutral_saddle",
+            Self::BranchPoint => "branch_point",
+            Self::Hopf => "hopf",
+        }
+    }
+}
+
+impl std::fmt::Display for SpecialKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Fold => "fold",
+            Self::SymmetryBreaking => "symmetry breaking",
+            Self::PeriodDoubling => "period doubling",
+            Self::NeimarkSacker => "Neimark–Sacker",
+            Self::NeutralSaddle => "neutral saddle",
+            Self::BranchPoint => "branch point",
+            Self::Hopf => "Hopf point",
+        })
+    }
+}
+
+/// A singular point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpecialPoint {
+    /// What happens there.
+    pub kind: SpecialKind,
+    /// The motion there.
+    pub point: BranchPoint,
+    /// Its parameter may be wrong by so much: what another tolerance of the integration changes, and rounding.
+    pub error: f64,
+    /// So many points of the branch are before it.
+    pub before: usize,
+}
+
+/// What changes its sign at a singular point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Test {
+    Fold,
+    Branching,
+    Flip,
+    Torus,
+}
+
+impl Test {
+    pub(super) fn of(self, tests: &Tests) -> f64 {
+        match self {
+            Self::Fold => tests.fold,
+            Self::Branching => tests.branching,
+            Self::Flip => tests.flip,
+            Self::Torus => tests.torus,
+        }
+    }
+
+    /// How far from zero its values must be to have a sign: of conservative systems products of multipliers are one throughout, to rounding.
+    pub(super) fn sure(self) -> f64 {
+        match self {
+            Self::Fold => 0.0,
+            Self::Branching | Self::Flip => 1e-12,
+            Self::Torus => 1e-9,
+        }
+    }
+
+    fn changes(self, a: &Node, b: &Node) -> bool {
+        let values = [a, b].map(|node| self.of(&node.tests));
+        values.iter().all(|it| it.abs() > self.sure()) && (values[0] > 0.0) != (values[1] > 0.0)
+    }
+}
+
+/// What moves less is at rest, in units that are themselves a fiftieth of the largest swing or more.
+const REST: f64 = 0.05;
+
+/// A stretch of a branch between two places.
+pub(super) struct Stretch<'s> {
+    pub(super) corrector: &'s Corrector<'s>,
+    pub(super) ends: [&'s Node; 2],
+    pub(super) units: &'s [f64],
+}
+
+/// A singular point with the node there.
+pub(super) struct Located {
+    pub(super) special: SpecialPoint,
+    pub(super) node: Node,
+}
+
+impl Stretch<'_> {
+    /// Whether the branch turns back on the way, in a space with parts that other branches are in.
+    pub(super) fn may_meet_other_branch(&self) -> bool {
+        let Corrector { family, space, .. } = self.corrector;
+        let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
+        let may_be_rest = match family.is_driven() {
+            true => space.mirrored && self.size(self.ends[1].place()) < 1.0,
+            false => self.speed(self.ends[1].place()).is_some_and(|speed| speed < 1.0),
+        };
+        turns && (may_be_rest || !space.within(family.symmetry).is_empty())
+    }
+
+    /// Whether the branch turns back on the way where no multiplier of its map seems to go through +1, as it does at each fold: at a crossing
+    /// with another branch, or at a fold with a crossing beside it.
+    pub(super) fn may_cross_other_branch(&self) -> bool {
+        let [a, b] = self.ends;
+        Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
+    }
+
+    /// Whether the parameter seems to turn back and forth again on the way, as the directions at both ends tell: two folds near a cusp.
+    pub(super) fn may_hide_folds(&self) -> bool {
+        const NEARLY: f64 = 0.3;
+        let [a, b] = self.ends;
+        let distance = norm(&difference(b.place(), a.place(), self.units));
+        let slopes = [a, b].map(|node| distance * node.tests.fold);
+        let width = self.units.last().copied().unwrap_or(1.0);
+        let way = (b.point.parameter - a.point.parameter) / width;
+        let middle = 1.5 * way - 0.25 * (slopes[0] + slopes[1]);
+        let same_way = (slopes[0] > 0.0) == (slopes[1] > 0.0);
+        same_way && middle * slopes[0].signum() < NEARLY * slopes[0].abs().min(slopes[1].abs())
+    }
+
+    /// The size of a state in units.
+    fn size(&self, place: &[f64]) -> f64 {
+        let state = self.corrector.family.state(place).iter().zip(self.units);
+        norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
+    }
+
+    /// The size in units of how far a state moves in the time in which a phase goes by one radian, where no drive sets the period.
+    fn speed(&self, place: &[f64]) -> Option<f64> {
+        let (parameter, unknowns) = place.split_last()?;
+        let Corrector { family, .. } = self.corrector;
+        let rates = family.field()?.at(family.state(unknowns), &[*parameter])?.rates;
+        let radian = unknowns.last()? / TAU;
+        Some(norm(&rates.iter().zip(self.units).map(|(x, unit)| radian * x / unit).collect::<Vec<_>>()))
+    }
+
+    /// The place where the branch turns, as far as the interpolation shows it.
+    fn turn(&self) -> Vec<f64> {
+        let [a, b] = self.ends.map(|node| node.tests.fold);
+        between(self.ends[0], self.ends[1], self.units, a / (a - b))
+    }
+
+    /// The Hopf point where the branch turns, if its motion is at rest there and no drive sets the period.
+    pub(super) fn hopf(&self) -> Option<SpecialPoint> {
+        let place = self.turn();
+        let [unknowns @ .., parameter] = &place[..] else { return None };
+        let Corrector { family, .. } = self.corrector;
+        let is_rest = self.speed(&place).is_some_and(|speed| speed < REST);
+        let (period, width) = (*unknowns.last()?, *self.units.last()?);
+        let field = family.field().filter(|_| is_rest)?;
+        let point = hopf(field, family.state(unknowns), [period, *parameter], width)?;
+        Some(SpecialPoint { kind: SpecialKind::Hopf, error: point.error, point, before: 0 })
+    }
+
+    /// The value of the parameter where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is
+    /// a side of, and goes back as its own mirror image or half a period later.
+    pub(super) fn meeting(&self) -> Option<f64> {
+        /// Of the size of the motion: on a short stretch the interpolation misses much less.
+        const SAME: f64 = 1e-3;
+        let place = self.turn();
+        let (parameter, state) = place.split_last()?;
+        let Corrector { family, space, tolerance, .. } = self.corrector;
+        let misses = |smaller: Space| {
+            let image = family.image(smaller, state, &[*parameter], *tolerance)?;
+            Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
+        };
+        if space.mirrored {
+            return (self.size(&place) < REST).then_some(*parameter);
+        }
+        let mut smaller = space.within(family.symmetry).into_iter();
+        smaller.any(|it| misses(it).is_some_and(|off| off < SAME)).then_some(*parameter)
+    }
+
+    /// The singular points on the way, in their order.
+    pub(super) fn specials(&self) -> Vec<Located> {
+        let [a, b] = self.ends;
+        let folds = Test::Fold.changes(a, b);
+        let wanted = [
+            (folds, Test::Fold),
+            // At a fold a multiplier is +1 too.
+            (!folds && Test::Branching.changes(a, b), Test::Branching),
+            (Test::Flip.changes(a, b), Test::Flip),
+            (Test::Torus.changes(a, b), Test::Torus),
+        ];
+        let found = wanted.iter().filter(|(changes, _)| *changes).filter_map(|(_, test)| self.located(*test));
+        let mut found: Vec<(f64, Located)> = found.collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.into_iter().map(|(_, located)| located).collect()
+    }
+
+    fn located(&self, test: Test) -> Option<(f64, Located)> {
+        let crosses = test == Test::Branching || (test == Test::Fold && self.may_cross_other_branch());
+        let found = if test == Test::Fold && crosses { None } else { self.located_exactly(test) };
+        found.or_else(|| self.crossing(test).filter(|_| crosses))
+    }
+
+    /// Where branches cross, as far as motions can be corrected beside it: there several directions are as good, and corrections have no bound.
+    fn crossing(&self, test: Test) -> Option<(f64, Located)> {
+        /// Nearer to the crossing nothing is told apart.
+        const NEAR: f64 = 1e-9;
+        /// The first part of the stretch that is left out on both sides, and how often it is doubled.
+        const BESIDE: f64 = 1e-4;
+        const DOUBLINGS: i32 = 10;
+        let value = |s: f64| self.tests_at(self.corrector, test, s).map_or(0.0, |tests| test.of(&tests));
+        let ends = [0.0, 1.0].map(|s| (s, value(s)));
+        let s = zero_between(ends, Tolerance::absolute(NEAR), value)?;
+        let mut bracket = (0..DOUBLINGS).filter_map(|doublings| {
+            let aside = BESIDE * libm::exp2(f64::from(doublings));
+            let [a, b] = [s - aside, s + aside].map(|s| self.node_at(self.corrector, s));
+            Some([a?, b?]).filter(|[a, b]| test.changes(a, b))
+        });
+        let [a, b] = bracket.next()?;
+        let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
+        let place = between(&a, &b, self.units, from / (from - to));
+        let corrected = Corrected { image: self.corrector.image(&place)?, place, first: 0.0 };
+        let node = Node::new(self.corrector, corrected, &a.direction, self.units)?;
+        let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
+        let error = 4.0 * off(&a).max(off(&b)) + 4.0 * f64::EPSILON * node.point.parameter.abs();
+        let special =
+            SpecialPoint { kind: SpecialKind::BranchPoint, point: node.point.clone(), error, before: 0 };
+        Some((s, Located { special, node }))
+    }
+
+    fn located_exactly(&self, test: Test) -> Option<(f64, Located)> {
+        let precise = Corrector { stale: 0.0, ..self.corrector.clone() };
+        let s = self.zero(&precise, test, [0.0, 1.0])?;
+        let node = self.node_at(&precise, s)?;
+        let other = Corrector { tolerance: TOLERANCES[1], ..precise.clone() };
+        /// A stretch in which the other tolerance must have its zero too, unless it is badly determined.
+        const NEAR: f64 = 1e-4;
+        let near = [(s - NEAR).max(0.0), (s + NEAR).min(1.0)];
+        let again = self.zero(&other, test, near).or_else(|| self.zero(&other, test, [0.0, 1.0]));
+        let again = self.node_at(&other, again?)?;
+        let parameter = node.point.parameter;
+        let error = 4.0 * (parameter - again.point.parameter).abs() + 4.0 * f64::EPSILON * parameter.abs();
+        let special =
+            SpecialPoint { kind: self.kind(test, &node), point: node.point.clone(), error, before: 0 };
+        Some((s, Located { special, node }))
+    }
+
+    /// The part of the way at which a test vanishes.
+    fn zero(&self, corrector: &Corrector<'_>, test: Test, [from, to]: [f64; 2]) -> Option<f64> {
+        /// The next roundings of the test make no better place.
+        const WIDTH: f64 = 1e-13;
+        let value = |s: f64| self.tests_at(corrector, test, s).map_or(f64::NAN, |tests| test.of(&tests));
+        zero_between([(from, value(from)), (to, value(to))], Tolerance::absolute(WIDTH), value)
+    }
+
+    fn tests_at(&self, corrector: &Corrector<'_>, test: Test, s: f64) -> Option<Tests> {
+        let (corrected, secant) = self.corrected_at(corrector, s)?;
+        if test != Test::Fold {
+            return Tests::new(&corrected.image, 0.0);
+        }
+        let along = in_units(&self.ends[0].direction, self.units);
+        let tangent = corrector.tangent(&corrected.image, &secant, self.units);
+        let tangent = tangent.or_else(|| corrector.tangent(&corrected.image, &along, self.units))?;
+        Tests::new(&corrected.image, *tangent.last()?)
+    }
+
+    fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
+        let (corrected, _) = self.corrected_at(corrector, s)?;
+        Node::new(corrector, corrected, &self.ends[0].direction, self.units)
+    }
+
+    fn corrected_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<(Corrected, Vec<f64>)> {
+        let [a, b] = self.ends;
+        let guess = between(a, b, self.units, s);
+        let secant = difference(b.place(), a.place(), self.units);
+        let size = norm(&secant);
+        let secant: Vec<f64> = secant.into_iter().map(|x| x / size).collect();
+        Some((corrector.corrected(&guess, &secant, self.units)?, secant))
+    }
+
+    fn kind(&self, test: Test, node: &Node) -> SpecialKind {
+        match test {
+            Test::Fold => SpecialKind::Fold,
+            Test::Branching => SpecialKind::BranchPoint,
+            Test::Flip if self.corrector.space.mirrored => SpecialKind::SymmetryBreaking,
+            Test::Flip => SpecialKind::PeriodDoubling,
+            Test::Torus if node.point.is_torus() => SpecialKind::NeimarkSacker,
+            Test::Torus => SpecialKind::NeutralSaddle,
+        }
+    }
+}

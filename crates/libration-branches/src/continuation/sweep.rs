@@ -1,0 +1,208 @@
+//! A parameter that is changed slowly, as in an experiment: where the motion settles at one value after the other.
+
+use super::error::NoBranch;
+use super::family::Family;
+use super::point::{amplitude_of, ranges};
+use super::response::Response;
+use super::space::{Rotation, Space};
+use libration_kernels::elementary::count;
+use libration_motion::chaos::angles;
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::{Stage, Watch};
+use std::f64::consts::{PI, TAU};
+
+/// The motions through which a slow sweep of the parameter goes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// Whether the parameter rises.
+    pub rising: bool,
+    /// In their order.
+    pub points: Vec<SweepPoint>,
+}
+
+/// Where the motion settles at one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepPoint {
+    /// The value.
+    pub parameter: f64,
+    /// The state when the phase of the drive is zero.
+    pub state: Vec<f64>,
+    /// After how many periods of the drive the motion repeats itself to a millionth; none where it does not after a thousand periods.
+    pub drive_periods: Option<u32>,
+    /// The angle that goes around in these periods, if one does.
+    pub rotation: Option<Rotation>,
+    /// The least and the greatest value of each coordinate, as of a [`BranchPoint`](super::BranchPoint); where the motion does not repeat itself,
+    /// in sixteen periods of the drive.
+    pub ranges: Vec<[f64; 2]>,
+}
+
+/// The longest answers that are recognised, in periods of the drive.
+const LONGEST: usize = 8;
+/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both answers of the driven pendulum at 0.8, which without them
+/// jumps down from the one at 0.9.
+const RAMP: u32 = 16;
+/// In periods of the drive: a quality of 300 falls to 3e-5 meanwhile.
+const MOST_PERIODS: usize = 1000;
+/// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
+/// thousandth, which no picture shows.
+const SETTLED: f64 = 1e-6;
+/// What takes several periods is farther than this part of its size from itself after fewer, or a transient that turns to and fro; where it is not it is
+/// followed to the end.
+const DISTINCT: f64 = 1e-3;
+/// Periods that are looked at where nothing settles.
+const LOOKED_AT: u32 = 16;
+
+impl SweepPoint {
+    /// As [`BranchPoint::amplitude`](super::BranchPoint::amplitude); `None` for an angle that goes around without an end.
+    #[must_use]
+    pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
+        let [low, high] = self.ranges[coordinate];
+        let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
+        let goes_on = self.drive_periods.is_none() && is_angle && high - low > TAU + PI;
+        (!goes_on).then(|| amplitude_of([low, high], is_angle, rotates))
+    }
+}
+
+impl Response {
+    /// The motions through which slow sweeps go, up from a stable answer at the lower end of the range and down from one at the upper end, by
+    /// integration alone: from value to value in small steps, and at each of so many evenly spaced ones until the motion repeats itself. Where an end has no stable
+    /// answer there is no sweep from there.
+    ///
+    /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
+    ///
+    /// # Errors
+    /// As [`Response::over`]; equations without a drive.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::continuation::{Response, ResponseOptions};
+    /// use libration::watch::Watch;
+    /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);
+    /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default())?;
+    /// let sweeps = response.sweeps_watched(&pendulum, "w", range, 31, &Watch::none())?;
+    /// // At 0.82 rad/s, between the jumps, the way decides: 27.5° or 101.7°.
+    /// let at = |rising: bool| sweeps.iter().find(|it| it.rising == rising)?.points.iter().find(|it| (it.parameter - 0.82).abs() < 1e-9);
+    /// let degrees = |rising: bool| Some(at(rising)?.amplitude(0, true)?.to_degrees());
+    /// assert!(degrees(true).is_some_and(|it| it < 30.0) && degrees(false).is_some_and(|it| it > 90.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sweeps_watched(
+        &self,
+        equation: &Equation,
+        parameter: &str,
+        range: [f64; 2],
+        values: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<Sweep>, NoBranch> {
+        let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
+        watch.begin(Stage::Whole, Some(2 * values));
+        let family = Family::new(equation, &[parameter], &[[low, high]], watch)?;
+        let last = count(values.max(2) - 1);
+        let part = |number: usize| low + (high - low) * (count(number) / last);
+        let evenly: Vec<f64> = (0..values).map(|it| if it + 1 == values { high } else { part(it) }).collect();
+        let mut sweeps = vec![];
+        for rising in [true, false] {
+            let ordered: Vec<f64> =
+                if rising { evenly.clone() } else { evenly.iter().rev().copied().collect() };
+            let Some(start) = ordered.first().and_then(|end| self.stable_at(*end)) else { continue };
+            let swept = Sweeping { family: &family, angles: angles(equation), done: sweeps.len() * values };
+            sweeps.push(Sweep { rising, points: swept.points(&ordered, start.to_vec()) });
+        }
+        Ok(sweeps)
+    }
+
+    /// The state of a stable answer at an end of the range.
+    fn stable_at(&self, end: f64) -> Option<&[f64]> {
+        let mut points =
+            self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
+        let found =
+            points.find_map(|it| it.filter(|it| it.stable && it.parameter.to_bits() == end.to_bits()));
+        found.map(|point| &point.state[..])
+    }
+}
+
+struct Sweeping<'a> {
+    family: &'a Family<'a>,
+    angles: Vec<bool>,
+    /// Values that were done before.
+    done: usize,
+}
+
+impl Sweeping<'_> {
+    fn points(&self, values: &[f64], mut state: Vec<f64>) -> Vec<SweepPoint> {
+        let mut points: Vec<SweepPoint> = vec![];
+        for value in values {
+            let from = points.last().map_or(*value, |point| point.parameter);
+            let settled = self.ramped(state, [from, *value]).and_then(|state| self.settled(*value, state));
+            let Some(point) = settled else { break };
+            state =
+                point.state.iter().enumerate().map(|(number, x)| x - self.whole_turns(number, *x)).collect();
+            points.push(point);
+            if self.family.watch.reached(self.done + points.len()).is_err() {
+                break;
+            }
+        }
+        points
+    }
+
+    /// The state after the parameter has gone from one value to another in small steps, each for a period of the drive: so a motion is not lost
+    /// because the next value is far.
+    fn ramped(&self, state: Vec<f64>, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+        (1..RAMP).try_fold(state, |state, step| {
+            let value = from + (to - from) * f64::from(step) / f64::from(RAMP);
+            self.family.moved_on(&state, value, [0.0, self.family.drive_period(&[value])?])
+        })
+    }
+
+    /// The motion at a value, followed until it repeats itself.
+    fn settled(&self, value: f64, start: Vec<f64>) -> Option<SweepPoint> {
+        let period = self.family.drive_period(&[value])?;
+        let mut states = vec![start];
+        while states.len() <= MOST_PERIODS {
+            let next = self.family.moved_on(states.last()?, value, [0.0, period])?;
+            let before = || states.iter().rev().take(LONGEST);
+            let repeats = (1..).zip(before()).find(|(_, earlier)| self.is_same(&next, earlier, SETTLED));
+            let is_transient = |periods: usize| {
+                states.len() < MOST_PERIODS
+                    && before().take(periods - 1).any(|earlier| self.is_same(&next, earlier, DISTINCT))
+            };
+            if let Some((periods, earlier)) = repeats.filter(|(periods, _)| !is_transient(*periods)) {
+                let turns = |it: &usize| self.whole_turns(*it, next[*it] - earlier[*it]) / TAU;
+                let around = (0..self.angles.len()).find(|it| turns(it) != 0.0);
+                #[expect(clippy::cast_possible_truncation, reason = "whole turns in at most eight periods")]
+                let rotation =
+                    around.map(|it| Rotation { coordinate: it, turns: libm::rint(turns(&it)) as i32 });
+                return self.seen(value, next, u32::try_from(periods).ok(), rotation);
+            }
+            states.push(next);
+        }
+        self.seen(value, states.pop()?, None, None)
+    }
+
+    /// What is seen of the motion from a state on.
+    fn seen(
+        &self,
+        value: f64,
+        state: Vec<f64>,
+        drive_periods: Option<u32>,
+        rotation: Option<Rotation>,
+    ) -> Option<SweepPoint> {
+        let space = Space { rotation, ..Space::of_periods(drive_periods.unwrap_or(LOOKED_AT)) };
+        let duration = self.family.duration(space, &[], &[value])?;
+        let (steps, _) = self.family.motion(&state, &[value], duration, SETTLED).ok()?;
+        let ranges = ranges(&self.family.layout, &steps, space, duration);
+        Some(SweepPoint { parameter: value, state, drive_periods, rotation, ranges })
+    }
+
+    /// To a part of their size.
+    fn is_same(&self, a: &[f64], b: &[f64], part: f64) -> bool {
+        let size = a.iter().map(|x| x.abs().min(PI)).fold(SETTLED, f64::max);
+        let mut apart = a.iter().zip(b).map(|(a, b)| a - b).enumerate();
+        apart.all(|(number, far)| (far - self.whole_turns(number, far)).abs() <= part * size)
+    }
+
+    /// Of a number of the state: nothing but for angles.
+    fn whole_turns(&self, number: usize, x: f64) -> f64 {
+        if self.angles.get(number).is_some_and(|it| *it) { TAU * libm::rint(x / TAU) } else { 0.0 }
+    }
+}

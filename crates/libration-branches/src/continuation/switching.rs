@@ -1,0 +1,83 @@
+//! The branches that leave others where a symmetry is lost or a period doubles.
+
+use super::branch::{Branch, Origin, Walk, Walked};
+use super::node::{Node, largest_swing};
+use super::point::BranchPoint;
+use super::search::Search;
+use super::space::{Rotation, Space};
+use super::special::{SpecialKind, SpecialPoint};
+use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::linear::null_space;
+
+/// A branch that leaves another one.
+pub(super) struct Leaving {
+    origin: Origin,
+    space: Space,
+    node: Node,
+}
+
+impl Search<'_> {
+    /// Whether a branch that leaves another one has come to it from elsewhere.
+    pub(super) fn is_met(&self, start: &Leaving, space: Space, parameter: f64) -> bool {
+        /// Of the range, as the interpolation shows the place.
+        const SAME: f64 = 1e-3;
+        let off = (start.node.point.parameter - parameter).abs();
+        start.space.drive_periods() == space.drive_periods() && off <= SAME * self.width()
+    }
+
+    /// The branches that leave one.
+    pub(super) fn leaving(&self, walked: &Walked, generation: usize) -> Vec<(usize, Leaving)> {
+        if generation >= self.options.generations {
+            return vec![];
+        }
+        let origin = |kind: SpecialKind| match kind {
+            SpecialKind::SymmetryBreaking => Some(Origin::SymmetryBreaking),
+            SpecialKind::PeriodDoubling => Some(Origin::PeriodDoubling),
+            _ => None,
+        };
+        let space = walked.branch.space.doubled();
+        let leaving = |(special, node): &(SpecialPoint, Node)| {
+            Some((generation + 1, Leaving { origin: origin(special.kind)?, space, node: node.clone() }))
+        };
+        walked.specials.iter().filter_map(leaving).collect()
+    }
+
+    /// The branch that leaves another one: along the deviation that the map turns into its opposite.
+    pub(super) fn switched(&self, leaving: &Leaving) -> Option<Walked> {
+        /// The first place, as a part of the units: far enough from the other branch for its side of it to be certain.
+        const ASIDE: f64 = 1e-2;
+        let turned = |(i, row): (usize, &Vec<f64>)| {
+            row.iter().enumerate().map(|(j, x)| if i == j { x + 1.0 } else { *x }).collect()
+        };
+        let matrix: Vec<Vec<f64>> =
+            leaving.node.corrected.image.return_map().iter().enumerate().map(turned).collect();
+        let vector = null_space(&Doubles, |x| x.abs(), &matrix, 1)?.pop()?;
+        let parent = &leaving.node.point;
+        let sizes = self.family.units(parent, largest_swing(parent), self.width());
+        let largest = vector.iter().zip(&sizes).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+        let mut aside: Vec<f64> = vector.iter().map(|x| ASIDE * x / largest).collect();
+        aside.resize(sizes.len(), 0.0);
+        let place: Vec<f64> = leaving.node.place().iter().zip(&aside).map(|(x, d)| x + d).collect();
+        let start = Node::near(&self.corrector(leaving.space), &place, [&aside, &aside], self.width())?;
+        let (value, unknowns) = start.place().split_last()?;
+        let space = self.smallest(leaving.space, unknowns, *value);
+        let corrector = self.corrector(space);
+        let start = Node::near(&corrector, start.place(), [&aside, &aside], self.width())?;
+        let limits = self.limits(&start, leaving.space);
+        let mut walked = Walk::new(corrector, limits, start).walked(leaving.origin);
+        walked.branch.begin_with(leaving.node.point.clone());
+        Some(walked)
+    }
+}
+
+impl Branch {
+    /// Puts the point before it where the branch leaves another one, as a motion of twice the period: its multipliers are the squares.
+    fn begin_with(&mut self, point: BranchPoint) {
+        let multipliers = point.multipliers.iter().map(|it| *it * *it).collect();
+        let is_doubled = self.origin == Origin::PeriodDoubling;
+        let (period, rotation) = (2.0 * point.period, point.rotation.map(Rotation::doubled));
+        let doubled = BranchPoint { multipliers, period, rotation, ..point.clone() };
+        self.points.insert(0, if is_doubled { doubled } else { point });
+        self.special.iter_mut().for_each(|special| special.before += 1);
+    }
+}

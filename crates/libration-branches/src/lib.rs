@@ -1,0 +1,18 @@
+//! What changes with a parameter or with the amplitude: branches of periodic motions, normal modes and their continuation, normal forms of
+//! coupled modes, Melnikov's method. The crate `libration` re-exports its modules.
+
+pub mod continuation;
+pub mod melnikov;
+pub mod nonlinear_modes;
+pub mod normal_form;
+pub mod normal_modes;
+
+// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+#[doc(hidden)]
+pub use libration_kernels::elliptic;
+#[doc(hidden)]
+pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
+#[doc(hidden)]
+pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+#[doc(hidden)]
+pub use libration_pendulum::{pendulum, period_formulas};

@@ -1,0 +1,88 @@
+//! Why there is no Melnikov function.
+
+use libration_motion::taylor::IntegrationError;
+use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+
+/// Why there is no Melnikov function of a pendulum, or no threshold.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoMelnikov {
+    /// Several coordinates.
+    #[error(
+        "the equations are for {0} coordinates: give one, such as \"x'' + sin(x) = -0.1 x' + 0.3 cos(t)\""
+    )]
+    Coordinates(usize),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
+    /// A parameter without a value.
+    #[error("`{0}` has no value: give it one")]
+    Open(String),
+    /// No restoring force.
+    #[error(
+        "the acceleration has {0} sin of the angle in it: give a pendulum that hangs at zero, whose acceleration has -omega0^2*sin in it"
+    )]
+    NoPendulum(f64),
+    /// A force of the angle alone that is no polynomial of sine and cosine.
+    #[error(
+        "the acceleration {0} is no polynomial of the angle's sine and cosine: the unperturbed motion must be that of a pendulum"
+    )]
+    NoAngle(String),
+    /// The time stands elsewhere than in sines and cosines of commensurate frequencies.
+    #[error(
+        "the drive is not periodic: the time may stand only in sines and cosines, whose frequencies are in simple proportions"
+    )]
+    NotPeriodic,
+    /// A formula that cannot be evaluated.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// A range of a parameter that is none.
+    #[error("the range from {from:?} to {to:?} is empty: give two different finite numbers")]
+    Range {
+        /// Its beginning.
+        from: f64,
+        /// Its end.
+        to: f64,
+    },
+    /// The equation cannot be evaluated at a value of a parameter.
+    #[error("at {parameter} = {value:?}: {reason}")]
+    At {
+        /// The parameter.
+        parameter: String,
+        /// Its value.
+        value: f64,
+        /// What is wrong there.
+        reason: String,
+    },
+}
+
+/// Why no tangency of the manifolds is known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoTangency {
+    /// No Melnikov function to begin with.
+    #[error(transparent)]
+    NoMelnikov(#[from] NoMelnikov),
+    /// The upright position is no saddle orbit any more.
+    #[error("no periodic motion stays near the upright position: the perturbation is too strong")]
+    NoSaddle,
+    /// A manifold that turns before it comes to the bottom.
+    #[error(
+        "the motions that leave the upright position do not pass the bottom: the perturbation is too strong"
+    )]
+    NoPassage,
+    /// Nothing near the threshold.
+    #[error(
+        "no tangency near the threshold: the perturbation is too strong for its first order to lead there"
+    )]
+    NoConvergence,
+    /// The integration ends.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+}
+
+impl From<WithoutValue> for NoTangency {
+    fn from(error: WithoutValue) -> Self {
+        Self::NoMelnikov(error.into())
+    }
+}

@@ -1,0 +1,218 @@
+//! The Melnikov function: by how much the perturbation separates the manifolds of the upright position.
+
+use super::NoMelnikov;
+use super::perturbation::PerturbedPendulum;
+use super::separatrix::integrals;
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::Complex;
+use libration_numbers::expression::Equation;
+use libration_numbers::roots::{Tolerance, zero_between};
+use std::f64::consts::TAU;
+
+/// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to the first order of the perturbation the energy, per m·l²,
+/// by which the stable and the unstable manifold of the upright position are apart. Where it has simple zeros they cross, and there are chaotic
+/// motions between them.
+///
+/// # Accuracy
+/// By residues, with all digits, where the perturbation is a polynomial in θ′, sin θ, cos θ and waves; by quadrature else, with the same
+/// absolute and a lesser relative accuracy where fast drives make it exponentially small.
+///
+/// # Examples
+/// ```
+/// use libration::melnikov::{Melnikov, PerturbedPendulum};
+/// use std::f64::consts::{PI, FRAC_PI_2};
+/// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
+/// let [upper, _] = Melnikov::both(&driven);
+/// // Damping takes 8c; a drive of (4c/π) cosh(πΩ/2) makes up for it.
+/// assert!((upper.mean + 0.8).abs() < 1e-15);
+/// let threshold = 0.4 / PI * FRAC_PI_2.cosh();
+/// assert!((upper.threshold_factor() * 0.3 / threshold - 1.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # References
+/// V. K. Melnikov, Trans. Moscow Math. Soc. 12 (1963) 1; J. Guckenheimer, P. Holmes, *Nonlinear Oscillations, Dynamical Systems, and
+/// Bifurcations of Vector Fields*, Springer 1983, section 4.5.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Melnikov {
+    /// 1 on the separatrix where the angle grows, −1 on the other.
+    pub direction: f64,
+    /// Ω in rad/s, zero without a drive.
+    pub frequency: f64,
+    /// What does not depend on t0.
+    pub mean: f64,
+    /// Bound on its error.
+    pub mean_error: f64,
+    /// c₁, c₂, … in M(t0) = mean + Σ Re(cₖ·e^{ikΩt0}).
+    pub harmonics: Vec<Complex>,
+    /// Bound on the error of each.
+    pub harmonic_errors: Vec<f64>,
+}
+
+/// Phases of the drive in a period of the fastest harmonic, at which extremes and zeros are looked for.
+const PLACES: usize = 16;
+
+impl Melnikov {
+    /// That of the separatrix on which the angle grows, and that of the other.
+    #[must_use]
+    pub fn both(pendulum: &PerturbedPendulum) -> [Self; 2] {
+        [1.0, -1.0].map(|direction| Self::new(pendulum, direction))
+    }
+
+    fn new(pendulum: &PerturbedPendulum, direction: f64) -> Self {
+        let mut found = integrals(pendulum, direction).into_iter();
+        let (mean, mean_error) = found.next().unwrap_or_default();
+        // e^{−ikΩt} has the conjugate coefficient.
+        let mut harmonics: Vec<(Complex, f64)> =
+            found.map(|(value, error)| (value.scaled(2.0), 2.0 * error)).collect();
+        while harmonics.last().is_some_and(|(value, error)| value.abs() <= *error) {
+            harmonics.pop();
+        }
+        let (harmonics, harmonic_errors) = harmonics.into_iter().unzip();
+        let frequency = pendulum.frequency().unwrap_or(0.0);
+        Self { direction, frequency, mean: mean.re, mean_error, harmonics, harmonic_errors }
+    }
+
+    /// M at the phase Ωt0 of the drive.
+    #[must_use]
+    pub fn at_phase(&self, phase: f64) -> f64 {
+        self.mean + self.wave(phase, 0)
+    }
+
+    /// The part that depends on the phase, or its derivative by it.
+    fn wave(&self, phase: f64, derivatives: u32) -> f64 {
+        let term = |(k, value): (u32, &Complex)| {
+            let number = f64::from(k);
+            let turned = (0..derivatives).fold(*value, |c, _| c * Complex::new(0.0, number));
+            (turned * Complex::unit(number * phase)).re
+        };
+        (1..).zip(&self.harmonics).map(term).sum()
+    }
+
+    /// The least and the greatest value of M(t0) − mean.
+    #[must_use]
+    pub fn extremes(&self) -> [f64; 2] {
+        if let [only] = &self.harmonics[..] {
+            return [-only.abs(), only.abs()];
+        }
+        let places = self.zeros_of(&|phase| self.wave(phase, 1));
+        let values = places.into_iter().map(|phase| self.wave(phase, 0));
+        values.fold([0.0, 0.0], |[least, most], value| [least.min(value), most.max(value)])
+    }
+
+    /// By what factor the part that depends on the phase must be multiplied for simple zeros to appear: below 1 they are there, 0 where
+    /// nothing opposes them, infinite where nothing depends on the phase.
+    #[must_use]
+    pub fn threshold_factor(&self) -> f64 {
+        let [least, most] = self.extremes();
+        let reach = if self.mean < 0.0 { most } else { -least };
+        if reach == 0.0 { f64::INFINITY } else { self.mean.abs() / reach }
+    }
+
+    /// Whether there are simple zeros, which means that the manifolds cross; `None` where the errors do not tell.
+    #[must_use]
+    pub fn has_simple_zeros(&self) -> Option<bool> {
+        let margin = self.margin();
+        (margin.abs() > self.error()).then_some(margin > 0.0)
+    }
+
+    /// How far the part that depends on the phase goes beyond what it has to make up for.
+    pub(super) fn margin(&self) -> f64 {
+        let [least, most] = self.extremes();
+        (most + self.mean).min(-(least + self.mean))
+    }
+
+    /// Bound on the error of M at any phase.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.mean_error + self.harmonic_errors.iter().sum::<f64>()
+    }
+
+    /// The phases Ωt0 within 0 … 2π at which M vanishes, and its slope there by the phase.
+    #[must_use]
+    pub fn zeros(&self) -> Vec<(f64, f64)> {
+        let places = self.zeros_of(&|phase| self.at_phase(phase));
+        places.into_iter().map(|phase| (phase, self.wave(phase, 1))).collect()
+    }
+
+    fn zeros_of(&self, f: &dyn Fn(f64) -> f64) -> Vec<f64> {
+        let places = PLACES * self.harmonics.len();
+        let place = |j: usize| TAU * count(j) / count(places);
+        let ends: Vec<(f64, f64)> = (0..=places).map(|j| (place(j), f(place(j)))).collect();
+        // A zero at an end is that of the interval it begins.
+        let own = |pair: &[(f64, f64)]| {
+            let found = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
+            found.flatten()
+        };
+        ends.windows(2).filter_map(own).collect()
+    }
+}
+
+/// Values of a parameter that are looked at in a range.
+const LOOKS: u32 = 128;
+
+/// A value of a parameter at which simple zeros appear or vanish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threshold {
+    /// 1 on the separatrix where the angle grows, −1 on the other.
+    pub direction: f64,
+    /// The value of the parameter.
+    pub value: f64,
+    /// Bound on its error, as that of a zero of the Melnikov function: of the first order in the perturbation it knows nothing.
+    pub error: f64,
+    /// Whether there are simple zeros above the value.
+    pub above: bool,
+}
+
+/// Where in a range of a parameter the manifolds begin or cease to cross, to the first order of the perturbation, on either separatrix.
+///
+/// # Errors
+/// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.
+///
+/// # Examples
+/// ```
+/// use libration::melnikov::thresholds;
+/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0])?;
+/// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn thresholds(
+    equation: &Equation,
+    parameter: &str,
+    range: [f64; 2],
+) -> Result<Vec<Threshold>, NoMelnikov> {
+    let [from, to] = range;
+    let width = (to - from).abs();
+    if !(width > 0.0 && width.is_finite()) {
+        return Err(NoMelnikov::Range { from, to });
+    }
+    let at = |value: f64| at_value(equation, parameter, value);
+    let place = |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
+    let looks = (0..=LOOKS).map(|j| Ok((place(j), at(place(j))?)));
+    let looks = looks.collect::<Result<Vec<_>, NoMelnikov>>()?;
+    let mut found = vec![];
+    for side in [0, 1] {
+        let margin = |value: f64| at(value).map_or(f64::NAN, |both| both[side].margin());
+        for pair in looks.windows(2) {
+            let ends = [0, 1].map(|end| (pair[end].0, pair[end].1[side].margin()));
+            let Some(value) = zero_between(ends, Tolerance::LAST_BIT, margin) else { continue };
+            let width = ends[1].0 - ends[0].0;
+            let slope = (margin(value + 1e-4 * width) - margin(value - 1e-4 * width)) / (2e-4 * width);
+            let own = &at(value)?[side];
+            let error = own.error() / slope.abs() + f64::EPSILON * value.abs();
+            found.push(Threshold { direction: own.direction, value, error, above: slope > 0.0 });
+        }
+    }
+    Ok(found)
+}
+
+fn at_value(equation: &Equation, parameter: &str, value: f64) -> Result<[Melnikov; 2], NoMelnikov> {
+    Ok(Melnikov::both(&PerturbedPendulum::new(&with_value(equation, parameter, value)?)?))
+}
+
+/// The equation with this value of the parameter.
+pub(super) fn with_value(equation: &Equation, parameter: &str, value: f64) -> Result<Equation, NoMelnikov> {
+    let failed = |reason: String| NoMelnikov::At { parameter: parameter.to_owned(), value, reason };
+    let number = format!("{value:?}").parse().map_err(|_| failed("no number".to_owned()))?;
+    equation.with(&[(parameter, number)]).map_err(|error| failed(error.to_string()))
+}

@@ -1,0 +1,100 @@
+//! The manifolds of the upright position, followed by integration to the bottom, where they are compared.
+//!
+//! A motion that starts next to the saddle orbit is, when it comes to the bottom, as near the unstable manifold as the start was far from it
+//! twice over: what is not along the manifold has decayed as much as the rest has grown. So no direction need be known.
+
+use std::f64::consts::PI;
+
+use super::NoTangency;
+use super::saddle::Saddle;
+use libration_motion::taylor::{Effort, Event, Moment, System, integrate_watched};
+use libration_numbers::expression::{Equation, Expression, Symbol};
+use libration_numbers::watch::Watch;
+
+const TOLERANCE: f64 = 1e-16;
+/// Units 1/ω0 in which a motion that started at 1e-9 of the saddle is at the bottom, several times over.
+const LONGEST: f64 = 100.0;
+
+/// The motions that leave the upright position on one side and arrive on the other.
+pub(super) struct Manifolds<'a> {
+    motion: System,
+    /// Where they leave and where they arrive.
+    saddles: [Saddle; 2],
+    direction: f64,
+    omega0: f64,
+    /// Of the starts from the saddles, in radians.
+    distance: f64,
+    watch: &'a Watch<'a>,
+}
+
+/// A passage of the bottom.
+#[derive(Clone, Copy)]
+struct Passage {
+    time: f64,
+    velocity: f64,
+}
+
+/// How long motions are on their way, positive from the saddle and negative to it.
+pub(super) type Delays = [f64; 2];
+
+impl<'a> Manifolds<'a> {
+    pub(super) fn new(
+        equation: &Equation,
+        [direction, omega0, frequency]: [f64; 3],
+        distance: f64,
+        watch: &'a Watch<'a>,
+    ) -> Result<Self, NoTangency> {
+        let angle = Expression::Symbol(Symbol::plain(&equation.variables()[0]));
+        let bottom = Event { ends_at: Some(1), ..Event::zero_of(angle) };
+        let motion = System::new(equation)?.with_events(&[bottom])?;
+        let saddle = |side: f64| Saddle::new(equation, side * PI, [omega0, frequency]);
+        let saddles = [saddle(-direction)?, saddle(direction)?];
+        Ok(Self { motion, saddles, direction, omega0, distance, watch })
+    }
+
+    pub(super) fn delays(&self) -> Delays {
+        let delay = libm::log(4.0 / self.distance) / self.omega0;
+        [delay, -delay]
+    }
+
+    /// By how much more energy per m·l² the unstable manifold passes the bottom at this time than the stable one, and the velocity of the first.
+    pub(super) fn separation(&self, time: f64, delays: &mut Delays) -> Result<[f64; 2], NoTangency> {
+        let [leaving, arriving] = [0, 1].map(|end| self.velocity_at(time, end, &mut delays[end]));
+        let (leaving, arriving) = (leaving?, arriving?);
+        Ok([0.5 * (leaving - arriving) * (leaving + arriving), leaving])
+    }
+
+    /// The velocity with which a manifold passes the bottom at a time: a later start is a later passage. Rounding of the start, as a part of its
+    /// distance from the saddle, leaves the time of the passage that uncertain, and the last two passages tell what that changes.
+    fn velocity_at(&self, time: f64, end: usize, delay: &mut f64) -> Result<f64, NoTangency> {
+        const TRIES: usize = 30;
+        const NEAR: f64 = 1e-8;
+        let mut start = time - *delay;
+        let mut last = self.passage(start - NEAR.sqrt() / self.omega0, end)?;
+        for _ in 0..TRIES {
+            let passage = self.passage(start, end)?;
+            let late = passage.time - time;
+            *delay = passage.time - start;
+            if late.abs() * self.omega0 <= NEAR {
+                let slope = (passage.velocity - last.velocity) / (passage.time - last.time);
+                return Ok(passage.velocity - slope * late);
+            }
+            start -= late;
+            last = passage;
+        }
+        Err(NoTangency::NoConvergence)
+    }
+
+    fn passage(&self, time: f64, end: usize) -> Result<Passage, NoTangency> {
+        let inward = if end == 0 { self.direction } else { -self.direction };
+        let saddle = self.saddles[end].state_at(time);
+        let velocity = saddle[1] + self.direction * self.omega0 * self.distance;
+        let start = Moment { time, state: vec![saddle[0] + inward * self.distance, velocity] };
+        let until = if end == 0 { LONGEST } else { -LONGEST } / self.omega0;
+        let effort = Effort::to_tolerance(TOLERANCE);
+        let solution =
+            integrate_watched(&self.motion, &start, &[time + until], &effort, |_| self.watch.flow())?;
+        let bottom = solution.events.first().ok_or(NoTangency::NoPassage)?;
+        Ok(Passage { time: bottom.time, velocity: bottom.state[1] })
+    }
+}

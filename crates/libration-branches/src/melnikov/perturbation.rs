@@ -1,0 +1,192 @@
+//! An equation of motion as that of a pendulum and what perturbs it.
+
+use super::NoMelnikov;
+use super::trigonometric::{Monomial, Names, Trigonometric};
+use libration_motion::chaos::drive_period;
+use libration_numbers::algebra::{Complex, Doubles};
+use libration_numbers::{
+    expression::{Equation, Expression, Symbol},
+    internals::expression::{Jet, Tape},
+};
+use std::f64::consts::TAU;
+
+/// Phases of the drive at which what is no trigonometric polynomial is evaluated.
+const PHASES: u32 = 64;
+/// Harmonics that are taken from them; those above tell what is left out.
+const HARMONICS: usize = 24;
+
+/// θ″ = −ω0²·sin θ + g(θ, θ′, t), where g has the period of the drive.
+///
+/// # Examples
+/// ```
+/// use libration::melnikov::PerturbedPendulum;
+/// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + 4 sin(x) = 0.3 cos(t)".parse()?)?;
+/// assert_eq!((driven.omega0(), driven.frequency()), (2.0, Some(1.0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PerturbedPendulum {
+    omega0: f64,
+    /// Ω, zero without a drive.
+    frequency: f64,
+    pub(super) closed: Trigonometric,
+    /// What is no polynomial in θ′, sin θ, cos θ and waves, with its greatest harmonic.
+    pub(super) rest: Option<Tape>,
+    rest_depends_on_time: bool,
+}
+
+impl PerturbedPendulum {
+    /// Everything in the acceleration but −ω0²·sin θ is the perturbation.
+    ///
+    /// # Errors
+    /// Several coordinates, an equation of the first order, open parameters; no restoring force −ω0²·sin θ; a force of the angle alone that
+    /// is not periodic in it; a drive that is not periodic.
+    pub fn new(equation: &Equation) -> Result<Self, NoMelnikov> {
+        equation.refuse_first_order()?;
+        let [name] = equation.variables() else {
+            return Err(NoMelnikov::Coordinates(equation.variables().len()));
+        };
+        if let Some(open) = equation.parameters().pop_first() {
+            return Err(NoMelnikov::Open(open));
+        }
+        let acceleration = &equation.accelerations()[0];
+        let time = Symbol::plain("t");
+        let frequency = match (acceleration.contains(&time), drive_period(equation)) {
+            (false, _) => 0.0,
+            (true, Some(period)) => TAU / period,
+            (true, None) => return Err(NoMelnikov::NotPeriodic),
+        };
+        let angle = Symbol::plain(name);
+        let names = Names { velocity: angle.with_primes(1), angle, time, frequency };
+        let (mut closed, rest) = separated(acceleration, &names);
+        let omega0 = own_frequency(&mut closed)?;
+        let moving = |part: &Expression| part.contains(&names.velocity) || part.contains(&names.time);
+        if let Some(alone) = rest.iter().find(|part| !moving(part)) {
+            return Err(NoMelnikov::NoAngle(alone.to_string()));
+        }
+        let rest_depends_on_time = rest.iter().any(|part| part.contains(&names.time));
+        let sum = rest.into_iter().reduce(|a, b| Expression::Add(Box::new(a), Box::new(b)));
+        let inputs = [names.angle, names.velocity, names.time];
+        let rest = sum.map(|sum| Tape::new(&[&sum], &inputs)).transpose()?;
+        Ok(Self { omega0, frequency, closed, rest, rest_depends_on_time })
+    }
+
+    /// ω0 in rad/s.
+    #[must_use]
+    pub const fn omega0(&self) -> f64 {
+        self.omega0
+    }
+
+    /// The angular frequency of the drive in rad/s, that of the period in which all of it comes back.
+    #[must_use]
+    pub fn frequency(&self) -> Option<f64> {
+        (self.frequency > 0.0).then_some(self.frequency)
+    }
+
+    /// Whether the integrals over the separatrix have a closed form, by residues.
+    #[must_use]
+    pub const fn is_closed(&self) -> bool {
+        self.rest.is_none()
+    }
+
+    /// The highest harmonic of the drive that may be there.
+    pub(super) fn harmonics(&self) -> usize {
+        let closed = self.closed.terms.keys().map(|it| it.harmonic.unsigned_abs() as usize).max();
+        closed.unwrap_or(0).max(if self.rest_depends_on_time { HARMONICS } else { 0 })
+    }
+
+    /// The coefficients of e^{ikΩt}, from k = 0 on, of the perturbation at a place and a velocity, and what higher ones there are.
+    pub(super) fn harmonics_at(&self, angle: f64, velocity: f64) -> (Vec<Complex>, f64) {
+        let mut found = vec![Complex::default(); self.harmonics() + 1];
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        for (monomial, coefficient) in &self.closed.terms {
+            if let Ok(k) = usize::try_from(monomial.harmonic) {
+                let size = power(velocity, monomial.velocity)
+                    * power(sine, monomial.sines)
+                    * power(cosine, monomial.cosines);
+                found[k] = found[k] + coefficient.scaled(size);
+            }
+        }
+        let left = self.rest.as_ref().map_or(0.0, |tape| self.add_rest(tape, [angle, velocity], &mut found));
+        (found, left)
+    }
+
+    fn add_rest(&self, tape: &Tape, [angle, velocity]: [f64; 2], found: &mut [Complex]) -> f64 {
+        let at = |time: f64| {
+            Jet::new(&Doubles, tape, &[angle, velocity, time]).map_or(f64::NAN, |jet| jet.result(0)[0])
+        };
+        if !self.rest_depends_on_time {
+            found[0] = found[0] + at(0.0).into();
+            return 0.0;
+        }
+        let phase = |j: u32| f64::from(j) / f64::from(PHASES);
+        let values: Vec<f64> = (0..PHASES).map(|j| at(phase(j) * TAU / self.frequency)).collect();
+        let coefficient = |k: u32| -> Complex {
+            let turn = |j: u32| Complex::unit(-TAU * phase(j * k % PHASES));
+            (0..PHASES).zip(&values).map(|(j, value)| turn(j).scaled(value / f64::from(PHASES))).sum()
+        };
+        for (k, place) in (0..).zip(found.iter_mut()).take(HARMONICS + 1) {
+            *place = *place + coefficient(k);
+        }
+        let above = u32::try_from(HARMONICS).unwrap_or(u32::MAX) + 1..=PHASES / 2;
+        above.map(|k| coefficient(k).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// The acceleration as a trigonometric polynomial, and the terms that are none.
+fn separated(acceleration: &Expression, names: &Names) -> (Trigonometric, Vec<Expression>) {
+    let mut terms = vec![];
+    collect_terms(acceleration, &|term| term, &mut terms);
+    let mut closed = Trigonometric::default();
+    let mut rest = vec![];
+    for term in terms {
+        match Trigonometric::from_tree(&term, names) {
+            Some(own) => closed = closed.plus(&own),
+            None => rest.push(term),
+        }
+    }
+    (closed, rest)
+}
+
+/// The terms of a sum, whose constant factors and divisors are given to each.
+fn collect_terms(
+    formula: &Expression,
+    within: &dyn Fn(Expression) -> Expression,
+    found: &mut Vec<Expression>,
+) {
+    let is_constant = |part: &Expression| part.symbols().is_empty();
+    match formula {
+        Expression::Add(a, b) => {
+            collect_terms(a, within, found);
+            collect_terms(b, within, found);
+        }
+        Expression::Subtract(a, b) => {
+            collect_terms(a, within, found);
+            collect_terms(b, &|term| within(Expression::Negate(Box::new(term))), found);
+        }
+        Expression::Negate(a) => {
+            collect_terms(a, &|term| within(Expression::Negate(Box::new(term))), found);
+        }
+        Expression::Multiply(a, b) if is_constant(a) => {
+            collect_terms(b, &|term| within(Expression::Multiply(a.clone(), Box::new(term))), found);
+        }
+        Expression::Multiply(a, b) if is_constant(b) => {
+            collect_terms(a, &|term| within(Expression::Multiply(Box::new(term), b.clone())), found);
+        }
+        Expression::Divide(a, b) if is_constant(b) => {
+            collect_terms(a, &|term| within(Expression::Divide(Box::new(term), b.clone())), found);
+        }
+        _ => found.push(within(formula.clone())),
+    }
+}
+
+/// ω0 of the term −ω0²·sin θ, which is taken out.
+fn own_frequency(closed: &mut Trigonometric) -> Result<f64, NoMelnikov> {
+    let sine = Monomial { velocity: 0, sines: 1, cosines: 0, harmonic: 0 };
+    let force = closed.terms.remove(&sine).map_or(0.0, |coefficient| coefficient.re);
+    if force < 0.0 { Ok((-force).sqrt()) } else { Err(NoMelnikov::NoPendulum(force)) }
+}
+
+pub(super) fn power(base: f64, exponent: u32) -> f64 {
+    (0..exponent).fold(1.0, |product, _| product * base)
+}

@@ -1,0 +1,214 @@
+//! Resonances of a pendulum with its drive: where they are, how wide, whether neighbours overlap.
+
+use super::perturbation::PerturbedPendulum;
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::Complex;
+use libration_numbers::roots::{Tolerance, zero_between};
+use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_pendulum::pendulum::{Amplitude, Motion, Pendulum, Regime};
+use std::f64::consts::TAU;
+
+/// A motion of the unperturbed pendulum whose frequency is p/q of that of the drive, and what the drive makes of it.
+///
+/// Next to it the phase of the motion against the drive moves as a pendulum of its own does: it is locked within the half-width, to the first
+/// order of the perturbation.
+#[derive(Clone, Debug)]
+pub struct DriveResonance {
+    /// p: periods of the motion, or turns,
+    pub motion_periods: u32,
+    /// in q periods of the drive.
+    pub drive_periods: u32,
+    /// 1 or −1 for rotation, 0 for libration.
+    pub direction: f64,
+    /// The unperturbed motion, upwards through the bottom at t = 0.
+    pub motion: Motion,
+    /// What the perturbation gives per time to the motion whatever its phase, per m·l², in rad²/s³: damping takes.
+    pub mean_power: f64,
+    /// What it gives at most beside that, at the best phase against the drive.
+    pub resonant_power: f64,
+    /// Bound on the error of both.
+    pub error: f64,
+    /// Half the width of the resonance in the action, per m·l², in rad²/s, where nothing damps.
+    pub half_width: f64,
+}
+
+impl DriveResonance {
+    /// Half the width in the frequency, in rad/s.
+    #[must_use]
+    pub fn half_width_in_frequency(&self) -> f64 {
+        self.half_width * self.motion.frequency_slope().abs()
+    }
+
+    /// By what factor the drive must be multiplied for it to keep up such a motion against the damping: the threshold of the subharmonic
+    /// Melnikov function.
+    #[must_use]
+    pub fn threshold_factor(&self) -> f64 {
+        self.mean_power.abs() / self.resonant_power
+    }
+
+    /// The sum of the half-widths of two resonances over their distance, in the action: Chirikov's criterion takes motions between them for
+    /// chaotic from 1 on, and experience from about 2/3. `None` between libration and rotation, or rotations of opposite directions.
+    #[must_use]
+    pub fn overlap(&self, other: &Self) -> Option<f64> {
+        let distance = (self.motion.action() - other.motion.action()).abs();
+        (self.direction.total_cmp(&other.direction).is_eq() && distance > 0.0)
+            .then(|| (self.half_width + other.half_width) / distance)
+    }
+}
+
+impl PerturbedPendulum {
+    /// The resonances p:q up to a largest q, for the harmonics p of the drive, that the perturbation has to the first order: librations and then
+    /// rotations either way, each by ascending action. None without a drive.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::melnikov::PerturbedPendulum;
+    /// // A wave that runs along with the angle: the separatrix of its own resonance is 2·√0.01 away in the velocity.
+    /// let driven = PerturbedPendulum::new(&"x'' + 1e-6 sin(x) = -0.01 sin(x - t)".parse()?)?;
+    /// let resonances = driven.resonances(1);
+    /// let rotation = resonances.iter().find(|it| it.direction > 0.0).ok_or("none")?;
+    /// assert!((rotation.half_width - 0.2).abs() < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # References
+    /// B. V. Chirikov, Physics Reports 52 (1979) 263, doi:10.1016/0370-1573(79)90023-1.
+    #[must_use]
+    pub fn resonances(&self, largest: u32) -> Vec<DriveResonance> {
+        self.resonances_watched(largest, &Watch::none()).unwrap_or_default()
+    }
+
+    /// The same, asking at each resonance whether to go on.
+    ///
+    /// # Errors
+    /// Being told not to.
+    pub fn resonances_watched(
+        &self,
+        largest: u32,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<DriveResonance>, Interrupted> {
+        let Some(drive) = self.frequency() else { return Ok(vec![]) };
+        let harmonics = u32::try_from(self.harmonics()).unwrap_or(0);
+        let pairs = || (1..=harmonics).flat_map(move |p| (1..=largest).map(move |q| (p, q)));
+        watch.begin(Stage::Whole, Some(pairs().count()));
+        let mut found = vec![];
+        for (done, (p, q)) in pairs().filter(|(p, q)| gcd(*p, *q) == 1).enumerate() {
+            watch.reached(done)?;
+            let frequency = drive * f64::from(p) / f64::from(q);
+            let motions = [self.libration(frequency), self.rotation(frequency), self.rotation(frequency)];
+            let directions = motions.into_iter().zip([0.0, 1.0, -1.0]);
+            let resonances =
+                directions.filter_map(|(motion, direction)| self.resonance([p, q], direction, motion?));
+            found.extend(resonances);
+        }
+        // 0, 1, −1.
+        let regime = |it: &DriveResonance| (it.direction - 0.4).abs();
+        found.sort_by(|a, b| {
+            regime(a).total_cmp(&regime(b)).then(a.motion.action().total_cmp(&b.motion.action()))
+        });
+        Ok(found)
+    }
+
+    fn pendulum(&self) -> Option<Pendulum> {
+        Pendulum::from_angular_frequency(self.omega0()).ok()
+    }
+
+    /// The libration of this frequency, from the bottom upwards.
+    fn libration(&self, frequency: f64) -> Option<Motion> {
+        let amplitude = Amplitude::from_period_ratio(self.omega0() / frequency).ok()?;
+        let sine = libm::sin(0.5 * amplitude.radians());
+        let motion = match amplitude.radians() < 2.0 {
+            true => self.pendulum()?.with_energy_ratio(sine * sine),
+            false => {
+                let cosine = libm::sin(0.5 * amplitude.complement());
+                self.pendulum()?.with_energy_excess(-cosine * cosine)
+            }
+        };
+        motion.ok().filter(|motion| motion.regime() == Regime::Libration)
+    }
+
+    /// The rotation of this frequency towards growing angles, of which the other is the mirror image.
+    fn rotation(&self, frequency: f64) -> Option<Motion> {
+        let pendulum = self.pendulum()?;
+        let of = |log: f64| pendulum.with_energy_excess(libm::exp(log));
+        let excess = |log: f64| of(log).map_or(f64::NAN, |motion| motion.frequency() - frequency);
+        /// From next to the separatrix to motions that feel no gravity.
+        const ENDS: [f64; 2] = [-600.0, 60.0];
+        let log = zero_between(ENDS.map(|log| (log, excess(log))), Tolerance::LAST_BIT, excess)?;
+        of(log).ok().filter(|motion| motion.regime() == Regime::Rotation)
+    }
+
+    /// `None` where the perturbation has no such resonance to the first order.
+    fn resonance(&self, [p, q]: [u32; 2], direction: f64, motion: Motion) -> Option<DriveResonance> {
+        let mirror = if direction < 0.0 { -1.0 } else { 1.0 };
+        let (powers, error) = self.mean_powers(&motion, p, mirror);
+        // The strongest multiple j, whose wave of the phase has the number jq.
+        let multiples = (1..).zip(powers.iter().skip(p as usize).step_by(p as usize));
+        let (multiple, power) = multiples
+            .map(|(multiple, power)| (multiple, 2.0 * power.abs()))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|(_, power)| *power > 4.0 * error)?;
+        let wave = count(multiple) * f64::from(q);
+        let half_width = 2.0 * (power / (motion.frequency() * wave * motion.frequency_slope().abs())).sqrt();
+        Some(DriveResonance {
+            motion_periods: p,
+            drive_periods: q,
+            direction,
+            motion,
+            mean_power: powers[0].re,
+            resonant_power: power,
+            error,
+            half_width,
+        })
+    }
+
+    /// Means of θ′·gₖ·e^{ikΩt} over a period of the motion for each harmonic k that is a multiple of p, and a bound on their errors: equal
+    /// steps, halved until nothing changes.
+    fn mean_powers(&self, motion: &Motion, p: u32, mirror: f64) -> (Vec<Complex>, f64) {
+        /// Of the sum of the sizes.
+        const ROUNDING: f64 = 4e-15;
+        const FEWEST: u32 = 64;
+        const DOUBLINGS: u32 = 9;
+        let mut steps = FEWEST;
+        let mut previous = self.sums(motion, p, mirror, steps);
+        let mut change = f64::INFINITY;
+        for _ in 0..DOUBLINGS {
+            steps *= 2;
+            let next = self.sums(motion, p, mirror, steps);
+            let pairs = next.0.iter().zip(&previous.0);
+            change = pairs.map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
+            previous = next;
+            if change <= ROUNDING * previous.1 {
+                break;
+            }
+        }
+        let (sums, size) = previous;
+        (sums, change + ROUNDING * size)
+    }
+
+    fn sums(&self, motion: &Motion, p: u32, mirror: f64, steps: u32) -> (Vec<Complex>, f64) {
+        let mut sums = vec![Complex::default(); self.harmonics() + 1];
+        let mut size = 0.0;
+        let drive = self.frequency().unwrap_or(0.0);
+        for j in 0..steps {
+            let share = f64::from(j) / f64::from(steps);
+            let time = share * motion.period();
+            let state = motion.state_at(time);
+            let (angle, velocity) = (mirror * state.angle, mirror * state.velocity);
+            let (values, left) = self.harmonics_at(angle, velocity);
+            let weight = velocity / f64::from(steps);
+            for ((k, value), sum) in (0_u32..).zip(&values).zip(&mut sums) {
+                if k % p == 0 {
+                    *sum = *sum + (*value * Complex::unit(f64::from(k) * drive * time)).scaled(weight);
+                    size += value.abs() * weight.abs();
+                }
+            }
+            size += left * weight.abs() * TAU;
+        }
+        (sums, size)
+    }
+}
+
+fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

@@ -1,0 +1,81 @@
+//! The upright position of a perturbed pendulum: a periodic motion about it, the saddle orbit.
+
+use std::f64::consts::TAU;
+
+use super::NoTangency;
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::{Complex, Doubles};
+use libration_numbers::{
+    expression::{Equation, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// Times in a period of the drive, and harmonics of the motion.
+const PLACES: usize = 96;
+const HARMONICS: usize = 24;
+/// Farther from the upright position the perturbation is not weak.
+const FARTHEST: f64 = 1.5;
+
+/// The motion as harmonics of the drive: Re Σ cₖ·e^{ikΩt} about the upright position.
+pub(super) struct Saddle {
+    upright: f64,
+    frequency: f64,
+    harmonics: Vec<Complex>,
+}
+
+impl Saddle {
+    /// With θ = upright + y it is y″ − ω0²y = θ″ − ω0²y, whose left side is inverted harmonic by harmonic: the right side is small, so that
+    /// this, done again and again, draws together.
+    pub(super) fn new(
+        equation: &Equation,
+        upright: f64,
+        [omega0, frequency]: [f64; 2],
+    ) -> Result<Self, NoTangency> {
+        const ROUNDS: usize = 400;
+        const ENOUGH: f64 = 1e-12;
+        let angle = Symbol::plain(&equation.variables()[0]);
+        let inputs = [angle.clone(), angle.with_primes(1), Symbol::plain("t")];
+        let tape = Tape::new(&[&equation.accelerations()[0]], &inputs)?;
+        let mut saddle = Self { upright, frequency, harmonics: vec![Complex::default(); HARMONICS + 1] };
+        for _ in 0..ROUNDS {
+            let force = |j: usize| {
+                let time = TAU / frequency * count(j) / count(PLACES);
+                let [angle, velocity] = saddle.state_at(time);
+                let jet = Jet::new(&Doubles, &tape, &[angle, velocity, time]);
+                jet.map_or(f64::NAN, |jet| jet.result(0)[0]) - omega0 * omega0 * (angle - upright)
+            };
+            let forces: Vec<f64> = (0..PLACES).map(force).collect();
+            let harmonic = |k: usize| {
+                let turn = |j: usize| Complex::unit(-TAU * count(j * k % PLACES) / count(PLACES));
+                let sum: Complex = forces.iter().enumerate().map(|(j, force)| turn(j).scaled(*force)).sum();
+                let wave = count(k) * frequency;
+                sum.scaled(
+                    -if k == 0 { 1.0 } else { 2.0 } / (count(PLACES) * (omega0 * omega0 + wave * wave)),
+                )
+            };
+            let harmonics: Vec<Complex> = (0..=HARMONICS).map(harmonic).collect();
+            let change: f64 =
+                harmonics.iter().zip(&saddle.harmonics).map(|(new, old)| (*new - *old).abs()).sum();
+            let size: f64 = harmonics.iter().map(|harmonic| harmonic.abs()).sum();
+            saddle.harmonics = harmonics;
+            if size.is_nan() || size > FARTHEST {
+                break;
+            }
+            if change < ENOUGH {
+                return Ok(saddle);
+            }
+        }
+        Err(NoTangency::NoSaddle)
+    }
+
+    /// Angle and velocity.
+    pub(super) fn state_at(&self, time: f64) -> [f64; 2] {
+        let term = |(k, harmonic): (usize, &Complex)| {
+            let wave = count(k) * self.frequency;
+            let value = *harmonic * Complex::unit(wave * time);
+            [value.re, -wave * value.im]
+        };
+        let terms = self.harmonics.iter().enumerate().map(term);
+        terms.fold([self.upright, 0.0], |[angle, velocity], [a, v]| [angle + a, velocity + v])
+    }
+}

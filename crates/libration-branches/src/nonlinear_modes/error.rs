@@ -1,0 +1,84 @@
+//! Why a mode is not followed.
+
+use libration_motion::orbit::NoOrbit;
+use libration_numbers::watch::Interrupted;
+
+/// Why no mode is followed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoNonlinearMode {
+    /// A number of a mode that is not there.
+    #[error("there is no mode {wanted}: give 1 to {modes}")]
+    NoMode {
+        /// Its number from 1.
+        wanted: usize,
+        /// How many there are.
+        modes: usize,
+    },
+    /// A mode that does not oscillate, or as many with the same frequency.
+    #[error("mode {0} does not oscillate, or shares its frequency with another one: choose another mode")]
+    NotOscillating(usize),
+    /// A coordinate that stays at rest in the mode.
+    #[error(
+        "the coordinate `{0}` stays at rest in this mode: its amplitude must be that of another coordinate"
+    )]
+    AtRest(String),
+    /// Amplitudes that are no ascending positive numbers.
+    #[error("the amplitude {0:?} does not follow: give positive numbers in ascending order")]
+    Amplitudes(f64),
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+/// Where a mode was lost on its way to larger amplitudes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("beyond the amplitude {reached} the mode is not followed: {reason}")]
+pub struct LostMode {
+    /// The largest amplitude that was reached.
+    pub reached: f64,
+    /// Why the next orbit was not found.
+    pub reason: Reason,
+}
+
+/// Why the next orbit was not found.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Reason {
+    /// The search failed.
+    #[error(transparent)]
+    NoOrbit(#[from] NoOrbit),
+    /// What is found belongs to another family.
+    #[error("the orbits that are found are not near the last ones")]
+    Jump,
+    /// Rounding errors decide the period.
+    #[error(
+        "the period that is found, {period:.4}, may be wrong by {uncertainty:.1e}, as next to an unstable equilibrium, where it grows without \
+         bound: give a smaller amplitude"
+    )]
+    Unsure {
+        /// What is found.
+        period: f64,
+        /// How wrong it may be; not a number where the orbit leaves it open.
+        uncertainty: f64,
+    },
+    /// A turning point that is not the farthest one.
+    #[error(
+        "released from {amplitude} the coordinate comes to {displacement} on the same side, so that this is not its amplitude: give a smaller one"
+    )]
+    Farther {
+        /// Where it was released.
+        amplitude: f64,
+        /// How far it comes.
+        displacement: f64,
+    },
+    /// A shorter orbit, several times over.
+    #[error("the orbit that is found is {0} turns of a shorter one: give a smaller amplitude")]
+    Repetition(u32),
+}
+
+impl Reason {
+    /// Whether it says more than that nothing was found.
+    pub(super) const fn is_telling(&self) -> bool {
+        !matches!(self, Self::Jump | Self::NoOrbit(NoOrbit::NoConvergence { .. } | NoOrbit::Period(_)))
+    }
+}

@@ -1,0 +1,307 @@
+//! A normal mode followed in amplitude.
+
+use super::belonging::Release;
+use super::{LostMode, NoNonlinearMode, Reason};
+use crate::normal_modes::{Behaviour, Mode, NormalModes};
+use libration_motion::orbit::{NoOrbit, Orbit, OrbitGuess, Stability};
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::Watch;
+use std::f64::consts::TAU;
+
+/// A family of periodic orbits that begins as a mode of small oscillations.
+#[derive(Clone, Debug)]
+pub struct NonlinearMode {
+    /// Its orbits at the amplitudes asked for, as far as it came.
+    pub points: Vec<ModePoint>,
+    /// Where it becomes stable or unstable.
+    pub changes: Vec<StabilityChange>,
+    /// Why it did not come to the last amplitude.
+    pub lost: Option<LostMode>,
+}
+
+/// One orbit of the family.
+#[derive(Clone, Debug)]
+pub struct ModePoint {
+    /// The displacement of the chosen coordinate at the start, where its velocity is zero.
+    pub amplitude: f64,
+    /// The state at the start, coordinates and then velocities.
+    pub start: Vec<f64>,
+    /// The orbit, with period, its uncertainty, harmonics and Floquet multipliers.
+    pub orbit: Orbit,
+    /// ω + κa² with a the first harmonic of the leading coordinate; `None` where the mode has no such series.
+    pub series_frequency: Option<f64>,
+}
+
+/// A change of stability between two amplitudes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StabilityChange {
+    /// It lies between these, below and above.
+    pub between: [f64; 2],
+    /// Whether it is stable above.
+    pub stable_above: bool,
+}
+
+/// The first orbit has this part of the least amplitude, or this amplitude where that is less.
+const FIRST: f64 = 0.02;
+/// Steps to the next amplitude asked for grow by this factor.
+const GROWTH: f64 = 1.6;
+/// The longest step in parts of the last amplitude.
+const LONGEST: f64 = 0.25;
+/// An orbit may be so far from what is expected, in parts of the step.
+const NEAR: f64 = 0.5;
+/// And its period so far from the expected one, in parts of it: twice over it would be off by one, half of it by a half.
+const SAME_PERIOD: f64 = 0.3;
+/// A step is halved so often before the mode is given up.
+const HALVINGS: u32 = 8;
+/// And a step below this part of the amplitude gives it up too: steps may fail and halve, and succeed, for ever towards a separatrix. A
+/// pendulum is followed to 179.9999° with 5e-6.
+const LEAST: f64 = 1e-6;
+/// A change of stability is halved down to this part of the amplitude: nearer to it four multipliers are at 1, each right to a fourth root of
+/// the errors.
+const NARROW: f64 = 2e-3;
+
+impl ModePoint {
+    /// Whether small deviations do not grow.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        self.orbit.floquet().is_some_and(|floquet| floquet.stability != Stability::Unstable)
+    }
+}
+
+impl NonlinearMode {
+    /// The largest of its amplitudes up to which ω + κa² is within this part of the frequency; `None` where the first is not, or there is
+    /// no such series.
+    #[must_use]
+    pub fn series_reach(&self, part: f64) -> Option<f64> {
+        let fits = |point: &&ModePoint| {
+            let frequency = point.orbit.frequency();
+            point.series_frequency.is_some_and(|series| (series - frequency).abs() <= part * frequency)
+        };
+        self.points.iter().take_while(fits).last().map(|point| point.amplitude)
+    }
+
+    /// The mode with a number from 0, at ascending amplitudes of a coordinate: the displacement from which the coordinate turns back.
+    ///
+    /// # Accuracy
+    /// Each orbit as [`Orbit::period_uncertainty`] says; changes of stability to 2e-3 of the amplitude.
+    ///
+    /// # Errors
+    /// A mode that is not there, does not oscillate or shares its frequency; a coordinate at rest in it; amplitudes that do not ascend.
+    pub fn follow(
+        equation: &Equation,
+        modes: &NormalModes,
+        number: usize,
+        coordinate: usize,
+        amplitudes: &[f64],
+    ) -> Result<Self, NoNonlinearMode> {
+        Self::follow_watched(equation, modes, number, coordinate, amplitudes, &Watch::none())
+    }
+
+    /// The same, asking at each step of each integration whether to go on.
+    ///
+    /// # Errors
+    /// As [`Self::follow`], and being told not to.
+    pub fn follow_watched(
+        equation: &Equation,
+        modes: &NormalModes,
+        number: usize,
+        coordinate: usize,
+        amplitudes: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoNonlinearMode> {
+        let family = Family::new(equation, modes, number, coordinate, watch)?;
+        let mut last = 0.0;
+        for amplitude in amplitudes {
+            if !(*amplitude > last && amplitude.is_finite()) {
+                return Err(NoNonlinearMode::Amplitudes(*amplitude));
+            }
+            last = *amplitude;
+        }
+        let mut found = Self { points: vec![], changes: vec![], lost: None };
+        let mut path: Vec<ModePoint> = vec![];
+        for amplitude in amplitudes {
+            let known = path.len().saturating_sub(1);
+            let lost = family.extend(&mut path, *amplitude)?;
+            found.changes.extend(family.changes(&path, known)?);
+            let reached = path.last().map_or(0.0, |point| point.amplitude);
+            match (path.last(), lost) {
+                (Some(point), None) => found.points.push(point.clone()),
+                (_, Some(reason)) => {
+                    found.lost = Some(LostMode { reached, reason });
+                    break;
+                }
+                (None, None) => {}
+            }
+            path.drain(..path.len().saturating_sub(3));
+        }
+        Ok(found)
+    }
+}
+
+/// What does not change along the mode.
+struct Family<'a> {
+    equation: &'a Equation,
+    mode: &'a Mode,
+    rest: &'a [f64],
+    coordinate: usize,
+    watch: &'a Watch<'a>,
+}
+
+impl<'a> Family<'a> {
+    fn new(
+        equation: &'a Equation,
+        modes: &'a NormalModes,
+        number: usize,
+        coordinate: usize,
+        watch: &'a Watch<'a>,
+    ) -> Result<Self, NoNonlinearMode> {
+        let missing = NoNonlinearMode::NoMode { wanted: number + 1, modes: modes.modes.len() };
+        let mode = modes.modes.get(number).ok_or(missing)?;
+        if mode.behaviour != Behaviour::Oscillating || mode.multiplicity > 1 {
+            return Err(NoNonlinearMode::NotOscillating(number + 1));
+        }
+        /// Of the largest part, which is 1.
+        const STILL: f64 = 1e-6;
+        if mode.shape[coordinate].re.abs() < STILL {
+            return Err(NoNonlinearMode::AtRest(modes.variables[coordinate].clone()));
+        }
+        Ok(Self { equation, mode, rest: &modes.equilibrium, coordinate, watch })
+    }
+
+    /// Orbits up to an amplitude, behind those that are there; why it was not reached.
+    fn extend(&self, path: &mut Vec<ModePoint>, to: f64) -> Result<Option<Reason>, NoNonlinearMode> {
+        if path.is_empty() {
+            let first = (FIRST * to).min(FIRST);
+            match self.orbit(first, self.linear(first))? {
+                Ok(point) => path.push(point),
+                Err(reason) => return self.reason_at(to, reason).map(Some),
+            }
+        }
+        let (mut halvings, mut telling) = (0, None);
+        while let Some(last) = path.last().map(|point| point.amplitude).filter(|last| *last < to) {
+            let before = path.len().checked_sub(2).map_or(0.0, |place| path[place].amplitude);
+            let step = (GROWTH * (last - before)).min(LONGEST * last.max(4.0 * FIRST))
+                * libm::exp2(-f64::from(halvings));
+            // No short step at the end.
+            let next = if last + 1.2 * step >= to { to } else { last + step };
+            let expected = self.expected(path, next);
+            let reason = match self.orbit(next, expected.clone())? {
+                Ok(point) if is_near(&point, &expected, last, path) => {
+                    path.push(point);
+                    halvings = (halvings - 1).max(0);
+                    continue;
+                }
+                Ok(_) => Reason::Jump,
+                Err(reason) => reason,
+            };
+            halvings += 1;
+            telling = if reason.is_telling() { Some(reason.clone()) } else { telling };
+            if halvings > HALVINGS.cast_signed() || step < LEAST * last {
+                return self.reason_at(to, telling.unwrap_or(reason)).map(Some);
+            }
+        }
+        Ok(None)
+    }
+
+    /// The small oscillation of this amplitude.
+    fn linear(&self, amplitude: f64) -> OrbitGuess {
+        let scale = amplitude / self.mode.shape[self.coordinate].re;
+        let places = self.rest.iter().zip(&self.mode.shape).map(|(rest, part)| rest + scale * part.re);
+        let state = places.chain(self.rest.iter().map(|_| 0.0)).collect();
+        OrbitGuess { state, period: TAU / self.mode.frequency() }
+    }
+
+    /// The next orbit by the parabola, or the line, through the last ones.
+    fn expected(&self, path: &[ModePoint], amplitude: f64) -> OrbitGuess {
+        let known = &path[path.len().saturating_sub(3)..];
+        if known.len() < 2 {
+            return OrbitGuess { period: known[0].orbit.period(), ..self.linear(amplitude) };
+        }
+        let weight = |k: usize| -> f64 {
+            let others = (0..known.len()).filter(|j| *j != k);
+            others
+                .map(|j| (amplitude - known[j].amplitude) / (known[k].amplitude - known[j].amplitude))
+                .product()
+        };
+        let mean = |of: &dyn Fn(&ModePoint) -> f64| -> f64 {
+            known.iter().enumerate().map(|(k, point)| weight(k) * of(point)).sum()
+        };
+        let mut state: Vec<f64> = (0..known[0].start.len()).map(|i| mean(&|point| point.start[i])).collect();
+        state[self.coordinate] = self.rest[self.coordinate] + amplitude;
+        let last = known[known.len() - 1].orbit.period();
+        let period = mean(&|point| point.orbit.period());
+        // A parabola through periods that grow without bound may lead anywhere.
+        OrbitGuess { state, period: if (period / last - 1.0).abs() < 1.0 { period } else { last } }
+    }
+
+    /// Why there is no orbit at an amplitude: of one coordinate its release tells, of several what was found last.
+    fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NoNonlinearMode> {
+        if self.rest.len() > 1 {
+            return Ok(last);
+        }
+        match Orbit::released_watched(self.equation, self.rest[0] + amplitude, &self.watch.part()) {
+            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(error) => Ok(error.into()),
+            Ok(orbit) => Ok(self.release(amplitude).refusal(&orbit).unwrap_or(last)),
+        }
+    }
+
+    const fn release(&self, amplitude: f64) -> Release<'_> {
+        Release { rest: self.rest, coordinate: self.coordinate, amplitude }
+    }
+
+    fn orbit(&self, amplitude: f64, guess: OrbitGuess) -> Result<Result<ModePoint, Reason>, NoNonlinearMode> {
+        let fixed = [self.coordinate, self.rest.len() + self.coordinate];
+        let mut guess = guess;
+        guess.state[fixed[0]] = self.rest[self.coordinate] + amplitude;
+        guess.state[fixed[1]] = 0.0;
+        match Orbit::near_watched(self.equation, &guess, &fixed, &self.watch.part()) {
+            Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            Err(error) => Ok(Err(error.into())),
+            Ok(orbit) => Ok(match self.release(amplitude).refusal(&orbit) {
+                Some(reason) => Err(reason),
+                None => Ok(self.point(amplitude, orbit.one_of_a_family())),
+            }),
+        }
+    }
+
+    fn point(&self, amplitude: f64, orbit: Orbit) -> ModePoint {
+        let series_frequency = self.mode.shift.as_ref().ok().map(|shift| {
+            let terms = orbit.harmonics(self.mode.leading()).terms;
+            let first = terms.get(1).map_or(f64::NAN, |term| term.amplitude());
+            self.mode.frequency() + shift.coefficient * first * first
+        });
+        ModePoint { amplitude, start: orbit.start(), orbit, series_frequency }
+    }
+
+    /// Where stability changes along a path, from one of its orbits on.
+    fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NoNonlinearMode> {
+        let mut changes = vec![];
+        for (place, pair) in path.windows(2).enumerate().skip(from) {
+            let stable_above = pair[1].is_stable();
+            if pair[0].is_stable() == stable_above {
+                continue;
+            }
+            let mut between = [pair[0].amplitude, pair[1].amplitude];
+            while between[1] - between[0] > NARROW * between[1] {
+                let middle = 0.5 * (between[0] + between[1]);
+                let guess = self.expected(&path[..=place + 1], middle);
+                let Ok(point) = self.orbit(middle, guess)? else { break };
+                between[usize::from(point.is_stable() == stable_above)] = middle;
+            }
+            changes.push(StabilityChange { between, stable_above });
+        }
+        Ok(changes)
+    }
+}
+
+/// Whether an orbit is where the last ones lead: no farther from it than half a step, in all numbers together,
+/// and with about the period.
+fn is_near(point: &ModePoint, expected: &OrbitGuess, last: f64, path: &[ModePoint]) -> bool {
+    let distance =
+        |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt() };
+    let before = &path[path.len() - 1].start;
+    let step = distance(&point.start, before).max(point.amplitude - last);
+    let same_period = (point.orbit.period() / expected.period - 1.0).abs() <= SAME_PERIOD;
+    same_period && distance(&point.start, &expected.state) <= NEAR * step
+}

@@ -1,0 +1,33 @@
+//! Why there is no normal form.
+
+use crate::normal_modes::NoModes;
+use libration_numbers::expression::WithoutValue;
+use libration_numbers::watch::Interrupted;
+
+/// Why a system has no normal form about an equilibrium.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoNormalForm {
+    /// No small oscillations.
+    #[error(transparent)]
+    NoModes(#[from] NoModes),
+    /// A parameter that is left open.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// A mode that does not oscillate.
+    #[error(
+        "mode {0} does not oscillate: amplitudes change slowly only where all modes oscillate without damping; set the damping to zero, or choose another equilibrium"
+    )]
+    NotOscillating(usize),
+    /// Fewer or more orders than are computed.
+    #[error("the order is {0}: give 2 to {most}", most = super::LARGEST_ORDER)]
+    Order(usize),
+    /// No power series.
+    #[error(
+        "at the equilibrium the accelerations have no power series: they have a kink or a jump there, or are not finite"
+    )]
+    NoSeries,
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}

@@ -1,0 +1,320 @@
+//! How modes in resonance exchange their energy: by the slow flow, in closed form where it is one of two modes at 2:1, and as the whole motion
+//! shows it.
+
+use super::form::NormalForm;
+use libration_kernels::elementary::count;
+use libration_kernels::elliptic::Modulus;
+use libration_motion::taylor::{Effort, IntegrationError, Moment, System, integrate_watched};
+use libration_numbers::algebra::Complex;
+use libration_numbers::expression::Equation;
+use libration_numbers::roots::polynomial_roots;
+use libration_numbers::watch::Watch;
+use std::f64::consts::TAU;
+
+/// The exchange of energy between modes, from a state on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exchange {
+    /// After so many seconds the amplitudes are as they were.
+    pub period: f64,
+    /// The error of the period as that of the slow flow, by what a tenth of the time changes.
+    pub error: f64,
+    /// The least and the greatest |aⱼ| of each mode on the way.
+    pub amplitudes: Vec<[f64; 2]>,
+    /// The period in closed form by the terms of the second order alone, of two modes at 2:1 without detuning.
+    pub closed_form: Option<f64>,
+}
+
+/// The exchange that the whole motion shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredExchange {
+    /// 2π over the mean frequency with which the amplitudes go around.
+    pub period: f64,
+    /// Its error, by what a tenth of the time changes.
+    pub error: f64,
+}
+
+/// Why there is no exchange.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoExchange {
+    /// No resonant term.
+    #[error("no two modes are in resonance to this order: each keeps its amplitude")]
+    NoResonance,
+    /// Too far from rest.
+    #[error("the state is too far from rest for a normal form of this order: give a smaller one")]
+    TooFar,
+    /// Amplitudes that stay as they are.
+    #[error(
+        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may tell of an exchange"
+    )]
+    Steady,
+    /// Amplitudes that do not come back.
+    #[error(
+        "the amplitudes do not come back within {0} s: the exchange is slower, or there is none from this state"
+    )]
+    TooSlow(f64),
+    /// The motion ends.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+}
+
+/// Exchanges over which frequencies are averaged, which leaves 1e-12 of them (48 leave 1e-11), and samples in each: with half as many, harmonics of
+/// the modes pass for slow changes.
+const EXCHANGES: usize = 96;
+const SAMPLES: usize = 96;
+/// What the tolerance of the integration leaves of a mean frequency, in parts of it.
+const ROUNDING: f64 = 1e-12;
+/// Periods of the slowest mode that are waited for an exchange.
+const LONGEST: usize = 2000;
+/// Amplitudes whose squares change by less than this part of themselves are steady: 2000 periods at the tolerance of the integration leave
+/// 2e-11 where all errors add up, and 1e-13 was seen.
+const STEADY: f64 = 1e-10;
+
+/// P = |a|² of the first resonant mode and half its rate of change, whose curve closes with the exchange.
+type Place = [f64; 2];
+
+impl NormalForm {
+    /// The exchange from a state, coordinates and then velocities, by the slow flow.
+    ///
+    /// # Errors
+    /// No resonance; a state beyond the reach of the form; amplitudes that stay as they are, or do not come back in 2000 periods of the slowest
+    /// mode.
+    pub fn exchange(&self, state: &[f64]) -> Result<Exchange, NoExchange> {
+        self.exchange_watched(state, &Watch::none())
+    }
+
+    /// The same, asking at each step of the integration whether to go on.
+    ///
+    /// # Errors
+    /// As [`Self::exchange`], and being told not to.
+    pub fn exchange_watched(&self, state: &[f64], watch: &Watch<'_>) -> Result<Exchange, NoExchange> {
+        let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
+        let amplitudes = self.amplitudes_of(state).ok_or(NoExchange::TooFar)?;
+        let seen = |interval: f64, samples: usize| self.slow_path(&amplitudes, interval, samples, watch);
+        let slowest = self.modes.modes.iter().map(|mode| TAU / mode.frequency()).fold(0.0, f64::max);
+        let about = self.rough_period(mode, slowest, &seen)?;
+        let interval = about / count(SAMPLES);
+        let path = seen(interval, EXCHANGES * SAMPLES)?;
+        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let ends = |j: usize| {
+            let sizes = path.iter().map(|amplitudes| amplitudes[j].abs());
+            sizes.fold([f64::INFINITY, 0.0], |[least, most], it| [it.min(least), it.max(most)])
+        };
+        let period = TAU / frequency;
+        Ok(Exchange {
+            period,
+            error: error / frequency * period,
+            amplitudes: (0..amplitudes.len()).map(ends).collect(),
+            closed_form: self.closed_form(&amplitudes),
+        })
+    }
+
+    /// The exchange of the whole motion from the same state, by integration: a weighted mean of the frequency with which its amplitudes,
+    /// seen through the normal form, go around. The mean frequency of a motion does not depend on how it is seen.
+    ///
+    /// # Errors
+    /// As [`Self::exchange`], and where the integration ends.
+    pub fn measured_exchange(
+        &self,
+        equation: &Equation,
+        state: &[f64],
+        exchange: &Exchange,
+    ) -> Result<MeasuredExchange, NoExchange> {
+        self.measured_exchange_watched(equation, state, exchange, &Watch::none())
+    }
+
+    /// The same, asking at each step of the integration whether to go on.
+    ///
+    /// # Errors
+    /// As [`Self::measured_exchange`], and being told not to.
+    pub fn measured_exchange_watched(
+        &self,
+        equation: &Equation,
+        state: &[f64],
+        exchange: &Exchange,
+        watch: &Watch<'_>,
+    ) -> Result<MeasuredExchange, NoExchange> {
+        let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
+        let interval = exchange.period / count(SAMPLES);
+        let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, watch)?;
+        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let period = TAU / frequency;
+        Ok(MeasuredExchange { period, error: error / frequency * period })
+    }
+
+    /// The amplitudes by the slow flow at even times from zero on, asking at each step whether to go on.
+    ///
+    /// # Errors
+    /// The integration ends.
+    pub fn slow_path(
+        &self,
+        amplitudes: &[Complex],
+        interval: f64,
+        samples: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<Vec<Complex>>, NoExchange> {
+        let start: Vec<f64> = amplitudes.iter().flat_map(|a| [a.re, a.im]).collect();
+        let states = motion(&self.slow_flow(), &start, interval, samples, watch)?;
+        let amplitudes =
+            |state: &Vec<f64>| state.chunks(2).map(|part| Complex::new(part[0], part[1])).collect();
+        Ok(states.iter().map(amplitudes).collect())
+    }
+
+    /// The amplitudes of the whole motion from a state, seen through the normal form, at even times from zero on, asking at
+    /// each step whether to go on.
+    ///
+    /// # Errors
+    /// A state too far from rest, or the integration ends.
+    pub fn seen_path(
+        &self,
+        equation: &Equation,
+        state: &[f64],
+        interval: f64,
+        samples: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<Vec<Complex>>, NoExchange> {
+        let states = motion(equation, state, interval, samples, watch)?;
+        states.iter().map(|state| self.amplitudes_of(state).ok_or(NoExchange::TooFar)).collect()
+    }
+
+    /// The first mode with a term that is not there in every system.
+    fn exchanging_mode(&self) -> Option<usize> {
+        self.slow_terms.iter().find(|term| !term.is_of_every_system()).map(|term| term.mode)
+    }
+
+    fn place(&self, mode: usize, amplitudes: &[Complex]) -> Place {
+        let (a, rate) = (amplitudes[mode], self.rates(amplitudes)[mode]);
+        [a.re * a.re + a.im * a.im, a.re * rate.re + a.im * rate.im]
+    }
+
+    /// The mean time between maxima of P.
+    fn rough_period(
+        &self,
+        mode: usize,
+        slowest: f64,
+        seen: &dyn Fn(f64, usize) -> Result<Vec<Vec<Complex>>, NoExchange>,
+    ) -> Result<f64, NoExchange> {
+        const PER_PERIOD: usize = 4;
+        let interval = slowest / count(PER_PERIOD);
+        let mut is_steady = true;
+        for periods in [LONGEST / 64, LONGEST / 16, LONGEST / 4, LONGEST] {
+            let path = seen(interval, periods * PER_PERIOD)?;
+            let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+            is_steady = Scale::of(&places).is_steady();
+            let falls = |pair: &(usize, &[Place])| pair.1[0][1] > 0.0 && pair.1[1][1] <= 0.0;
+            let maxima: Vec<usize> = places.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
+            if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2)
+                && !is_steady
+            {
+                return Ok(interval * count(last - first) / count(maxima.len() - 1));
+            }
+        }
+        Err(if is_steady { NoExchange::Steady } else { NoExchange::TooSlow(slowest * count(LONGEST)) })
+    }
+
+    /// By aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
+    fn closed_form(&self, amplitudes: &[Complex]) -> Option<f64> {
+        let second = |mode: usize, powers: &[u8], bars: &[u8]| {
+            let fits = |it: &&super::SlowTerm| {
+                it.mode == mode
+                    && it.powers == powers
+                    && it.conjugate_powers == bars
+                    && it.detuning.abs() < 1e-12
+            };
+            self.slow_terms.iter().find(fits).map(|it| it.coefficient.im)
+        };
+        if amplitudes.len() != 2 {
+            return None;
+        }
+        // The faster mode is the second.
+        let (alpha, beta) = (second(1, &[2, 0], &[0, 0])?, second(0, &[0, 1], &[1, 0])?);
+        let [b, a] = [amplitudes[0], amplitudes[1]];
+        let bar = Complex::new(b.re, -b.im);
+        let h = (a * bar * bar).re;
+        let c = a.abs() * a.abs() / alpha + b.abs() * b.abs() / beta;
+        let roots = polynomial_roots(&[beta / alpha * h * h, 0.0, -beta * c, 1.0])?;
+        let mut roots: Vec<f64> =
+            roots.iter().flat_map(|root| vec![root.value.re; root.multiplicity]).collect();
+        roots.sort_by(f64::total_cmp);
+        let [first, second, third] = roots[..] else { return None };
+        let modulus = Modulus::from_parameter((third - second) / (third - first)).ok()?;
+        let period = 2.0 * modulus.first() / (alpha * beta * (third - first)).sqrt();
+        (period > 0.0 && period.is_finite()).then_some(period)
+    }
+}
+
+/// The states at even times from zero on.
+fn motion(
+    equation: &Equation,
+    start: &[f64],
+    interval: f64,
+    samples: usize,
+    watch: &Watch<'_>,
+) -> Result<Vec<Vec<f64>>, NoExchange> {
+    const TOLERANCE: f64 = 1e-14;
+    let system = System::new(equation).map_err(|_| NoExchange::TooFar)?;
+    let times: Vec<f64> = (0..=samples).map(|k| interval * count(k)).collect();
+    let start = Moment { time: 0.0, state: start.to_vec() };
+    let solution =
+        integrate_watched(&system, &start, &times, &Effort::to_tolerance(TOLERANCE), |_| watch.flow())?;
+    Ok(solution.samples.into_iter().map(|it| it.state).collect())
+}
+
+/// What a curve goes around, and how large it is.
+struct Scale {
+    middle: f64,
+    half_width: f64,
+    height: f64,
+}
+
+impl Scale {
+    fn of(places: &[Place]) -> Self {
+        let least = places.iter().map(|it| it[0]).fold(f64::INFINITY, f64::min);
+        let most = places.iter().map(|it| it[0]).fold(0.0, f64::max);
+        let height = places.iter().map(|it| it[1].abs()).fold(0.0, f64::max);
+        Self { middle: 0.5 * (least + most), half_width: 0.5 * (most - least), height }
+    }
+
+    fn is_steady(&self) -> bool {
+        self.half_width <= STEADY * self.middle
+    }
+
+    fn angle(&self, place: &Place) -> f64 {
+        libm::atan2(-place[1] / self.height, (place[0] - self.middle) / self.half_width)
+    }
+}
+
+/// The mean angular frequency around the middle, and its error: the largest change by leaving a tenth of the places out, at either end or half
+/// at each. The mean converges faster than any power of the length, so that nine tenths miss a few times what all miss, and half of them thousands
+/// of times as much. What is left of the tolerance of the integration after all steps is beside it.
+fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
+    let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
+    let step = |pair: &[f64]| {
+        let step = pair[1] - pair[0];
+        step - TAU * (step / TAU).round()
+    };
+    let steps: Vec<f64> = angles.windows(2).map(step).collect();
+    let whole = weighted_mean(&steps);
+    let left_out = steps.len() / 10;
+    let shorter = [0, left_out / 2, left_out].map(|first| &steps[first..first + steps.len() - left_out]);
+    let changes = shorter.map(|steps| (weighted_mean(steps) - whole).abs());
+    let error = changes.into_iter().fold(0.0, f64::max) + ROUNDING * whole.abs();
+    [whole.abs() / interval, error / interval]
+}
+
+/// The mean with the weights e^{−1/t(1−t)}, which converges faster than any power of the length for quasi-periodic values.
+///
+/// Reference: S. Das, Y. Saiki, E. Sander, J. A. Yorke, Nonlinearity 30 (2017) 4111, doi:10.1088/1361-6544/aa84c2.
+fn weighted_mean(values: &[f64]) -> f64 {
+    let weight = |k: usize| {
+        let t = (count(k) + 0.5) / count(values.len());
+        libm::exp(-1.0 / (t * (1.0 - t)))
+    };
+    let sums = values
+        .iter()
+        .enumerate()
+        .fold([0.0, 0.0], |[sum, total], (k, value)| [sum + weight(k) * value, total + weight(k)]);
+    sums[0] / sums[1]
+}

@@ -1,0 +1,290 @@
+//! The normal form of a system about an equilibrium, with its terms, and states as amplitudes.
+
+use super::expansion::{Expansion, Judge, LinearMotion, Obstacle, expand};
+use super::linear_motion::{exactly, in_digits};
+use super::polynomials::{Polynomial, Powers};
+use super::{LARGEST_ORDER, NoNormalForm};
+use crate::normal_modes::{Behaviour, NormalModes};
+use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::{
+    algebra::{Complex, Ring},
+    internals::algebra::{Quadratic, Tower},
+};
+use libration_numbers::{
+    expression::{Equation, Symbol},
+    internals::expression::Tape,
+};
+
+/// How the amplitudes of a system's modes change slowly: aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates are
+/// xₑ + Re Σ aⱼφⱼ to the first order, with the shapes φⱼ of the modes.
+///
+/// # Accuracy
+/// Exact to the order, with coefficients in square roots, where frequencies and shapes are; then the form is found in digits too, for what is
+/// computed with. What is left out is of the next order in the amplitudes.
+///
+/// # References
+/// A. H. Nayfeh, *The Method of Normal Forms*, 2nd edition, Wiley 2011.
+#[derive(Clone, Debug)]
+pub struct NormalForm {
+    /// The equilibrium and the modes.
+    pub modes: NormalModes,
+    /// Monomials up to this degree are there.
+    pub order: usize,
+    /// The terms that stay: the frequencies' changes with the amplitudes, and resonances.
+    pub slow_terms: Vec<SlowTerm>,
+    /// The smallest divisors of what was taken out, in their order: where one is small, amplitudes must be smaller.
+    pub small_divisors: Vec<Divisor>,
+    /// For each mode its modal coordinate beyond the amplitude itself, in digits.
+    transform: Vec<Polynomial<Complex>>,
+}
+
+/// A term of the slow flow of a mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlowTerm {
+    /// The number of the mode whose amplitude it changes.
+    pub mode: usize,
+    /// The powers of all amplitudes.
+    pub powers: Vec<u8>,
+    /// The powers of their conjugates.
+    pub conjugate_powers: Vec<u8>,
+    /// The coefficient.
+    pub coefficient: Complex,
+    /// The same with square roots, where it is known.
+    pub exact: Option<String>,
+    /// The frequency of the monomial less that of the mode, in rad/s: zero for an exact resonance.
+    pub detuning: f64,
+}
+
+/// A monomial that was taken out, with its divisor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Divisor {
+    /// The number of the mode it would change.
+    pub mode: usize,
+    /// The powers of all amplitudes.
+    pub powers: Vec<u8>,
+    /// The powers of their conjugates.
+    pub conjugate_powers: Vec<u8>,
+    /// The frequency of the monomial less that of the mode, in rad/s.
+    pub divisor: f64,
+}
+
+impl SlowTerm {
+    /// Whether it is there whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
+    #[must_use]
+    pub fn is_of_every_system(&self) -> bool {
+        let own = |k: usize| u8::from(k == self.mode);
+        (0..self.powers.len()).all(|k| self.powers[k] == self.conjugate_powers[k] + own(k))
+    }
+}
+
+/// How many of the smallest divisors are told.
+const TOLD: usize = 5;
+
+impl NormalForm {
+    /// The normal form about the equilibrium near a guess, up to an order in the amplitudes. Divisors smaller than `detuning` times the least
+    /// frequency are taken for resonances.
+    ///
+    /// # Errors
+    /// No equilibrium or modes, as [`NormalModes::about`]; a mode that does not oscillate; an order outside 2 … [`LARGEST_ORDER`]; accelerations
+    /// without power series.
+    pub fn about(
+        equation: &Equation,
+        guess: &[f64],
+        order: usize,
+        detuning: f64,
+    ) -> Result<Self, NoNormalForm> {
+        Self::about_watched(equation, guess, order, detuning, &Watch::none())
+    }
+
+    /// The same, asking at each order whether to go on.
+    ///
+    /// # Errors
+    /// As [`Self::about`], and being told not to.
+    pub fn about_watched(
+        equation: &Equation,
+        guess: &[f64],
+        order: usize,
+        detuning: f64,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoNormalForm> {
+        if !(2..=LARGEST_ORDER).contains(&order) {
+            return Err(NoNormalForm::Order(order));
+        }
+        let modes = NormalModes::about_watched(equation, guess, &watch.part())?;
+        if let Some(number) = modes.modes.iter().position(|it| it.behaviour != Behaviour::Oscillating) {
+            return Err(NoNormalForm::NotOscillating(number + 1));
+        }
+        let formulas: Vec<_> = equation.accelerations().iter().collect();
+        let plain = equation.variables().iter().map(|name| Symbol::plain(name));
+        let symbols: Vec<Symbol> = plain.clone().chain(plain.map(|it| it.with_primes(1))).collect();
+        let tape = Tape::new(&formulas, &symbols)?;
+        let least = modes.modes.iter().map(|mode| mode.frequency()).fold(f64::INFINITY, f64::min);
+        let smallest = detuning * least;
+        watch.begin(Stage::Whole, Some(order));
+        let exact = exactly(&modes).map(|linear| {
+            let tower = linear.numbers.base.clone();
+            let number = |x: &Vec<_>| tower.number(x);
+            let judge = Judge { number: &number, smallest };
+            expand(&linear, &judge, &tape, order, &watch.part()).map(|found| Found::exact(&tower, found))
+        });
+        let found = match exact {
+            Some(Ok(found)) => found,
+            Some(Err(Obstacle::Interrupted(interrupted))) => return Err(interrupted.into()),
+            Some(Err(Obstacle::NoSeries)) | None => {
+                let linear: LinearMotion<_> = in_digits(&modes);
+                // Zero but for rounding.
+                let judge = Judge { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
+                let found = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
+                Found::in_digits(found)
+            }
+        };
+        Ok(Self {
+            modes,
+            order,
+            slow_terms: found.slow,
+            small_divisors: found.divisors,
+            transform: found.transform,
+        })
+    }
+
+    /// The amplitudes of a state, coordinates and then velocities, which the transform of this order gives back; `None` where the state is too
+    /// far from rest for that.
+    #[must_use]
+    pub fn amplitudes_of(&self, state: &[f64]) -> Option<Vec<Complex>> {
+        const STEPS: usize = 200;
+        let modal = self.modal(state)?;
+        let mut amplitudes = modal.clone();
+        for _ in 0..STEPS {
+            let beyond = self.beyond(&amplitudes);
+            let next: Vec<Complex> = modal.iter().zip(&beyond).map(|(z, more)| *z - *more).collect();
+            let change = next.iter().zip(&amplitudes).map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
+            let size = next.iter().map(|a| a.abs()).fold(0.0, f64::max);
+            if !next.iter().all(|a| a.is_finite()) {
+                return None;
+            }
+            amplitudes = next;
+            if change <= 1e-15 * size {
+                return Some(amplitudes);
+            }
+        }
+        None
+    }
+
+    /// What the modal coordinates have beyond the amplitudes.
+    fn beyond(&self, amplitudes: &[Complex]) -> Vec<Complex> {
+        self.transform.iter().map(|polynomial| value(polynomial, amplitudes)).collect()
+    }
+
+    /// z with x − xₑ = Re Σ zⱼφⱼ and v = Re Σ iωⱼzⱼφⱼ.
+    fn modal(&self, state: &[f64]) -> Option<Vec<Complex>> {
+        let n = self.modes.modes.len();
+        let right: Vec<f64> =
+            (0..2 * n).map(|i| state[i] - if i < n { self.modes.equilibrium[i] } else { 0.0 }).collect();
+        let entry = |i: usize, j: usize| {
+            let mode = &self.modes.modes[j % n];
+            let part = mode.shape[i % n];
+            let part = if i < n { part } else { part * Complex::new(0.0, mode.frequency()) };
+            if j < n { part.re } else { -part.im }
+        };
+        let matrix: Vec<Vec<f64>> = (0..2 * n).map(|i| (0..2 * n).map(|j| entry(i, j)).collect()).collect();
+        let solution = libration_numbers::internals::linear::solve(
+            &libration_numbers::algebra::Doubles,
+            |x| x.abs(),
+            &matrix,
+            &right,
+        )?;
+        Some((0..n).map(|j| Complex::new(solution[j], solution[j + n])).collect())
+    }
+}
+
+fn failure(obstacle: Obstacle) -> NoNormalForm {
+    match obstacle {
+        Obstacle::NoSeries => NoNormalForm::NoSeries,
+        Obstacle::Interrupted(interrupted) => interrupted.into(),
+    }
+}
+
+/// A polynomial in amplitudes and their conjugates.
+fn value(polynomial: &Polynomial<Complex>, amplitudes: &[Complex]) -> Complex {
+    let bars = amplitudes.iter().map(|a| Complex::new(a.re, -a.im));
+    let all: Vec<Complex> = amplitudes.iter().copied().chain(bars).collect();
+    let term = |(powers, value): (&Powers, &Complex)| {
+        powers.iter().zip(&all).fold(*value, |product, (power, a)| product * a.powi(u32::from(*power)))
+    };
+    polynomial.iter().map(term).sum()
+}
+
+/// An expansion in digits, with the texts of exact coefficients.
+struct Found {
+    slow: Vec<SlowTerm>,
+    divisors: Vec<Divisor>,
+    transform: Vec<Polynomial<Complex>>,
+}
+
+impl Found {
+    fn exact(tower: &Tower, found: Expansion<Tower>) -> Self {
+        let text = |z: &Quadratic<Vec<_>>| Some(complex_text(tower, &z.plain, &z.root));
+        Self::new(found, &|x| tower.number(x), &text)
+    }
+
+    fn in_digits(found: Expansion<libration_numbers::algebra::Doubles>) -> Self {
+        Self::new(found, &|x| *x, &|_| None)
+    }
+
+    fn new<N: Ring>(
+        found: Expansion<N>,
+        number: &dyn Fn(&N::Element) -> f64,
+        text: &dyn Fn(&Quadratic<N::Element>) -> Option<String>,
+    ) -> Self {
+        let complex = |z: &Quadratic<N::Element>| Complex::new(number(&z.plain), number(&z.root));
+        let halves = |powers: &Powers| {
+            let (own, bars) = powers.split_at(powers.len() / 2);
+            (own.to_vec(), bars.to_vec())
+        };
+        let mut slow = vec![];
+        let mut divisors: Vec<Divisor> = vec![];
+        for it in &found.divisors {
+            let (powers, conjugate_powers) = halves(&it.powers);
+            let (mode, divisor) = (it.mode, number(&it.divisor));
+            match found.slow[mode].get(&it.powers) {
+                Some(value) => slow.push(SlowTerm {
+                    mode,
+                    powers,
+                    conjugate_powers,
+                    coefficient: complex(value),
+                    exact: text(value),
+                    detuning: divisor,
+                }),
+                None => divisors.push(Divisor { mode, powers, conjugate_powers, divisor }),
+            }
+        }
+        slow.sort_by_key(|term| term.mode);
+        divisors.sort_by(|a, b| a.divisor.abs().total_cmp(&b.divisor.abs()));
+        divisors.truncate(TOLD);
+        let in_digits = |polynomial: &Polynomial<Quadratic<N::Element>>| {
+            polynomial.iter().map(|(powers, value)| (powers.clone(), complex(value))).collect()
+        };
+        Self { slow, divisors, transform: found.transform.iter().map(in_digits).collect() }
+    }
+}
+
+/// `-1/16*i`, `1/2 + sqrt(3)*i`.
+fn complex_text(
+    tower: &Tower,
+    re: &Vec<libration_numbers::algebra::Rational>,
+    im: &Vec<libration_numbers::algebra::Rational>,
+) -> String {
+    let imaginary = tower.text(im);
+    let is_sum = imaginary.contains(" + ") || imaginary.contains(" - ");
+    let imaginary = match imaginary.as_str() {
+        "1" => "i".to_owned(),
+        "-1" => "-i".to_owned(),
+        _ if is_sum => format!("({imaginary})*i"),
+        _ => format!("{imaginary}*i"),
+    };
+    match (tower.is_zero(re), tower.is_zero(im)) {
+        (_, true) => tower.text(re),
+        (true, false) => imaginary,
+        (false, false) => format!("{} + {imaginary}", tower.text(re)),
+    }
+}

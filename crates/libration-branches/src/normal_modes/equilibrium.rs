@@ -1,0 +1,99 @@
+//! Where a system rests.
+
+use super::error::{NoModes, SearchEnd};
+use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
+use libration_numbers::internals::linear::solve;
+use libration_numbers::{
+    expression::{Equation, Expression, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// A place of rest.
+#[derive(Clone, Debug)]
+pub(super) struct Equilibrium {
+    pub(super) at: Vec<f64>,
+    /// In fractions, where the accelerations are proved to vanish.
+    pub(super) exact: Option<Vec<Rational>>,
+}
+
+/// The equilibrium that Newton's method finds from a guess.
+pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibrium, NoModes> {
+    let at_rest: Vec<Expression> = equation.accelerations().iter().map(|it| at_rest(it, equation)).collect();
+    let names: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
+    if let Some(exact) = proved(&at_rest, &names, guess) {
+        return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact) });
+    }
+    let at = newton(&at_rest, &names, guess)?;
+    let exact = proved(&at_rest, &names, &at);
+    let at = exact.as_ref().map_or(at, |exact| exact.iter().map(Rational::to_f64).collect());
+    Ok(Equilibrium { at, exact })
+}
+
+/// An acceleration with all velocities zero.
+fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
+    let velocities = equation.variables().iter().map(|name| Symbol::plain(name).with_primes(1));
+    let still =
+        velocities.fold(formula.clone(), |it, velocity| it.substitute(&velocity, &Expression::from(0)));
+    still.simplified()
+}
+
+/// Fractions of few digits next to the numbers, if all formulas are zero there.
+fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64]) -> Option<Vec<Rational>> {
+    let place: Vec<Rational> = at.iter().map(|&x| simplest(x)).collect::<Option<_>>()?;
+    let vanishes = |formula: &Expression| {
+        substituted(formula, names, &place).to_rational().is_some_and(|it| it.is_zero())
+    };
+    formulas.iter().all(vanishes).then_some(place)
+}
+
+/// The formula with fractions in the place of symbols.
+pub(super) fn substituted(formula: &Expression, names: &[Symbol], values: &[Rational]) -> Expression {
+    let pairs = names.iter().zip(values);
+    pairs.fold(formula.clone(), |it, (name, value)| it.substitute(name, &Expression::Number(value.clone())))
+}
+
+/// The fraction of least denominator within 1e-12 of a number.
+pub(super) fn simplest(x: f64) -> Option<Rational> {
+    let value = BigFloat::from_f64(x, 64)?.to_rational();
+    if value.is_zero() {
+        return Some(value);
+    }
+    let width =
+        Rationals.multiply(&value.magnitude().max(Rational::from(1)), &Rational::new(1, 1_000_000_000_000)?);
+    Some(Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width)))
+}
+
+fn newton(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, NoModes> {
+    const MOST_STEPS: usize = 100;
+    let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
+    let mut at = guess.to_vec();
+    let refusal = |to: &[f64], end| NoModes::NoEquilibrium { from: guess.to_vec(), to: to.to_vec(), end };
+    for _ in 0..MOST_STEPS {
+        let step = newton_step(&tape, &at).map_err(|end| refusal(&at, end))?;
+        let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let last = size(&step) <= 4.0 * f64::EPSILON * size(&at).max(f64::MIN_POSITIVE);
+        at = at.iter().zip(&step).map(|(x, change)| x + change).collect();
+        if last {
+            return Ok(at);
+        }
+    }
+    Err(refusal(&at, SearchEnd::Unsettled))
+}
+
+/// −F′⁻¹·F; nothing where F vanishes.
+fn newton_step(tape: &Tape, at: &[f64]) -> Result<Vec<f64>, SearchEnd> {
+    let jet = Jet::new(&Doubles, tape, at).map_err(|_| SearchEnd::NoValue)?;
+    let value: Vec<f64> = (0..at.len()).map(|i| -jet.result(i)[0]).collect();
+    if value.iter().all(|x| *x == 0.0) {
+        return Ok(value);
+    }
+    if !value.iter().all(|x| x.is_finite()) {
+        return Err(SearchEnd::NoValue);
+    }
+    let gains: Result<Vec<Vec<f64>>, _> = (0..at.len()).map(|j| jet.gains(j)).collect();
+    let gains = gains.map_err(|_| SearchEnd::NoSlope)?;
+    let row = |i: usize| gains.iter().map(|gain| gain[tape.results()[i]]).collect();
+    let slopes: Vec<Vec<f64>> = (0..at.len()).map(row).collect();
+    let step = solve(&Doubles, |x| x.abs(), &slopes, &value);
+    step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(SearchEnd::NoSlope)
+}

@@ -1,0 +1,69 @@
+//! Why there are no normal modes.
+
+use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+use libration_numbers::watch::Interrupted;
+
+/// Why a system has no normal modes.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoModes {
+    /// A parameter that is left open.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
+    /// Accelerations that change in time.
+    #[error("the accelerations depend on the time t: set the strength of the driving to zero")]
+    DependsOnTime,
+    /// A guess of the wrong length.
+    #[error("the guess {guess:?} does not fit: give a finite number for each of {wanted} coordinates")]
+    Guess {
+        /// What was given.
+        guess: Vec<f64>,
+        /// How many numbers there should be.
+        wanted: usize,
+    },
+    /// No place where the accelerations at rest vanish.
+    #[error(
+        "no equilibrium is found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
+    )]
+    NoEquilibrium {
+        /// The guess.
+        from: Vec<f64>,
+        /// Where Newton's method ended.
+        to: Vec<f64>,
+        /// Why it ended there.
+        end: SearchEnd,
+    },
+    /// Accelerations without derivatives.
+    #[error(
+        "at the equilibrium {at:?} the accelerations or their derivatives have no value, jump, or are beyond the range of numbers, so that small motions are \
+         not linear there: choose another equilibrium, or other coordinates"
+    )]
+    NotSmooth {
+        /// The equilibrium.
+        at: Vec<f64>,
+    },
+    /// Eigenvalues that are not found.
+    #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
+    NoEigenvalues,
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+/// Why the search for an equilibrium ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SearchEnd {
+    /// No value, or one beyond `f64`.
+    #[error("where the accelerations at rest have no finite value")]
+    NoValue,
+    /// Nothing in the slopes that leads to zero.
+    #[error("where they are not zero and their slopes do not lead to a zero")]
+    NoSlope,
+    /// As many steps as are made.
+    #[error("where it was given up because it does not converge")]
+    Unsettled,
+}

@@ -1,0 +1,269 @@
+//! Lindstedt's expansion of a normal mode to the third order, over any field.
+//!
+//! With τ = Ωt and Ω = ω(1 + wε²), x = xₑ + εx₁ + ε²x₂ + ε³x₃. At order n and for the harmonics c·cos kτ + s·sin kτ
+//!
+//! ```text
+//! (A − k²ω²)·c − kωG·s = Rc,    (A − k²ω²)·s + kωG·c = Rs,
+//! ```
+//!
+//! where R is the coefficient of the accelerations with xₙ left out. For n = 3 and k = 1 the matrix is singular and
+//! w·(2ω² + iωG)·φ is added on the right, φ being the shape of the mode, and −g times the same a quarter of a turn later: w is
+//! the frequency that this fixes, and g, which must vanish, the growth. The first harmonic of the leading coordinate is ε·cos τ
+//! alone.
+//!
+//! Reference: A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, chapter 6.
+
+use libration_numbers::internals::expression::{Jet, NoSeries, Tape};
+use libration_numbers::internals::linear::solve;
+use libration_numbers::{
+    algebra::Ring,
+    internals::algebra::{HarmonicPair, HarmonicSums, PhaseRing},
+};
+
+/// A mode in the numbers of a field: ε·(cosine·cos τ + sine·sin τ), of which the leading coordinate has 1 and 0.
+pub(super) struct Fundamental<E> {
+    pub(super) frequency: E,
+    pub(super) cosine: Vec<E>,
+    pub(super) sine: Vec<E>,
+    pub(super) leading: usize,
+}
+
+/// What the third order fixes.
+pub(super) struct Third<E> {
+    /// w.
+    pub(super) frequency: E,
+    /// g: the amplitude ε grows at the rate gωε³.
+    pub(super) growth: E,
+}
+
+/// What stands in the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Obstacle {
+    /// A value or a coefficient that is not in the field, or not finite.
+    NoSeries,
+    /// The force has this harmonic, with which the system swings freely.
+    Resonance(usize),
+}
+
+impl From<NoSeries> for Obstacle {
+    fn from(_: NoSeries) -> Self {
+        Self::NoSeries
+    }
+}
+
+/// How numbers of a field are judged.
+pub(super) struct Judge<'a, E> {
+    pub(super) size: &'a dyn Fn(&E) -> f64,
+    /// Parts of the largest number that are taken for zero.
+    pub(super) rounding: f64,
+    /// Harmonics with which the system swings freely.
+    pub(super) resonant: Vec<usize>,
+}
+
+/// One harmonic of all coordinates: k, the coefficients of cos kτ and those of sin kτ.
+type Term<E> = (usize, Vec<E>, Vec<E>);
+
+/// Frequency and growth of the mode about a state of rest. The inputs of the tape are coordinates and then velocities.
+pub(super) fn third_order<N: Ring + Clone>(
+    numbers: &N,
+    judge: &Judge<'_, N::Element>,
+    tape: &Tape,
+    rest: &[N::Element],
+    mode: &Fundamental<N::Element>,
+) -> Result<Third<N::Element>, Obstacle> {
+    let ring = HarmonicSums { numbers: numbers.clone() };
+    let none = vec![numbers.zero(); rest.len()];
+    let still = state(&ring, &numbers.zero(), &[(0, rest.to_vec(), none)], rest.len());
+    let jet = Jet::new(&ring, tape, &still)?;
+    let linear = Linear::new(&ring, &jet, tape, rest.len())?;
+    let mut expansion = Expansion { ring: &ring, jet, judge, mode, linear };
+    expansion.extend(&[(1, mode.cosine.clone(), mode.sine.clone())])?;
+    let second = expansion.forced(&[0, 2])?;
+    expansion.extend(&second)?;
+    expansion.solvability()
+}
+
+/// x″ = −A·x + G·x′.
+struct Linear<E> {
+    stiffness: Vec<Vec<E>>,
+    velocity: Vec<Vec<E>>,
+}
+
+impl<E: Clone> Linear<E> {
+    fn new<N: Ring<Element = E>>(
+        ring: &HarmonicSums<N>,
+        jet: &Jet<'_, HarmonicSums<N>>,
+        tape: &Tape,
+        coordinates: usize,
+    ) -> Result<Self, Obstacle> {
+        let column = |input: usize| -> Result<Vec<E>, NoSeries> {
+            let gains = jet.gains(input)?;
+            Ok(tape.results().iter().map(|&place| ring.harmonic(&gains[place], 0).cosine).collect())
+        };
+        let columns = (0..2 * coordinates).map(column).collect::<Result<Vec<_>, _>>()?;
+        let rows = |columns: &[Vec<E>], entry: &dyn Fn(&E) -> E| {
+            (0..coordinates).map(|i| columns.iter().map(|column| entry(&column[i])).collect()).collect()
+        };
+        let (positions, velocities) = columns.split_at(coordinates);
+        let stiffness = rows(positions, &|x| ring.numbers().negate(x));
+        Ok(Self { stiffness, velocity: rows(velocities, &E::clone) })
+    }
+}
+
+/// Coordinates and velocities with these harmonics at the frequency ω.
+fn state<N: Ring>(
+    ring: &HarmonicSums<N>,
+    frequency: &N::Element,
+    terms: &[Term<N::Element>],
+    coordinates: usize,
+) -> Vec<<HarmonicSums<N> as Ring>::Element> {
+    let numbers = ring.numbers();
+    let rate = |k: usize, x: &N::Element| {
+        numbers.times_integer(&numbers.multiply(x, frequency), i64::try_from(k).unwrap_or(i64::MAX))
+    };
+    let position = |i: usize| {
+        let own = terms
+            .iter()
+            .map(|(k, cosine, sine)| (*k, HarmonicPair { cosine: cosine[i].clone(), sine: sine[i].clone() }));
+        ring.sum_of_harmonics(&own.collect::<Vec<_>>())
+    };
+    // (c·cos kτ + s·sin kτ)′ = kω·(s·cos kτ − c·sin kτ).
+    let velocity = |i: usize| {
+        let own = terms.iter().map(|(k, cosine, sine)| {
+            (*k, HarmonicPair { cosine: rate(*k, &sine[i]), sine: numbers.negate(&rate(*k, &cosine[i])) })
+        });
+        ring.sum_of_harmonics(&own.collect::<Vec<_>>())
+    };
+    (0..coordinates).map(position).chain((0..coordinates).map(velocity)).collect()
+}
+
+struct Expansion<'a, N: Ring> {
+    ring: &'a HarmonicSums<N>,
+    jet: Jet<'a, HarmonicSums<N>>,
+    judge: &'a Judge<'a, N::Element>,
+    mode: &'a Fundamental<N::Element>,
+    linear: Linear<N::Element>,
+}
+
+impl<N: Ring> Expansion<'_, N> {
+    fn coordinates(&self) -> usize {
+        self.mode.cosine.len()
+    }
+
+    /// Appends the next order of the coordinates.
+    fn extend(&mut self, terms: &[Term<N::Element>]) -> Result<(), Obstacle> {
+        let inputs = state(self.ring, &self.mode.frequency, terms, self.coordinates());
+        Ok(self.jet.extend(&inputs)?)
+    }
+
+    /// R of the next order by harmonics, cosines first.
+    fn rest(&mut self, harmonics: &[usize]) -> Result<Vec<Vec<N::Element>>, Obstacle> {
+        self.extend(&[])?;
+        let last = |i: usize| self.jet.result(i).last().cloned().ok_or(Obstacle::NoSeries);
+        let sums = (0..self.coordinates()).map(last).collect::<Result<Vec<_>, _>>()?;
+        self.jet.shorten();
+        let ring = self.ring;
+        let parts = |k: usize| {
+            let own = sums.iter().map(move |sum| ring.harmonic(sum, k));
+            own.clone().map(|it| it.cosine).chain(own.map(|it| it.sine)).collect()
+        };
+        Ok(harmonics.iter().map(|&k| parts(k)).collect())
+    }
+
+    /// The harmonics, other than the first, that the lower orders force.
+    fn forced(&mut self, harmonics: &[usize]) -> Result<Vec<Term<N::Element>>, Obstacle> {
+        let forcing = self.rest(harmonics)?;
+        let largest = forcing.iter().flatten().map(self.judge.size).fold(0.0, f64::max);
+        let n = self.coordinates();
+        let term = |(&k, right): (&usize, &Vec<N::Element>)| {
+            let mut parts = self.response(k, right, largest)?;
+            let sines = parts.split_off(n);
+            Ok((k, parts, sines))
+        };
+        harmonics.iter().zip(&forcing).map(term).collect()
+    }
+
+    fn response(&self, k: usize, right: &[N::Element], largest: f64) -> Result<Vec<N::Element>, Obstacle> {
+        let numbers = self.ring.numbers();
+        let small =
+            |x: &N::Element| numbers.is_zero(x) || (self.judge.size)(x) < self.judge.rounding * largest;
+        if right.iter().all(small) {
+            return Ok(vec![numbers.zero(); right.len()]);
+        }
+        let singular = Obstacle::Resonance(k);
+        if self.judge.resonant.contains(&k) {
+            return Err(singular);
+        }
+        let matrix = self.matrix(k);
+        let n = self.coordinates();
+        if k > 0 {
+            return solve(numbers, self.judge.size, &matrix, right).ok_or(singular);
+        }
+        let mean: Vec<Vec<N::Element>> = matrix[..n].iter().map(|row| row[..n].to_vec()).collect();
+        let mean = solve(numbers, self.judge.size, &mean, &right[..n]).ok_or(singular)?;
+        Ok(mean.into_iter().chain((0..n).map(|_| numbers.zero())).collect())
+    }
+
+    /// The matrix of the harmonic k on cosines and sines.
+    fn matrix(&self, k: usize) -> Vec<Vec<N::Element>> {
+        let (numbers, n) = (self.ring.numbers(), self.coordinates());
+        let k = i64::try_from(k).unwrap_or(i64::MAX);
+        let omega = numbers.times_integer(&self.mode.frequency, k);
+        let square = numbers.multiply(&omega, &omega);
+        let entry = |i: usize, j: usize| {
+            if i / n != j / n {
+                let coupling = numbers.multiply(&omega, &self.linear.velocity[i % n][j % n]);
+                return if i < n { numbers.negate(&coupling) } else { coupling };
+            }
+            let stiffness = &self.linear.stiffness[i % n][j % n];
+            if i == j { numbers.subtract(stiffness, &square) } else { stiffness.clone() }
+        };
+        (0..2 * n).map(|i| (0..2 * n).map(|j| entry(i, j)).collect()).collect()
+    }
+
+    /// w and g from the first harmonic of the third order.
+    fn solvability(mut self) -> Result<Third<N::Element>, Obstacle> {
+        let forcing = self.rest(&[1, 3])?;
+        let largest = forcing.iter().flatten().map(self.judge.size).fold(0.0, f64::max);
+        self.response(3, &forcing[1], largest)?;
+        let (numbers, n) = (self.ring.numbers(), self.coordinates());
+        let columns = [
+            self.detuning(&self.mode.cosine, &self.mode.sine),
+            self.detuning(
+                &self.mode.sine,
+                &self.mode.cosine.iter().map(|x| numbers.negate(x)).collect::<Vec<_>>(),
+            ),
+        ];
+        let mut matrix = self.matrix(1);
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row.extend(columns.iter().map(|column| numbers.negate(&column[i])));
+        }
+        let one = numbers.rational(&1.into()).ok_or(Obstacle::NoSeries)?;
+        for fixed in [self.mode.leading, self.mode.leading + n] {
+            matrix.push(
+                (0..2 * n + 2).map(|j| if j == fixed { one.clone() } else { numbers.zero() }).collect(),
+            );
+        }
+        let right: Vec<N::Element> =
+            forcing[0].iter().cloned().chain([numbers.zero(), numbers.zero()]).collect();
+        let mut solution = solve(numbers, self.judge.size, &matrix, &right).ok_or(Obstacle::Resonance(1))?;
+        let growth = numbers.negate(&solution.pop().ok_or(Obstacle::NoSeries)?);
+        let frequency = solution.pop().ok_or(Obstacle::NoSeries)?;
+        Ok(Third { frequency, growth })
+    }
+
+    /// What a change of the frequency by its own size adds to the accelerations of c·cos τ + s·sin τ: (2ω² + iωG)·φ.
+    fn detuning(&self, cosine: &[N::Element], sine: &[N::Element]) -> Vec<N::Element> {
+        let (numbers, omega) = (self.ring.numbers(), &self.mode.frequency);
+        let twice = numbers.times_integer(&numbers.multiply(omega, omega), 2);
+        let coupled = |i: usize, vector: &[N::Element]| {
+            let terms = self.linear.velocity[i].iter().zip(vector);
+            let sum = terms.fold(numbers.zero(), |sum, (g, x)| numbers.add(&sum, &numbers.multiply(g, x)));
+            numbers.multiply(omega, &sum)
+        };
+        let own = |x: &N::Element| numbers.multiply(&twice, x);
+        let upper = cosine.iter().enumerate().map(|(i, c)| numbers.add(&own(c), &coupled(i, sine)));
+        let lower = sine.iter().enumerate().map(|(i, s)| numbers.subtract(&own(s), &coupled(i, cosine)));
+        upper.chain(lower).collect()
+    }
+}

@@ -1,0 +1,145 @@
+//! The roots of polynomials with fractions for coefficients, with square roots where that is possible.
+
+use super::equilibrium::simplest;
+use libration_numbers::algebra::{Complex, Rational, Rationals, Ring, Surd};
+use libration_numbers::internals::algebra::univariate::{divided_exactly, square_free_factors, trimmed};
+use libration_numbers::roots::polynomial_roots;
+
+/// A root.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Root {
+    Exact(Surd),
+    Number(Complex),
+}
+
+impl Root {
+    pub(super) fn to_complex(&self) -> Complex {
+        match self {
+            Self::Exact(surd) => Complex::from(surd.to_f64()),
+            Self::Number(value) => *value,
+        }
+    }
+
+    pub(super) fn exact(&self) -> Option<&Surd> {
+        if let Self::Exact(surd) = self { Some(surd) } else { None }
+    }
+}
+
+/// All roots, each with its multiplicity; `None` when digits of them are not found. Where these are known, with multiplicities, they are
+/// given: the coefficients of a polynomial of high degree, rounded, do not tell them.
+///
+/// Roots in digits suggest factors of the first and second degree, which must then divide the polynomial.
+pub(super) fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec<(Root, usize)>> {
+    let mut found = vec![];
+    for (factor, multiplicity) in square_free_factors(polynomial) {
+        let known = digits.iter().filter(|(_, times)| *times == multiplicity).map(|(root, _)| *root);
+        let known: Vec<Complex> = known.collect();
+        let near = if known.len() + 1 == factor.len() { known } else { numeric_roots(&factor)? };
+        let roots = simple_roots(factor, near)?;
+        found.extend(roots.into_iter().map(|root| (root, multiplicity)));
+    }
+    Some(found)
+}
+
+/// Those that digits are near to.
+fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Root>> {
+    let (mut exact, mut rest) = (vec![], polynomial);
+    let mut left = vec![];
+    for near in near {
+        let candidate = is_real(near).then(|| simplest(near.re)).flatten();
+        let factor = candidate.map(|root| (vec![-root.clone(), Rational::from(1)], root));
+        match factor.and_then(|(by, root)| Some((divided_exactly(&rest, &by)?, root))) {
+            Some((quotient, root)) => {
+                rest = quotient;
+                exact.push(Root::Exact(Surd::from(root)));
+            }
+            None => left.push(near),
+        }
+    }
+    while let Some((quotient, pair, places)) = quadratic_factor(&rest, &left)? {
+        rest = quotient;
+        exact.extend(pair.map(Root::Exact));
+        left = left.into_iter().enumerate().filter(|(i, _)| !places.contains(i)).map(|(_, z)| z).collect();
+    }
+    exact.extend(left.into_iter().map(Root::Number));
+    Some(exact)
+}
+
+fn is_real(near: Complex) -> bool {
+    near.im.abs() <= 1e-9 * near.abs()
+}
+
+/// What is left of a polynomial, two of its roots, and where these are among the digits.
+type Quadratic = (Vec<Rational>, [Surd; 2], [usize; 2]);
+
+/// A factor x² − px + q with real roots, found and divided out.
+fn quadratic_factor(polynomial: &[Rational], near: &[Complex]) -> Option<Option<Quadratic>> {
+    let real: Vec<(usize, f64)> =
+        near.iter().enumerate().filter(|(_, z)| is_real(**z)).map(|(i, z)| (i, z.re)).collect();
+    for (k, (i, a)) in real.iter().enumerate() {
+        for (j, b) in &real[k + 1..] {
+            let Some((p, q)) = simplest(a + b).zip(simplest(a * b)) else { continue };
+            let factor = [q.clone(), -p.clone(), Rational::from(1)];
+            if let Some(quotient) = divided_exactly(polynomial, &factor) {
+                return Some(Some((quotient, quadratic_roots(&p, &q)?, [*i, *j])));
+            }
+        }
+    }
+    Some(None)
+}
+
+/// p/2 ± √(p²/4 − q).
+fn quadratic_roots(p: &Rational, q: &Rational) -> Option<[Surd; 2]> {
+    let half = Rationals.over_integer(p, 2)?;
+    let square = Rationals.subtract(&Rationals.multiply(&half, &half), q);
+    Some([-1, 1].map(|sign| Surd::new(half.clone(), Rational::from(sign), square.clone())))
+}
+
+/// Coefficients beyond `f64` are measured in the leading one. `None` where these, rounded, do not tell nine digits of the roots, as with
+/// twelve and more.
+fn numeric_roots(polynomial: &[Rational]) -> Option<Vec<Complex>> {
+    let polynomial = trimmed(polynomial.to_vec());
+    let Some(leading) = polynomial.last() else { return Some(vec![]) };
+    let ratio = |c: &Rational| c.checked_div(leading).map_or(f64::NAN, |c| c.to_f64());
+    roots_in_digits(&polynomial.iter().map(ratio).collect::<Vec<f64>>(), 1e-9)
+}
+
+/// The roots of c₀ + c₁x + …; `None` where one may be off by more than this part of the largest.
+pub(super) fn roots_in_digits(coefficients: &[f64], part: f64) -> Option<Vec<Complex>> {
+    let roots = polynomial_roots(coefficients)?;
+    let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);
+    let is_known = |error: f64| error <= part * largest;
+    roots.into_iter().map(|root| is_known(root.error).then_some(root.value)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(coefficients: &[i64]) -> Vec<String> {
+        let polynomial: Vec<Rational> = coefficients.iter().copied().map(Rational::from).collect();
+        let mut texts: Vec<String> = roots(&polynomial, &[])
+            .unwrap()
+            .iter()
+            .map(|(root, times)| match root {
+                Root::Exact(surd) => format!("{surd} ×{times}"),
+                Root::Number(_) => format!("digits ×{times}"),
+            })
+            .collect();
+        texts.sort();
+        texts
+    }
+
+    #[test]
+    fn roots_are_exact_where_square_roots_suffice() {
+        assert_eq!(found(&[2, -4, 1]), ["2 + sqrt(2) ×1", "2 - sqrt(2) ×1"]);
+        // (2x − 1)²(x² − 3).
+        assert_eq!(found(&[-3, 12, -11, -4, 4]), ["-sqrt(3) ×1", "1/2 ×2", "sqrt(3) ×1"]);
+        // The chain of four masses: x⁴ − 8x³ + 21x² − 20x + 5 = (x² − 3x + 1)(x² − 5x + 5).
+        let chain =
+            ["3/2 + 1/2*sqrt(5) ×1", "3/2 - 1/2*sqrt(5) ×1", "5/2 + 1/2*sqrt(5) ×1", "5/2 - 1/2*sqrt(5) ×1"];
+        assert_eq!(found(&[5, -20, 21, -8, 1]), chain);
+        assert_eq!(found(&[-2, 0, 0, 1]), ["digits ×1"; 3]);
+        assert_eq!(found(&[0, 0, 1]), ["0 ×2"]);
+    }
+}

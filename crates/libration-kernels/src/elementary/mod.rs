@@ -1,0 +1,75 @@
+//! Sine, hyperbolic sine, arctangent, logarithm and polynomials: branch-free double-precision kernels that
+//! the compiler can vectorise, and two-word versions.
+//!
+//! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
+//! printed by `reference/kernel_coefficients.py`.
+
+use crate::fused::FusedMultiplyAdd;
+
+pub mod rough;
+pub mod two_word;
+
+mod arctangent;
+mod exponential;
+mod fine_logarithm;
+mod fine_sine;
+mod hyperbolic;
+mod logarithm;
+mod sine;
+
+pub use arctangent::{ReducedArctangent, atan_of_ratio};
+pub use exponential::exp;
+pub use fine_logarithm::{FineLogarithm, FineLogarithms, fine_logarithm};
+pub use fine_sine::fine_sin_cos;
+pub use hyperbolic::sinh_cosh;
+pub use logarithm::{Logarithm, ReducedLogarithm, split_logarithm};
+pub use sine::{LARGEST_ANGLE, sin_cos, sin_cos_of_turns};
+
+/// A number of things, an order or a degree as an `f64`.
+#[inline(always)]
+#[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
+pub const fn count(things: usize) -> f64 {
+    things as f64
+}
+
+/// Σ coefficients\[i\]·xⁱ, even and odd powers summed apart to shorten the chain of dependent operations.
+#[inline(always)]
+pub fn polynomial<const N: usize>(x: f64, coefficients: &[f64; N]) -> f64 {
+    let y = x * x;
+    let (mut even, mut odd) = (0.0, 0.0);
+    let mut i = N;
+    while i > 0 {
+        i -= 1;
+        if i.is_multiple_of(2) {
+            even = y.fma(even, coefficients[i]);
+        } else {
+            odd = y.fma(odd, coefficients[i]);
+        }
+    }
+    x.fma(odd, even)
+}
+
+/// The nearest integer, by pushing the fraction out of the word; |x| < 2⁵¹.
+#[inline(always)]
+pub fn nearest_integer(x: f64) -> f64 {
+    (x + ROUNDER) - ROUNDER
+}
+
+/// The low bits of the nearest integer, in two's complement; |x| < 2⁵¹.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "only low bits are wanted")]
+pub fn nearest_integer_bits(x: f64) -> usize {
+    (x + ROUNDER).to_bits() as usize
+}
+
+/// 1.5·2⁵²: added to a small number it leaves the nearest integer in the low bits.
+const ROUNDER: f64 = 6755399441055744.0;
+
+/// 2ⁿ for an integer −1022 ≤ n ≤ 1023 held in an `f64`.
+#[inline(always)]
+fn power_of_two(n: f64) -> f64 {
+    f64::from_bits((n + (ROUNDER + 1023.0)).to_bits() << 52)
+}
+
+#[cfg(test)]
+mod tests;

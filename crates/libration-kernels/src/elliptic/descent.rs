@@ -1,0 +1,229 @@
+//! Quarter periods, nome and its logarithm without an iteration: two of Landen's transformations in closed form, and
+//! series in what is left.
+//!
+//! Of the smaller parameter p = min(m, 1 − m), with c = √(1 − p) and r = √c, the arithmetic–geometric mean of 1 and c
+//! comes in two steps to a = ((1 + r)/2)² and the modulus 4ε², ε = (1 − r)/2(1 + r) = p/2(1 + c)(1 + r)² (DLMF 19.8(ii)). At
+//! p = ½ ε is 0.0432 and x = ε⁴ 3.5e-6: K(√p) = (π/2a)·S(x), q = ε·Q(x) and ln q are power series in x, of which the eighth
+//! terms are below 2⁻¹⁰⁴. S is the series of K at the modulus 4ε² (DLMF 19.5.1), Q has integers too (DLMF 19.5(i), OEIS
+//! A002103). The other quarter period is K(c) = K(√p)·ln(1/q)/π (DLMF 22.2.1).
+
+use super::nearer::Nearer;
+use crate::double_double::{DoubleDouble, fast_two_sum, two_prod};
+use crate::elementary::{FineLogarithm, fine_logarithm};
+use crate::fused::FusedMultiplyAdd;
+
+/// 2K/π of the modulus 4ε².
+const QUARTER: [f64; 8] = [1.0, 4.0, 36.0, 400.0, 4900.0, 63504.0, 853776.0, 11778624.0];
+/// Its inverse.
+const INVERSE_QUARTER: [f64; 8] = [1.0, -4.0, -20.0, -176.0, -1876.0, -22064.0, -275568.0, -3584064.0];
+/// q/ε.
+const NOME: [f64; 8] = [1.0, 2.0, 15.0, 150.0, 1707.0, 20910.0, 268616.0, 3567400.0];
+/// √(q/ε).
+const ROOT_OF_NOME: [f64; 8] = [1.0, 1.0, 7.0, 68.0, 761.0, 9218.0, 117451.0, 1549975.0];
+/// ln(q/ε)/x.
+const LOG_NOME: [f64; 7] =
+    [2.0, 13.0, 122.66666666666667, 1350.5, 16182.4, 204573.33333333334, 2683410.285714286];
+/// (1 − E/K)/x of the modulus 4ε².
+const SECOND: [f64; 7] = [8.0, 16.0, 128.0, 1312.0, 15104.0, 186112.0, 2398208.0];
+
+const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
+
+/// What is left after two steps, and what they were.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Descent {
+    /// (1 + r)², four times the mean.
+    mean: DoubleDouble,
+    /// ε, raised as the parameter is.
+    epsilon: DoubleDouble,
+    /// x = ε⁴.
+    fourth: DoubleDouble,
+}
+
+impl Descent {
+    #[inline(always)]
+    pub(crate) fn new(nearer: &Nearer) -> Self {
+        let mean = (DoubleDouble::ONE.plus_smaller(nearer.root.sqrt())).square();
+        let divisor = (DoubleDouble::ONE.plus_smaller(nearer.root) * mean).scaled(2.0);
+        let epsilon = nearer.smaller.over(divisor);
+        let lowering = nearer.lowering();
+        Self { mean, epsilon, fourth: epsilon.scaled(lowering).scaled(lowering).square().square() }
+    }
+
+    /// The words as they are.
+    #[inline(always)]
+    pub(crate) fn from_parts(mean: DoubleDouble, epsilon: DoubleDouble, fourth: DoubleDouble) -> Self {
+        Self { mean, epsilon, fourth }
+    }
+
+    /// (1 + r)², ε and x.
+    #[inline(always)]
+    pub(crate) fn parts(&self) -> [DoubleDouble; 3] {
+        [self.mean, self.epsilon, self.fourth]
+    }
+
+    /// K(√p).
+    #[inline(always)]
+    pub(crate) fn near_quarter(&self) -> DoubleDouble {
+        (series(self.fourth, &QUARTER) * DoubleDouble::PI.scaled(2.0)).over(self.mean)
+    }
+
+    /// 1/4K(√p), turns in a unit of the argument.
+    #[inline(always)]
+    pub(crate) fn near_frequency(&self) -> DoubleDouble {
+        self.inverse_of_quarter() * FRAC_1_PI.scaled(0.125)
+    }
+
+    /// 1/4K(c), given ln(1/q); zero for q = 0.
+    #[inline(always)]
+    pub(crate) fn far_frequency(&self, log: DoubleDouble) -> DoubleDouble {
+        self.inverse_of_quarter().scaled(0.125).over(log)
+    }
+
+    /// 2π/K(√p).
+    #[inline(always)]
+    fn inverse_of_quarter(&self) -> DoubleDouble {
+        self.mean * series(self.fourth, &INVERSE_QUARTER)
+    }
+
+    /// K(c), given K(√p) and ln(1/q); infinite for q = 0.
+    #[inline(always)]
+    pub(crate) fn far_quarter(near: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+        let product = near * FRAC_1_PI * log;
+        // The second word of an infinite product is none.
+        if log.hi < f64::INFINITY { product } else { log }
+    }
+
+    /// ln(1/q), infinite for q = 0; relative error below 2⁻¹⁰⁰.
+    #[inline(always)]
+    pub(crate) fn log_inverse_nome(&self, raised: bool) -> DoubleDouble {
+        self.log_from(&fine_logarithm(self.epsilon), raised)
+    }
+
+    /// The same, given ln ε.
+    #[inline(always)]
+    pub(crate) fn log_from(&self, log: &FineLogarithm, raised: bool) -> DoubleDouble {
+        let exponent = log.exponent - if raised { 1200.0 } else { 0.0 };
+        // An integer times ln 2 in three words of which the first is short.
+        let powers = two_prod(-exponent, DoubleDouble::LN_2.hi);
+        let powers = fast_two_sum(powers.hi, (-exponent).fma(DoubleDouble::LN_2.lo, powers.lo));
+        let sum = powers - log.fraction - series(self.fourth, &LOG_NOME) * self.fourth;
+        if self.epsilon.hi == 0.0 { DoubleDouble::from(f64::INFINITY) } else { sum }
+    }
+
+    /// q, raised as the parameter is; relative error below 2⁻⁶⁹.
+    #[inline(always)]
+    pub(crate) fn nome(&self) -> DoubleDouble {
+        self.epsilon * short_series(self.fourth, &NOME)
+    }
+
+    /// √q, given by what the root of the parameter is to be lowered; relative error below 2⁻⁶⁹.
+    #[inline(always)]
+    pub(crate) fn root_of_nome(&self, lowering: f64) -> DoubleDouble {
+        (self.epsilon.sqrt() * short_series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
+    }
+
+    /// The same to 2⁻¹⁰².
+    pub(crate) fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
+        (self.epsilon.sqrt() * series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
+    }
+
+    /// (1 − E(√p)/K(√p))/p − ½, at most 0.063 (DLMF 19.8.6): the squares of the mean's differences after the first,
+    /// of which the second is p/4(1 + c)² and the others are those of the modulus 4ε².
+    #[inline(always)]
+    pub(crate) fn later_differences(&self, nearer: &Nearer) -> DoubleDouble {
+        let inverse = DoubleDouble::ONE.over(DoubleDouble::ONE.plus_smaller(nearer.root));
+        let lowering = nearer.lowering();
+        let epsilon = self.epsilon.scaled(lowering).scaled(lowering);
+        let second = nearer.plain_smaller() * inverse.square();
+        let others = self.mean * inverse * epsilon.square() * epsilon * series(self.fourth, &SECOND);
+        second.scaled(0.25).plus_smaller(others.scaled(0.125))
+    }
+}
+
+/// Σ coefficientsᵢ·xⁱ for 0 ≤ x ≤ 3.5e-6: from the fourth power on, which is below 2⁻⁵⁹ of the sum, in one word.
+#[inline(always)]
+fn series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
+    let third = fast_two_sum(coefficients[3], x.hi * from_power(4, x.hi, coefficients));
+    let second = DoubleDouble::from(coefficients[2]).plus_product(x, third);
+    let first = DoubleDouble::from(coefficients[1]).plus_product(x, second);
+    DoubleDouble::from(coefficients[0]).plus_product(x, first)
+}
+
+/// The same from the first power on in one word, which leaves 2⁻⁷⁰ of the sum at x = 3.5e-6.
+#[inline(always)]
+fn short_series<const N: usize>(x: DoubleDouble, coefficients: &[f64; N]) -> DoubleDouble {
+    fast_two_sum(coefficients[0], x.hi * from_power(1, x.hi, coefficients))
+}
+
+/// The terms from a power on, divided by that power.
+#[inline(always)]
+fn from_power<const N: usize>(power: usize, x: f64, coefficients: &[f64; N]) -> f64 {
+    let mut sum = 0.0;
+    let mut i = N;
+    while i > power {
+        i -= 1;
+        sum = x.fma(sum, coefficients[i]);
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use libration_numbers::algebra::BigFloat;
+
+    const BITS: usize = 300;
+
+    fn big(x: DoubleDouble) -> BigFloat {
+        BigFloat::from_words(x, BITS)
+    }
+
+    fn word(x: f64) -> BigFloat {
+        big(DoubleDouble::from(x))
+    }
+
+    fn relative(got: DoubleDouble, exact: &BigFloat) -> f64 {
+        ((big(got) - exact.clone()) / exact.clone()).to_f64().abs()
+    }
+
+    /// Smaller parameters of every size, many next to one half, where the series are longest.
+    fn parameters() -> impl Iterator<Item = f64> {
+        (1..=200)
+            .map(|i| (f64::from(i) * 0.618_033_988_749_894_8).fract())
+            .flat_map(|x| [0.5 * x, 0.5 - 0.01 * x, libm::exp10(-100.0 * x), libm::exp10(-200.0 - 100.0 * x)])
+    }
+
+    fn quarter(complementary: BigFloat) -> BigFloat {
+        BigFloat::pi(BITS).halved() / word(1.0).agm(&complementary)
+    }
+
+    #[test]
+    fn quarter_periods_and_nome_are_good_to_a_hundred_and_two_bits() {
+        for m in parameters().chain([0.5, 0.5_f64.next_down(), 1e-200, 1e-200_f64.next_down()]) {
+            let nearer = Nearer::from_parameter(m);
+            let descent = Descent::new(&nearer);
+            let log = descent.log_inverse_nome(nearer.raised);
+            let (near, far) = (quarter((word(1.0) - word(m)).sqrt()), quarter(word(m).sqrt()));
+            let exact_log = BigFloat::pi(BITS) * far.clone() / near.clone();
+            let nome = (word(0.0) - exact_log.clone()).exp();
+            let raise = word(nearer.lowering());
+            let nome_raised = nome.clone() / (raise.clone() * raise);
+            let [root, precise_root] = [Descent::root_of_nome, Descent::precise_root_of_nome]
+                .map(|root| relative(root(&descent, nearer.lowering()), &nome.clone().sqrt()));
+            // The lower half of a second word may be below the smallest number.
+            let short = [relative(descent.nome(), &nome_raised), if m > 1e-200 { root } else { 0.0 }];
+            assert!(short.iter().all(|error| *error < libm::exp2(-69.0)), "{m:e}: {short:?}");
+            let errors = [
+                relative(descent.near_quarter(), &near),
+                relative(descent.near_frequency(), &(word(0.25) / near.clone())),
+                relative(log, &exact_log),
+                relative(Descent::far_quarter(descent.near_quarter(), log), &far),
+                relative(descent.far_frequency(log), &(word(0.25) / far)),
+                if m > 1e-200 { precise_root } else { 0.0 },
+            ];
+            for error in errors {
+                assert!(error < libm::exp2(-102.0), "{m:e}: {errors:?}");
+            }
+        }
+    }
+}

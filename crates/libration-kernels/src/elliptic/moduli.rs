@@ -1,0 +1,96 @@
+//! Moduli of a batch, and slices whose lengths differ.
+
+use super::Modulus;
+use super::nearer::Nearer;
+
+/// The modulus of each element, in one of the ways in which a [`Modulus`](super::Modulus) is made: each is exactly the
+/// `f64` given, from 0 to 1; elements outside give NaN.
+#[derive(Clone, Copy, Debug)]
+pub enum Moduli<'a> {
+    /// m = k², as [`Modulus::from_parameter`](super::Modulus::from_parameter).
+    Parameters(&'a [f64]),
+    /// 1 − m, as [`Modulus::from_complementary_parameter`](super::Modulus::from_complementary_parameter).
+    ComplementaryParameters(&'a [f64]),
+    /// k, as [`Modulus::from_modulus`](super::Modulus::from_modulus).
+    Moduli(&'a [f64]),
+    /// k′, as [`Modulus::from_complementary_modulus`](super::Modulus::from_complementary_modulus).
+    ComplementaryModuli(&'a [f64]),
+}
+
+impl<'a> Moduli<'a> {
+    pub(super) fn values(&self) -> &'a [f64] {
+        match self {
+            Self::Parameters(values)
+            | Self::ComplementaryParameters(values)
+            | Self::Moduli(values)
+            | Self::ComplementaryModuli(values) => values,
+        }
+    }
+
+    /// Few moduli one by one: a function of the place and its modulus; NaN where there is none.
+    pub(super) fn one_by_one<const M: usize>(
+        &self,
+        mut results: [&mut [f64]; M],
+        function: impl Fn(usize, &Modulus) -> [f64; M],
+    ) {
+        for i in 0..self.values().len() {
+            let found = self.modulus(i).map_or([f64::NAN; M], |modulus| function(i, &modulus));
+            for (result, found) in results.iter_mut().zip(found) {
+                result[i] = found;
+            }
+        }
+    }
+
+    /// The nearer side of a modulus given in the way of these; any where there is none.
+    #[inline(always)]
+    pub(super) fn nearer(&self, value: f64) -> Nearer {
+        match self {
+            Self::Parameters(_) => Nearer::from_parameter(value),
+            Self::ComplementaryParameters(_) => Nearer::from_complementary_parameter(value),
+            Self::Moduli(_) => Nearer::from_modulus(value),
+            Self::ComplementaryModuli(_) => Nearer::from_complementary_modulus(value),
+        }
+    }
+
+    /// The nearer side of this element where it is a modulus.
+    pub(super) fn inside(&self, i: usize) -> Option<Nearer> {
+        let value = self.values()[i];
+        (0.0..=1.0).contains(&value).then(|| self.nearer(value))
+    }
+
+    pub(super) fn modulus(&self, i: usize) -> Option<Modulus> {
+        let value = self.values()[i];
+        let modulus = match self {
+            Self::Parameters(_) => Modulus::from_parameter(value),
+            Self::ComplementaryParameters(_) => Modulus::from_complementary_parameter(value),
+            Self::Moduli(_) => Modulus::from_modulus(value),
+            Self::ComplementaryModuli(_) => Modulus::from_complementary_modulus(value),
+        };
+        modulus.ok()
+    }
+}
+
+/// As many elements take less time one by one than a block does.
+pub(super) const FEW: usize = 6;
+
+/// Slices of a batch whose lengths differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("slices of {expected} and {found} elements were given: give slices of one length")]
+pub struct LengthMismatch {
+    /// The length of the first slice.
+    pub expected: usize,
+    /// The length that differs from it.
+    pub found: usize,
+}
+
+impl LengthMismatch {
+    #[doc(hidden)]
+    pub fn check(input: &[f64], output: &[f64]) -> Result<(), Self> {
+        Self::check_lengths(input.len(), output.len())
+    }
+
+    #[doc(hidden)]
+    pub fn check_lengths(expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self { expected, found }) }
+    }
+}

@@ -1,0 +1,192 @@
+//! Bifurcation diagrams: the section of a motion for each value of a parameter.
+
+use super::section::{
+    PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section_watched,
+};
+use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_watched};
+use libration_numbers::algebra::BigFloat;
+use libration_numbers::expression::{Equation, EquationError, Expression};
+use libration_numbers::watch::{Stage, Watch};
+
+/// Equations with one parameter that is varied, and what is looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Family<'a> {
+    /// The equations, with values for all other parameters.
+    pub equation: &'a Equation,
+    /// The name of the parameter.
+    pub parameter: &'a str,
+    /// Where the points are taken.
+    pub section: &'a Section,
+    /// How many.
+    pub points: Points,
+}
+
+/// Where the motion begins for each value of the parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Continuation {
+    /// Always at the same state.
+    SameStart,
+    /// Where the motion for the value before has ended, so that it is followed as long as it is stable.
+    LastState,
+}
+
+/// The section for one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DiagramColumn {
+    /// The value.
+    pub value: f64,
+    /// The points.
+    pub section: PoincareSection,
+}
+
+/// Why there is no diagram.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DiagramError {
+    /// A parameter that the equations do not have.
+    #[error(transparent)]
+    Equation(#[from] EquationError),
+    /// A section that cannot be.
+    #[error(transparent)]
+    Section(#[from] SectionError),
+    /// A value that is not finite.
+    #[error("the parameter cannot have the value {0:?}: give finite ones")]
+    Value(f64),
+}
+
+/// The section for each value of the parameter, in the order in which they are given.
+///
+/// # Errors
+/// A parameter or a value that cannot be, or a section that cannot, as [`section`](super::section()) says.
+///
+/// # Examples
+/// ```
+/// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+/// use libration::taylor::{Effort, Moment};
+/// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
+/// let section = Section::Stroboscope { period: None, phase: 0.0 };
+/// let points = Points { skipped: 100, recorded: 4 };
+/// let family = Family { equation: &equation, parameter: "A", section: &section, points };
+/// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
+/// let effort = Effort::to_tolerance(1e-10);
+/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort)?;
+/// assert_eq!(columns[1].section.points.len(), 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn bifurcation_diagram(
+    family: &Family<'_>,
+    values: &[f64],
+    start: &Moment,
+    continuation: Continuation,
+    effort: &Effort,
+) -> Result<Vec<DiagramColumn>, DiagramError> {
+    bifurcation_diagram_watched(family, values, start, continuation, effort, &Watch::none())
+}
+
+/// The columns as [`bifurcation_diagram`] gives them; `watch` is asked at each step of each motion, and told how many columns are
+/// done. Where it stops the columns that are complete are given.
+///
+/// # Errors
+/// As [`bifurcation_diagram`].
+pub fn bifurcation_diagram_watched(
+    family: &Family<'_>,
+    values: &[f64],
+    start: &Moment,
+    continuation: Continuation,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<Vec<DiagramColumn>, DiagramError> {
+    watch.begin(Stage::Whole, Some(values.len()));
+    let cut = family.section.with_period_of(family.equation);
+    match (continuation, &cut) {
+        (Continuation::SameStart, Section::Stroboscope { .. }) => {
+            family.side_by_side(&cut, values, start, effort, watch)
+        }
+        _ => family.one_by_one(&cut, values, start, continuation, effort, watch),
+    }
+}
+
+impl Family<'_> {
+    fn equation_at(&self, value: f64) -> Result<Equation, DiagramError> {
+        Ok(self.equation.with(&[(self.parameter, exactly(value)?)])?)
+    }
+
+    /// One motion after the other.
+    fn one_by_one(
+        &self,
+        cut: &Section,
+        values: &[f64],
+        start: &Moment,
+        continuation: Continuation,
+        effort: &Effort,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<DiagramColumn>, DiagramError> {
+        let mut columns: Vec<DiagramColumn> = Vec::with_capacity(values.len());
+        for &value in values {
+            let equation = self.equation_at(value)?;
+            let last = columns.last().and_then(|column| column.section.points.last());
+            let from = match (continuation, last) {
+                (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
+                _ => start.clone(),
+            };
+            let section = section_watched(&equation, &from, cut, self.points, effort, &watch.part())?;
+            if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
+                break;
+            }
+            columns.push(DiagramColumn { value, section });
+            if watch.reached(columns.len()).is_err() {
+                break;
+            }
+        }
+        Ok(columns)
+    }
+
+    /// The motions of all values at once.
+    fn side_by_side(
+        &self,
+        cut: &Section,
+        values: &[f64],
+        start: &Moment,
+        effort: &Effort,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<DiagramColumn>, DiagramError> {
+        let system = System::with_parameters(self.equation, &[self.parameter]).map_err(SectionError::from)?;
+        let times: Vec<Vec<f64>> =
+            values.iter().map(|&value| self.flashes_at(value, cut, start)).collect::<Result<_, _>>()?;
+        let pairs = values.iter().zip(&times);
+        let trajectories: Vec<Trajectory<'_>> = pairs
+            .map(|(&value, times)| Trajectory { start: start.clone(), parameters: vec![value], times })
+            .collect();
+        let mut done = 0;
+        let outcomes = integrate_many_watched(&system, &trajectories, effort, |number, step| {
+            done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
+            watch.flow_at(done)
+        });
+        let columns = values.iter().zip(outcomes).map(|(&value, outcome)| {
+            Ok(DiagramColumn { value, section: PoincareSection::of_samples(outcome)? })
+        });
+        let columns = columns.collect::<Result<Vec<DiagramColumn>, DiagramError>>()?;
+        let interrupted = Some(SectionEnding::Stopped(Cause::Interrupted));
+        Ok(columns.into_iter().filter(|column| column.section.stopped != interrupted).collect())
+    }
+
+    fn flashes_at(&self, value: f64, cut: &Section, start: &Moment) -> Result<Vec<f64>, DiagramError> {
+        let equation = self.equation_at(value)?;
+        let Section::Stroboscope { period: Some(period), phase } = cut.with_period_of(&equation) else {
+            return Err(SectionError::NoPeriod.into());
+        };
+        Ok(flashes(start.time, period, phase, self.points)?)
+    }
+}
+
+/// The last state, under a stroboscope at the same phase of the drive, whose period may be another one now.
+fn continued(last: &Moment, section: &Section, equation: &Equation) -> Moment {
+    Moment { time: section.first_flash(equation).unwrap_or(last.time), state: last.state.clone() }
+}
+
+/// A number as a formula, exactly.
+fn exactly(value: f64) -> Result<Expression, DiagramError> {
+    const BITS: usize = 53;
+    let exact = BigFloat::from_f64(value, BITS).ok_or(DiagramError::Value(value))?;
+    Ok(Expression::Number(exact.to_rational()))
+}

@@ -1,0 +1,106 @@
+//! The period of what drives a system.
+
+use std::f64::consts::TAU;
+
+use super::structure::TIME;
+use libration_numbers::algebra::{Rational, Rationals, Ring};
+use libration_numbers::expression::{Equation, Expression, Function, Symbol};
+
+/// The drive with the longest common period is this many times the first one's at most.
+const LONGEST: i64 = 1000;
+
+/// The period in which the time comes back in the equations, when it stands only in sines and cosines, to the first
+/// power with constant factors, which are in simple proportions to each other. `None` without time, and otherwise.
+///
+/// # Examples
+/// ```
+/// use libration::chaos::drive_period;
+/// use std::f64::consts::TAU;
+/// assert_eq!(drive_period(&"x'' = -sin(x) + 1.5*cos(2t/3)".parse()?), Some(1.5 * TAU));
+/// assert_eq!(drive_period(&"x'' = -(1 + cos(3t))*x + sin(2t - x)".parse()?), Some(TAU));
+/// assert_eq!(drive_period(&"x'' = -x + t".parse()?), None);
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+#[must_use]
+pub fn drive_period(equation: &Equation) -> Option<f64> {
+    let (frequency, times) = drive_frequency(equation)?;
+    let frequency = frequency.to_f64()?.abs();
+    Some(f64::from(times) * TAU / frequency).filter(|period| period.is_finite())
+}
+
+/// The angular frequency of the first drive, which may contain open parameters, and in how many of its periods all drives come back;
+/// `None` as for [`drive_period`].
+///
+/// # Examples
+/// ```
+/// use libration::chaos::drive_frequency;
+/// let (frequency, times) = drive_frequency(&"x'' = -x + cos(2*w*t) + cos(3*w*t)".parse()?).ok_or("no drive")?;
+/// assert_eq!((frequency.to_string().as_str(), times), ("2*w", 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn drive_frequency(equation: &Equation) -> Option<(Expression, i32)> {
+    let time = Symbol::plain(TIME);
+    let parameters = equation.parameters();
+    let is_constant =
+        |slope: &Expression| slope.symbols().iter().all(|it| it.primes == 0 && parameters.contains(&it.name));
+    let mut frequencies = vec![];
+    let mut formulas = equation.derivatives().iter();
+    if !formulas.all(|formula| collect_frequencies(formula, &time, &is_constant, &mut frequencies)) {
+        return None;
+    }
+    let first = frequencies.first()?;
+    let ratios: Option<Vec<Rational>> = frequencies.iter().map(|one| ratio(one, first)).collect();
+    let times = common_period(&ratios?)?;
+    Some((first.clone(), times))
+}
+
+/// The factors of the time in sines and cosines; whether it stands nowhere else.
+fn collect_frequencies(
+    formula: &Expression,
+    time: &Symbol,
+    is_constant: &impl Fn(&Expression) -> bool,
+    found: &mut Vec<Expression>,
+) -> bool {
+    if !formula.contains(time) {
+        return true;
+    }
+    if let Expression::Call(Function::Sin | Function::Cos, argument) = formula {
+        let slope = argument.derivative(time);
+        if is_constant(&slope) {
+            found.push(slope);
+            return true;
+        }
+    }
+    let mut inner = formula.parts().peekable();
+    inner.peek().is_some() && inner.all(|part| collect_frequencies(part, time, is_constant, found))
+}
+
+/// The quotient of two frequencies; of letters it must be the same whatever they stand for.
+fn ratio(a: &Expression, b: &Expression) -> Option<Rational> {
+    if a == b {
+        return Some(Rational::from(1));
+    }
+    let at = |values: [i64; 2]| {
+        let letters: Vec<Symbol> = a.symbols().into_iter().chain(b.symbols()).collect();
+        let put_in = |formula: &Expression| {
+            let values = values.iter().cycle().map(|&value| Expression::from(value));
+            let filled = letters
+                .iter()
+                .zip(values)
+                .fold(formula.clone(), |it, (letter, value)| it.substitute(letter, &value));
+            filled.simplified().to_rational()
+        };
+        put_in(a)?.checked_div(&put_in(b)?)
+    };
+    at([2, 3]).filter(|ratio| at([5, 7]).as_ref() == Some(ratio))
+}
+
+/// How many periods of the first drive are whole numbers of periods of all.
+fn common_period(ratios: &[Rational]) -> Option<i32> {
+    let whole = |times: i64| {
+        let times = Rational::from(times);
+        ratios.iter().all(|ratio| Rationals.multiply(ratio, &times).is_integer())
+    };
+    (1..=LONGEST).find(|&times| whole(times)).and_then(|times| i32::try_from(times).ok())
+}

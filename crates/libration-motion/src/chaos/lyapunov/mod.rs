@@ -1,0 +1,130 @@
+//! The largest Lyapunov exponent: the rate at which neighbouring motions part.
+
+mod schedule;
+mod verdict;
+
+mod deviation;
+mod record;
+
+mod laboratory;
+
+#[cfg(test)]
+mod tests;
+
+use super::structure::has_jumps;
+use crate::taylor::{Cause, Effort, IntegrationError, Moment};
+use laboratory::Laboratory;
+use libration_numbers::expression::{Equation, WithoutValue};
+use libration_numbers::watch::Watch;
+
+pub use schedule::Schedule;
+pub use verdict::{Doubt, LyapunovVerdict, Regularity};
+
+/// The largest Lyapunov exponent of a motion, as far as it was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LyapunovExponent {
+    /// The mean rate at which the logarithm of a deviation grows, in 1/time.
+    pub exponent: f64,
+    /// Its standard error from ten blocks, or what the second half of the time has changed, if that is more.
+    pub uncertainty: f64,
+    /// Regular, chaotic or undecided.
+    pub verdict: LyapunovVerdict,
+    /// The estimates from the beginning of the measurement up to a time after it: `(time, exponent)`.
+    pub convergence: Vec<(f64, f64)>,
+}
+
+/// Why no exponent can be measured.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LyapunovError {
+    /// A parameter without a value.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// A start, or a transient, that cannot be integrated.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// Accelerations that jump, or have sign(…) beside something that vanishes with it.
+    #[error(
+        "where sign(…) jumps the linearised equations do not hold: write x'*abs(x') for sign(x')*x'^2, make dry friction smooth, such as tanh(100*x'), and for abs(x')^1.5*sign(x') write x'*(x'^2 + 1e-12)^0.25"
+    )]
+    Jumps,
+    /// Times that measure nothing.
+    #[error("{} intervals of {:?} after {:?} measure nothing: give a finite time above zero", .0.intervals, .0.interval, .0.transient)]
+    Schedule(Schedule),
+    /// A motion that stopped before one interval was measured.
+    #[error("{0} before anything was measured")]
+    Nothing(Cause),
+}
+
+/// Measures the largest Lyapunov exponent along the motion from a start.
+///
+/// A deviation is carried along by the linearised equations. Its size is measured in units of how far the motion goes in each
+/// number of the state, so that units do not matter.
+///
+/// # The verdict
+/// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
+/// extent beside it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
+/// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the
+/// deviation never shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
+/// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations
+/// shrink, or when in the second half of the time, and in the second quarter, they grow by e^1.5 at most, more than what is
+/// proportional to time does. The latter holds for the time measured: nothing excludes that chaos shows later.
+///
+/// # Errors
+/// A parameter without a value, accelerations with sign(…), a start that does not fit, times that measure nothing, or a motion
+/// that stops before one interval is measured.
+///
+/// # Examples
+/// ```
+/// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
+/// use libration::taylor::{Effort, Moment};
+/// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;
+/// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
+/// let effort = Effort::to_tolerance(1e-12);
+/// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
+/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort)?;
+/// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # References
+/// G. Benettin, L. Galgani, A. Giorgilli and J.-M. Strelcyn, Meccanica 15, 9 (1980), doi:10.1007/BF02128236.
+pub fn lyapunov_exponent(
+    equation: &Equation,
+    start: &Moment,
+    schedule: &Schedule,
+    effort: &Effort,
+) -> Result<LyapunovExponent, LyapunovError> {
+    lyapunov_exponent_watched(equation, start, schedule, effort, &Watch::none())
+}
+
+/// The exponent as [`lyapunov_exponent`] gives it; `watch` is asked at each step of the transient and after each interval, and told
+/// how many intervals are measured of [`Stage::Motion`](libration_numbers::watch::Stage::Motion) 0, the motion asked for, and of 1 and 2, its neighbours. Where it stops
+/// the estimates until then are given, with the verdict [`Doubt::Stopped`].
+///
+/// # Errors
+/// As [`lyapunov_exponent`]; [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] where it stops before an interval is measured.
+pub fn lyapunov_exponent_watched(
+    equation: &Equation,
+    start: &Moment,
+    schedule: &Schedule,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<LyapunovExponent, LyapunovError> {
+    if !schedule.is_possible() {
+        return Err(LyapunovError::Schedule(*schedule));
+    }
+    if has_jumps(equation) {
+        return Err(LyapunovError::Jumps);
+    }
+    let laboratory = Laboratory::new(equation, start, schedule, effort, watch)?;
+    let evidence = laboratory.measure(watch)?;
+    let verdict = laboratory.verdict(&evidence, start, watch);
+    let record = &evidence.record;
+    Ok(LyapunovExponent {
+        exponent: record.exponent(),
+        uncertainty: record.uncertainty(),
+        verdict,
+        convergence: record.convergence().collect(),
+    })
+}

@@ -1,0 +1,111 @@
+//! The measured growth of a deviation, and what can be read from it.
+
+use libration_kernels::elementary::count;
+
+/// Into so many blocks the record is cut.
+pub(super) const BLOCKS: usize = 10;
+
+/// The logarithm of a deviation's size after each interval; zero before the first.
+#[derive(Clone, Debug)]
+pub(super) struct Record {
+    interval: f64,
+    /// Up to each interval's end.
+    logarithms: Vec<f64>,
+}
+
+impl Record {
+    pub(super) fn new(interval: f64) -> Self {
+        Self { interval, logarithms: vec![0.0] }
+    }
+
+    pub(super) fn push(&mut self, growth: f64) {
+        self.logarithms.push(self.last() + growth);
+    }
+
+    /// How many intervals it has.
+    pub(super) fn intervals(&self) -> usize {
+        self.logarithms.len() - 1
+    }
+
+    fn last(&self) -> f64 {
+        self.logarithms[self.intervals()]
+    }
+
+    /// The mean rate of growth from one interval's end to another's.
+    fn rate(&self, from: usize, to: usize) -> f64 {
+        (self.logarithms[to] - self.logarithms[from]) / (self.interval * count(to - from))
+    }
+
+    /// Until here the deviation turns into the direction in which it grows; it is not counted.
+    fn beginning(&self) -> usize {
+        self.intervals() / (BLOCKS + 1)
+    }
+
+    /// The mean rate of growth: the estimate of the exponent.
+    pub(super) fn exponent(&self) -> f64 {
+        self.rate(self.beginning(), self.intervals())
+    }
+
+    /// The estimate after more and more intervals, about a fifth more each time, with the time since the beginning.
+    pub(super) fn convergence(&self) -> impl Iterator<Item = (f64, f64)> {
+        let all = self.intervals();
+        let more =
+            std::iter::successors(Some(1), |n: &usize| Some(n + 1 + n / 5)).take_while(move |n| *n < all);
+        more.chain([all]).map(|n| (self.interval * count(n), self.rate(n / (BLOCKS + 1), n)))
+    }
+
+    /// The rate of growth in each block; none before there is an interval for each.
+    pub(super) fn blocks(&self) -> Vec<f64> {
+        let (all, beginning) = (self.intervals(), self.beginning());
+        let edge = |block: usize| beginning + (all - beginning) * block / BLOCKS;
+        let blocks = if beginning == 0 { 0 } else { BLOCKS };
+        (0..blocks).map(|block| self.rate(edge(block), edge(block + 1))).collect()
+    }
+
+    /// The larger of the standard error of the blocks' mean and of what the second half of the record has changed.
+    pub(super) fn uncertainty(&self) -> f64 {
+        let blocks = self.blocks();
+        if blocks.is_empty() {
+            return f64::INFINITY;
+        }
+        let mean = blocks.iter().sum::<f64>() / count(BLOCKS);
+        let squares = blocks.iter().map(|rate| (rate - mean) * (rate - mean)).sum::<f64>();
+        let standard = (squares / count(BLOCKS * (BLOCKS - 1))).sqrt();
+        let half = self.rate(self.beginning(), self.intervals().div_ceil(2));
+        standard.max((self.exponent() - half).abs())
+    }
+
+    /// How much the logarithm has grown since the beginning.
+    pub(super) fn growth(&self) -> f64 {
+        self.last() - self.logarithms[self.beginning()]
+    }
+
+    /// The deepest valley of the logarithm: how far it lies below what was before and what comes after.
+    pub(super) fn deepest_valley(&self) -> f64 {
+        let running = |highest: &mut f64, now: &f64| {
+            *highest = highest.max(*now);
+            Some(*highest)
+        };
+        let before = self.logarithms.iter().scan(f64::NEG_INFINITY, running);
+        let mut after: Vec<f64> = self.logarithms.iter().rev().scan(f64::NEG_INFINITY, running).collect();
+        after.reverse();
+        let rims = before.zip(after).map(|(before, after)| before.min(after));
+        rims.zip(&self.logarithms).map(|(rim, now)| rim - now).fold(0.0, f64::max)
+    }
+
+    /// How much higher the logarithm rises in the second half than in the first, and in the second quarter than in the
+    /// first.
+    pub(super) fn rises(&self) -> [f64; 2] {
+        let all = self.intervals();
+        let highest = |from: usize, to: usize| {
+            self.logarithms[from..=to].iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        };
+        let (half, quarter) = (all / 2, all / 4);
+        [highest(half, all) - highest(0, half), highest(quarter, half) - highest(0, quarter)]
+    }
+
+    /// How long it is.
+    pub(super) fn duration(&self) -> f64 {
+        self.interval * count(self.intervals())
+    }
+}

@@ -1,0 +1,273 @@
+//! Poincaré sections: the states of a motion at each period of its drive, or whenever it crosses a surface.
+
+use std::f64::consts::{PI, TAU};
+
+use super::drive::drive_period;
+use crate::taylor::{
+    Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
+    integrate_from, integrate_watched,
+};
+use libration_numbers::expression::{Equation, Expression, WithoutValue};
+use libration_numbers::watch::{Stage, Watch};
+
+/// When the state of a motion is taken.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Section {
+    /// Once in each period of what drives the motion.
+    Stroboscope {
+        /// The period; that of [`drive_period`] if none is given.
+        period: Option<f64>,
+        /// At which part of the period after t = 0, from 0 to 1.
+        phase: f64,
+    },
+    /// Whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
+    Crossing {
+        /// The formula, zero on the surface.
+        formula: Expression,
+        /// From which side.
+        direction: Direction,
+    },
+}
+
+impl Section {
+    /// The section with the period of these equations, if it has none and they show one.
+    pub(super) fn with_period_of(&self, equation: &Equation) -> Self {
+        match self {
+            Self::Stroboscope { period: None, phase } => {
+                Self::Stroboscope { period: drive_period(equation), phase: *phase }
+            }
+            other => other.clone(),
+        }
+    }
+
+    /// When a stroboscope flashes first after t = 0.
+    pub(super) fn first_flash(&self, equation: &Equation) -> Option<f64> {
+        match self {
+            Self::Stroboscope { period, phase } => Some(phase * period.or_else(|| drive_period(equation))?),
+            Self::Crossing { .. } => None,
+        }
+    }
+}
+
+/// How many points of a section are skipped before the first that is recorded, and how many are recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Points {
+    /// The transient.
+    pub skipped: usize,
+    /// The section.
+    pub recorded: usize,
+}
+
+/// The points of a section, as far as the motion came.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoincareSection {
+    /// Times and states.
+    pub points: Vec<Moment>,
+    /// Why there are not as many as asked for.
+    pub stopped: Option<SectionEnding>,
+}
+
+/// Why a section has fewer points than were asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SectionEnding {
+    /// The integration stopped, or was interrupted.
+    #[error("{0}")]
+    Stopped(Cause),
+    /// The motion crosses the surface no more, as far as it was followed.
+    #[error("the motion no longer crosses the surface")]
+    NoCrossing,
+    /// And has never crossed it.
+    #[error("the motion never crosses the surface, as far as it was followed")]
+    NeverCrossed,
+}
+
+/// Why there is no section.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SectionError {
+    /// A parameter without a value.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// A start or a tolerance that cannot be.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// Equations whose drive has no period that is found.
+    #[error(
+        "the equations have no drive with a known period: give the period, or a surface that the motion crosses, such as the velocity"
+    )]
+    NoPeriod,
+    /// A period or a phase that cannot be.
+    #[error("period {period:?} and phase {phase:?}: give a finite period above zero and a phase from 0 to 1")]
+    Stroboscope {
+        /// The period.
+        period: f64,
+        /// The phase.
+        phase: f64,
+    },
+}
+
+/// The points of the section of a motion.
+///
+/// # Accuracy
+/// As that of [`integrate`](crate::taylor::integrate()); points of a chaotic motion are those of a motion near by after some ten of its periods.
+///
+/// # Errors
+/// A parameter without a value; a start that does not fit; no period.
+///
+/// # Examples
+/// ```
+/// use libration::chaos::{Points, Section, section};
+/// use libration::taylor::{Effort, Moment};
+/// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;
+/// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
+/// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
+/// let points = Points { skipped: 200, recorded: 2 };
+/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12))?;
+/// // The motion has the period of its drive.
+/// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn section(
+    equation: &Equation,
+    start: &Moment,
+    section: &Section,
+    points: Points,
+    effort: &Effort,
+) -> Result<PoincareSection, SectionError> {
+    section_watched(equation, start, section, points, effort, &Watch::none())
+}
+
+/// The points as [`section`] gives them; `watch` is asked at each step. Where it stops the points until then are given, with
+/// [`Cause::Interrupted`].
+///
+/// # Errors
+/// As [`section`].
+pub fn section_watched(
+    equation: &Equation,
+    start: &Moment,
+    section: &Section,
+    points: Points,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<PoincareSection, SectionError> {
+    watch.begin(Stage::Whole, Some(points.recorded));
+    match section {
+        Section::Stroboscope { period, phase } => {
+            let period = period.or_else(|| drive_period(equation)).ok_or(SectionError::NoPeriod)?;
+            let times = flashes(start.time, period, *phase, points)?;
+            stroboscopic(&System::new(equation)?, start, &times, effort, watch)
+        }
+        Section::Crossing { formula, direction } => {
+            let surface = Event { formula: formula.clone(), direction: *direction, ends_at: None };
+            let system = System::new(equation)?.with_events(&[surface])?;
+            crossings(&system, start, points, effort, watch)
+        }
+    }
+}
+
+/// The times from a start on at which the phase of the drive is this one.
+pub(super) fn flashes(start: f64, period: f64, phase: f64, points: Points) -> Result<Vec<f64>, SectionError> {
+    if !(period > 0.0 && period.is_finite() && (0.0..=1.0).contains(&phase)) {
+        return Err(SectionError::Stroboscope { period, phase });
+    }
+    let first = (start / period - phase).ceil();
+    let number = |n: usize| first + u32::try_from(n).map_or(f64::INFINITY, f64::from);
+    Ok((points.skipped..points.skipped + points.recorded).map(|n| (number(n) + phase) * period).collect())
+}
+
+fn stroboscopic(
+    system: &System,
+    start: &Moment,
+    times: &[f64],
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<PoincareSection, SectionError> {
+    let mut taken = 0;
+    let outcome = integrate_watched(system, start, times, effort, |step| {
+        taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
+        watch.flow_at(taken)
+    });
+    PoincareSection::of_samples(outcome)
+}
+
+impl PoincareSection {
+    /// The section whose points are the samples of an integration.
+    pub(super) fn of_samples(outcome: Result<Solution, IntegrationError>) -> Result<Self, SectionError> {
+        let (solution, stopped) = as_far_as_it_came(outcome)?;
+        Ok(Self { points: solution.samples, stopped: stopped.map(SectionEnding::Stopped) })
+    }
+}
+
+fn as_far_as_it_came(
+    outcome: Result<Solution, IntegrationError>,
+) -> Result<(Solution, Option<Cause>), SectionError> {
+    match outcome {
+        Ok(solution) => Ok((solution, None)),
+        Err(IntegrationError::Stopped { cause, solution }) => Ok((*solution, Some(cause))),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Goes from one stretch of the motion to the next until there are points enough.
+fn crossings(
+    system: &System,
+    start: &Moment,
+    points: Points,
+    effort: &Effort,
+    watch: &Watch<'_>,
+) -> Result<PoincareSection, SectionError> {
+    const STEPS: usize = 2000;
+    const QUIET: usize = 200;
+    let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
+    let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
+    let stopped = loop {
+        let taken = found.len();
+        let mut met = taken;
+        let outcome =
+            integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |step| {
+                met += step.events().iter().filter(|event| goes_through(event)).count();
+                watch.flow_at(met.saturating_sub(points.skipped).min(points.recorded))
+            });
+        let (solution, cause) = as_far_as_it_came(outcome)?;
+        found.extend(solution.events.into_iter().filter_map(crossing));
+        quiet = if found.len() > taken { 0 } else { quiet + 1 };
+        at = solution.end;
+        match cause {
+            _ if found.len() >= points.skipped + points.recorded => break None,
+            None if horizon < NEVER => horizon *= FARTHER,
+            Some(Cause::StepLimit) if quiet < QUIET => {}
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&found)),
+            Some(cause) => break Some(SectionEnding::Stopped(cause)),
+        }
+    };
+    let points = found.into_iter().skip(points.skipped).take(points.recorded).collect();
+    Ok(PoincareSection { points, stopped })
+}
+
+/// The surface is not met again.
+const fn no_more(found: &[Moment]) -> SectionEnding {
+    if found.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
+}
+
+/// How far the first stretch goes at most, how much farther the next, and a time that only a motion at rest comes to: one
+/// without forces takes a single step to any time, in which a crossing must not be too near to the beginning.
+const NEAREST: f64 = 1e-6;
+const FARTHER: f64 = 1e3;
+const NEVER: f64 = 1e200;
+
+/// The place of an event, if the motion goes through the surface there.
+fn crossing(event: Occurrence) -> Option<Moment> {
+    goes_through(&event).then_some(Moment { time: event.time, state: event.state })
+}
+
+fn goes_through(event: &Occurrence) -> bool {
+    matches!(event.contact, Contact::Rising | Contact::Falling)
+}
+
+/// An angle brought into the turn from −π to π.
+#[must_use]
+pub fn folded(angle: f64) -> f64 {
+    let within = libm::remainder(angle, TAU);
+    if within <= -PI { within + TAU } else { within }
+}

@@ -1,0 +1,41 @@
+//! Close to a turning point, where powers of the velocity that are not whole have no Taylor series.
+
+use super::Damping;
+use libration_numbers::quadrature::double_exponential;
+
+/// How long the pendulum needs next to a turning point, and how far it goes.
+pub(super) struct Passage {
+    pub(super) duration: f64,
+    pub(super) distance: f64,
+}
+
+/// The speed, as a part of the acceleration by gravity, below which gravity does not change: to 1e-10 of itself, on a
+/// distance that is 1e-10 as large.
+const SLOW: f64 = 1e-5;
+
+/// From rest to a small speed, which is returned too.
+pub(super) fn departure(gravity: f64, damping: &Damping) -> (Passage, f64) {
+    let mut speed = SLOW * gravity;
+    while damping.at(speed) > 0.5 * gravity {
+        speed *= 0.5;
+    }
+    (passage(speed, |velocity| gravity - damping.at(velocity)), speed)
+}
+
+/// Whether a speed against gravity is so small that what is left is an [`arrival`].
+pub(super) fn is_close(speed: f64, gravity: f64) -> bool {
+    speed <= SLOW * gravity
+}
+
+/// From a small speed to rest.
+pub(super) fn arrival(speed: f64, gravity: f64, damping: &Damping) -> Passage {
+    passage(speed, |velocity| gravity + damping.at(velocity))
+}
+
+/// dt = dv/a and dx = v dv/a.
+fn passage(speed: f64, acceleration: impl Fn(f64) -> f64) -> Passage {
+    Passage {
+        duration: speed * double_exponential(|part| 1.0 / acceleration(speed * part)).value,
+        distance: speed * speed * double_exponential(|part| part / acceleration(speed * part)).value,
+    }
+}

@@ -1,0 +1,93 @@
+//! The acceleration of one coordinate, and what rounding does to it.
+
+use super::path::Path;
+use libration_kernels::double_double::DoubleDouble;
+use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
+use libration_numbers::{
+    expression::{Equation, Symbol, WithoutValue},
+    internals::expression::{Jet, Operation, Tape},
+};
+
+/// The acceleration as a function of position and velocity.
+#[derive(Debug)]
+pub(super) struct Acceleration {
+    pub(super) tape: Tape,
+    /// Whether it is one of the place only, which conserves an energy.
+    pub(super) is_free_of_velocity: bool,
+}
+
+/// States at which the rounding is measured.
+const LOOKS: usize = 8;
+/// Bits in which the rounding of double precision shows.
+const PRECISION: usize = 128;
+
+impl Acceleration {
+    /// That of the first coordinate, which is the only one.
+    pub(super) fn new(equation: &Equation) -> Result<Self, WithoutValue> {
+        let name = equation.variables().first().map_or("", String::as_str);
+        let velocity = Symbol::plain(name).with_primes(1);
+        let formula = &equation.accelerations()[0];
+        let tape = Tape::new(&[formula], &[Symbol::plain(name), velocity.clone()])?;
+        Ok(Self { tape, is_free_of_velocity: !formula.contains(&velocity) })
+    }
+
+    /// Whether no |…| and no sign stands in it, which have no derivative at zero.
+    pub(super) fn is_smooth(&self) -> bool {
+        let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
+        let operations = self.tape.operations().iter().enumerate();
+        !operations.into_iter().any(|(place, operation)| kink(operation) && !self.tape.is_constant(place))
+    }
+
+    /// NaN where it has no value.
+    pub(super) fn at(&self, state: &[f64]) -> f64 {
+        Jet::new(&Doubles, &self.tape, state).map_or(f64::NAN, |jet| jet.result(0)[0])
+    }
+
+    /// Whether it has a value where double precision has none.
+    pub(super) fn is_too_large(&self, state: &[f64]) -> bool {
+        self.tape.overflows_at(state)
+    }
+
+    /// The largest acceleration on a path, and the largest part of it that rounding the place and the operations makes wrong.
+    pub(super) fn largest_and_rounding(&self, path: &Path) -> [f64; 2] {
+        let states: Vec<Vec<f64>> = path.states().collect();
+        let largest = states.iter().map(|state| self.at(state).abs()).fold(0.0, f64::max);
+        let some = states.iter().step_by(states.len().div_ceil(LOOKS));
+        let errors = some.map(|state| self.error(state).unwrap_or(f64::INFINITY));
+        [largest, errors.fold(0.0, f64::max) / largest]
+    }
+
+    /// How far the acceleration in double precision is from that of a place that rounds to this one; zero where a |…| or a sign
+    /// changes its branch between such places: what a jump does to the energy on so short a way is what rounding the place does.
+    fn error(&self, state: &[f64]) -> Option<f64> {
+        let ring = Floats { precision: PRECISION };
+        let exact: Vec<BigFloat> =
+            state.iter().map(|x| BigFloat::from_f64(*x, PRECISION)).collect::<Option<_>>()?;
+        let beside = |units: f64| {
+            let part = BigFloat::from_words(DoubleDouble::new(1.0, units * f64::EPSILON), PRECISION);
+            let mut beside = exact.clone();
+            beside[0] = ring.multiply(&beside[0], &part);
+            Jet::new(&ring, &self.tape, &beside).ok()
+        };
+        let [above, below] = [beside(0.5)?, beside(-0.5)?];
+        if self.changes_branch(&above, &below) {
+            return Some(0.0);
+        }
+        let own = BigFloat::from_f64(self.at(state), PRECISION)?;
+        Some((above.result(0)[0].clone() - own).to_f64().abs())
+    }
+
+    /// Whether what stands in a |…| or a sign is zero in one of two states, or of another sign than in the other.
+    fn changes_branch(&self, state: &Jet<'_, Floats>, other: &Jet<'_, Floats>) -> bool {
+        let values = |jet: &Jet<'_, Floats>| -> Vec<f64> { jet.values().map(BigFloat::to_f64).collect() };
+        let states = [values(state), values(other)];
+        self.tape.operations().iter().any(|operation| match *operation {
+            Operation::Abs(of) | Operation::Sign(of) => {
+                let is_above = states.iter().all(|values| values[of] > 0.0);
+                let is_below = states.iter().all(|values| values[of] < 0.0);
+                !is_above && !is_below
+            }
+            _ => false,
+        })
+    }
+}

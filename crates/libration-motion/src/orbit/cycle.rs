@@ -1,0 +1,254 @@
+//! Limit cycles: what a motion settles to.
+
+use super::closing::Rounds;
+use super::drift::{MOST_LEAPS, leap};
+use super::error::{Lost, NoOrbit, finished};
+use super::family::{Family, through_start};
+use super::near::OrbitGuess;
+use super::path::turn_in;
+use super::periodic::Orbit;
+use super::relaxation::forgetful;
+use super::released::depends_on_time;
+use super::search::OrbitKind;
+use super::shooting::{Unknowns, closed};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_watched};
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::Watch;
+use std::ops::ControlFlow;
+
+/// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
+/// gone by then.
+const MOST_MAXIMA: usize = 3000;
+/// Steps of the search after a maximum, before it is given up: a turn of van der Pol's oscillator with the strength
+/// 1000 takes 3e5, and their number grows as the square of the strength.
+const MOST_STEPS: usize = 500_000;
+/// So many maxima may lie between a state and its return: a cycle that has doubled its period three times.
+const LONGEST: usize = 8;
+/// Swings below this part of the whole range are rest: a thousand tolerances of the search.
+const VANISHED: f64 = 1e-9;
+/// A state has returned when it differs by less than this part of the swing; Newton's method does the rest.
+const RETURNED: f64 = 1e-3;
+
+impl Orbit {
+    /// The limit cycle to which the motion from a start settles; it begins at a maximum of the first coordinate.
+    ///
+    /// # Accuracy
+    /// As [`period_uncertainty`](Self::period_uncertainty) says.
+    ///
+    /// # Errors
+    /// The time in the equation; a motion that comes to rest, leads to infinity, or does not repeat itself.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::{Orbit, Stability};
+    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0])?;
+    /// assert!((orbit.period() - 6.66328685932313).abs() < 1e-13);
+    /// assert_eq!(orbit.floquet().ok_or("no multipliers")?.stability, Stability::Attracting);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn limit_cycle(equation: &Equation, start: &[f64]) -> Result<Self, NoOrbit> {
+        Self::limit_cycle_watched(equation, start, &Watch::none())
+    }
+
+    /// As [`limit_cycle`](Self::limit_cycle); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`limit_cycle`](Self::limit_cycle), and [`NoOrbit::Interrupted`].
+    pub fn limit_cycle_watched(
+        equation: &Equation,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        if depends_on_time(equation) {
+            return Err(NoOrbit::DependsOnTime);
+        }
+        let none_asked = |_: &Rounds<'_>, _: f64| Ok(None);
+        Ok(cycle_unless(none_asked, equation, start, watch)?.1)
+    }
+
+    /// The limit cycle to which a motion without drive settles, or the orbit through the start itself where it is one of a family.
+    pub(super) fn undriven(
+        equation: &Equation,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<(OrbitKind, Self), NoOrbit> {
+        let through = |rounds: &Rounds<'_>, period: f64| {
+            through_start(equation, rounds, &OrbitGuess { state: start.to_vec(), period }, Family::Asked)
+        };
+        cycle_unless(through, equation, start, watch)
+    }
+}
+
+/// The cycle to which a motion settles, unless there is an orbit of a family of about its period.
+fn cycle_unless(
+    family: impl Fn(&Rounds<'_>, f64) -> Result<Option<Orbit>, NoOrbit>,
+    equation: &Equation,
+    start: &[f64],
+    watch: &Watch<'_>,
+) -> Result<(OrbitKind, Orbit), NoOrbit> {
+    let rounds = Rounds::new(equation, watch)?;
+    let guess = finished(settled(&System::new(equation)?, start, watch), watch)?;
+    if let Some(orbit) = finished(forgetful(equation, &rounds, &guess), watch)? {
+        return Ok((OrbitKind::LimitCycle, orbit));
+    }
+    match finished(family(&rounds, guess.period), watch)? {
+        Some(orbit) => Ok((OrbitKind::Family, orbit)),
+        None => Ok((OrbitKind::LimitCycle, finished(drifted(equation, &rounds, &guess), watch)?)),
+    }
+}
+
+/// The cycle near a guess, or where the drift of a turn leads to.
+fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+    let mut outcome = at_maximum(equation, rounds, guess);
+    let mut at = guess.clone();
+    for _ in 0..MOST_LEAPS {
+        if !matches!(outcome, Err(NoOrbit::NoCycle(Lost::UnstableRest) | NoOrbit::NoConvergence { .. })) {
+            break;
+        }
+        let Some(next) = leap(rounds, &at)? else { break };
+        let nearer = at_maximum(equation, rounds, &next);
+        at = next;
+        outcome = if nearer.is_ok() { nearer } else { outcome };
+    }
+    outcome
+}
+
+/// The cycle near a guess that begins at a maximum of the first coordinate.
+fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
+    let held = rounds.held_at_maximum(guess)?;
+    let free = (0..rounds.layout.numbers()).filter(|number| *number != held).collect();
+    closed(equation, rounds, guess, &Unknowns { free, period: true })
+}
+
+/// The motion followed from maximum to maximum until it repeats itself.
+fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGuess, NoOrbit> {
+    /// A time that no motion comes to: the maxima or the steps end the search before.
+    const FAR: f64 = 1e300;
+    let mut maxima = Maxima::new(system.layout());
+    let mut guess = None;
+    let start = Moment { time: 0.0, state: start.to_vec() };
+    let effort = Effort::to_tolerance(1e-12);
+    let outcome = integrate_watched(system, &start, &[FAR], &effort, |step| {
+        guess = maxima.watch(step).filter(|_| !maxima.vanish());
+        if guess.is_some() || maxima.are_enough() || maxima.vanish() {
+            ControlFlow::Break(())
+        } else {
+            watch.flow()
+        }
+    });
+    match (guess, outcome) {
+        (Some(guess), _) => Ok(guess),
+        (None, outcome) => Err(lost(outcome.err(), &maxima)),
+    }
+}
+
+fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
+    let Maxima { time, steps, .. } = *maxima;
+    NoOrbit::NoCycle(match error {
+        Some(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) => {
+            match (maxima.vanish() || maxima.is_still(), steps < MOST_STEPS) {
+                (true, _) => Lost::Rest,
+                (false, true) => Lost::Irregular(maxima.found.last().map_or(0.0, |moment| moment.time)),
+                (false, false) => Lost::Slow { time, steps },
+            }
+        }
+        Some(IntegrationError::Stopped { cause: Cause::NoWayOn, .. }) => Lost::Rest,
+        None if maxima.goes_away() => Lost::OneWay(time),
+        None => Lost::Rest,
+        Some(error @ IntegrationError::Stopped { .. }) => Lost::Stopped(error),
+        Some(error) => return error.into(),
+    })
+}
+
+/// The maxima of the first coordinate so far.
+struct Maxima {
+    /// The number of the first coordinate's velocity.
+    velocity: Option<usize>,
+    found: Vec<Moment>,
+    /// Steps since the last one.
+    steps: usize,
+    /// How far each number of the state has moved since the last one.
+    moved: Vec<f64>,
+    /// And had moved between the last two.
+    swing: Vec<f64>,
+    /// The least and the greatest value of the first coordinate so far.
+    range: (f64, f64),
+    /// The time so far.
+    time: f64,
+    /// How fast the first coordinate moves there.
+    pace: f64,
+}
+
+impl Maxima {
+    fn new(layout: &StateLayout) -> Self {
+        let none = vec![0.0; layout.numbers()];
+        Self {
+            velocity: layout.velocity(0),
+            found: vec![],
+            steps: 0,
+            moved: none.clone(),
+            swing: none,
+            range: (f64::INFINITY, f64::NEG_INFINITY),
+            time: 0.0,
+            pace: 0.0,
+        }
+    }
+
+    /// Takes a step into account; a guess of the cycle when one shows.
+    fn watch(&mut self, step: &Step<'_>) -> Option<OrbitGuess> {
+        self.steps += 1;
+        self.time = step.end();
+        self.pace = step.speeds_at(self.time)[0].abs();
+        for time in [step.start(), step.end()] {
+            self.widen(&step.state_at(time));
+        }
+        let rises = step.speeds_at(step.start())[0] > 0.0;
+        let time = turn_in(step).filter(|_| rises)?;
+        let mut state = step.state_at(time);
+        if let Some(velocity) = self.velocity {
+            // Of a maximum only rounding makes something that still moves.
+            state[velocity] = 0.0;
+        }
+        self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
+        let recent = self.found.iter().rev().take(LONGEST);
+        let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
+        let guess = earlier.map(|earlier| OrbitGuess { state: state.clone(), period: time - earlier.time });
+        self.found.push(Moment { time, state });
+        self.steps = 0;
+        guess
+    }
+
+    fn widen(&mut self, state: &[f64]) {
+        self.range = (self.range.0.min(state[0]), self.range.1.max(state[0]));
+        let Some(last) = self.found.last() else { return };
+        for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
+            *moved = moved.max((now - then).abs());
+        }
+    }
+
+    fn is_return(&self, state: &[f64], earlier: &[f64]) -> bool {
+        let differences = state.iter().zip(earlier).zip(&self.swing);
+        differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
+    }
+
+    /// Whether no more are waited for.
+    fn are_enough(&self) -> bool {
+        self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
+    }
+
+    /// Whether the first coordinate would take many times the time so far to move by anything beside all the way that was gone.
+    fn is_still(&self) -> bool {
+        self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
+    }
+
+    /// Whether it has gone farther than any orbit that is looked for.
+    fn goes_away(&self) -> bool {
+        const FAR: f64 = 1e100;
+        self.range.1 - self.range.0 > FAR
+    }
+
+    /// Whether the last swing is nothing beside all the way that was gone.
+    fn vanish(&self) -> bool {
+        self.found.len() > 1 && self.swing[0] < VANISHED * (self.range.1 - self.range.0)
+    }
+}

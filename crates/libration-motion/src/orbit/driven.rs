@@ -1,0 +1,88 @@
+//! Answers to a periodic force.
+
+use super::closing::Rounds;
+use super::error::{NoOrbit, finished};
+use super::near::OrbitGuess;
+use super::periodic::Orbit;
+use super::released::depends_on_time;
+use super::shooting::{Unknowns, closed};
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::Watch;
+
+impl Orbit {
+    /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
+    /// one period to the next. The period is that of the force, or a multiple of it for subharmonic answers.
+    ///
+    /// Newton's method is tried at the start, and again after the motion has been followed for 10, 20, … periods, which leads to
+    /// what attracts.
+    ///
+    /// # Errors
+    /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
+    /// [`NoOrbit::NoConvergence`].
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::Orbit;
+    /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
+    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2])?;
+    /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn driven(equation: &Equation, period: f64, start: &[f64]) -> Result<Self, NoOrbit> {
+        Self::driven_watched(equation, period, start, &Watch::none())
+    }
+
+    /// As [`driven`](Self::driven); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`driven`](Self::driven), and [`NoOrbit::Interrupted`].
+    pub fn driven_watched(
+        equation: &Equation,
+        period: f64,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
+        /// been given to Newton's method, which needs no transient to fall.
+        const TRIES: u32 = 5;
+        if !depends_on_time(equation) {
+            return Err(NoOrbit::NotDriven);
+        }
+        let rounds = Rounds::new(equation, watch)?;
+        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
+        let mut guess = OrbitGuess { state: start.to_vec(), period };
+        let mut outcome = closed(equation, &rounds, &guess, &unknowns);
+        for _ in 1..TRIES {
+            // What ends at rest may come to the orbit that the motion goes to instead.
+            if !matches!(outcome, Err(NoOrbit::NoConvergence { .. } | NoOrbit::NoCycle(_))) {
+                break;
+            }
+            guess.state = later(&rounds, &guess)?;
+            outcome = closed(equation, &rounds, &guess, &unknowns);
+        }
+        finished(outcome, watch)
+    }
+
+    /// The same by Newton's method alone, which leads to what does not attract too.
+    #[doc(hidden)]
+    pub fn driven_near(
+        equation: &Equation,
+        period: f64,
+        start: &[f64],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        let rounds = Rounds::new(equation, watch)?;
+        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
+        let guess = OrbitGuess { state: start.to_vec(), period };
+        finished(closed(equation, &rounds, &guess, &unknowns), watch)
+    }
+}
+
+/// The state after ten periods; each begins at t = 0 again, where the force is the same.
+fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
+    /// As many as the transient of a quality of 14 takes to fall to a tenth.
+    const PERIODS: u32 = 10;
+    (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
+        Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))
+    })
+}

@@ -1,0 +1,58 @@
+//! Orbits among others that close too, as those of a prey and its predators, or about a sun: the start chooses one of them.
+
+use super::closing::Rounds;
+use super::error::NoOrbit;
+use super::near::OrbitGuess;
+use super::periodic::Orbit;
+use super::shooting::{Unknowns, closed};
+use libration_numbers::expression::Equation;
+
+/// Whether a neighbour has to close as well, for the orbit to be one of a family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Family {
+    /// The energy is conserved: it is.
+    Known,
+    /// An isolated cycle may pass through the start too.
+    Asked,
+}
+
+/// How far the neighbour begins from the orbit, in parts of the way to where it is half a period later: a cycle that draws motions in by one
+/// part in 1e7 each turn misses its start by the 1e-10 at which an orbit is closed.
+const ASIDE: f64 = 1e-3;
+/// What moves by less than this part of its place in half a period is at rest.
+const STILL: f64 = 1e-9;
+
+/// The orbit of a family through the very state of a guess, of which only the period is improved; `None` where the motion from there does not
+/// close, or is isolated.
+pub(super) fn through_start(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    guess: &OrbitGuess,
+    family: Family,
+) -> Result<Option<Orbit>, NoOrbit> {
+    let Ok(path) = rounds.path(&guess.state, guess.period, 1e-12) else { return Ok(None) };
+    let opposite = path.state_at(0.5 * guess.period);
+    let moves = |(there, here): (&f64, &f64)| (there - here).abs() > STILL * here.abs();
+    if !opposite.iter().zip(&guess.state).any(moves) {
+        return Ok(None);
+    }
+    let Some(orbit) = closes(equation, rounds, guess)? else { return Ok(None) };
+    if family == Family::Asked {
+        let beside = |(here, there): (&f64, &f64)| here + ASIDE * (there - here);
+        let state = guess.state.iter().zip(&opposite).map(beside).collect();
+        let neighbour = OrbitGuess { state, period: orbit.period() };
+        if closes(equation, rounds, &neighbour)?.is_none() {
+            return Ok(None);
+        }
+    }
+    Ok(Some(orbit.one_of_a_family()))
+}
+
+fn closes(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Option<Orbit>, NoOrbit> {
+    let period_alone = Unknowns { free: vec![], period: true };
+    match closed(equation, rounds, guess, &period_alone) {
+        Ok(orbit) => Ok(Some(orbit)),
+        Err(error @ NoOrbit::Interrupted(_)) => Err(error),
+        Err(_) => Ok(None),
+    }
+}

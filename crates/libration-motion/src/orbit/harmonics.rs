@@ -1,0 +1,102 @@
+//! The harmonics of an orbit, by sums over even times.
+
+use super::periodic::Orbit;
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::Complex;
+use std::f64::consts::TAU;
+
+/// The coefficients of cos nΩt and sin nΩt, the time being counted from the orbit's start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Harmonic {
+    /// n.
+    pub n: usize,
+    /// The coefficient of the cosine; for n = 0 the mean.
+    pub cosine: f64,
+    /// The coefficient of the sine.
+    pub sine: f64,
+}
+
+impl Harmonic {
+    /// √(cosine² + sine²).
+    #[must_use]
+    pub fn amplitude(&self) -> f64 {
+        libm::hypot(self.cosine, self.sine)
+    }
+}
+
+/// The harmonics of one number of the state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Harmonics {
+    /// From n = 0 to the last one that stands above the rounding errors.
+    pub terms: Vec<Harmonic>,
+    /// No harmonic that is left out is larger, as the last quarter of those that the samples tell apart suggests.
+    pub remainder: f64,
+    /// At how many times in a period the orbit was looked at.
+    pub samples: usize,
+}
+
+/// Samples at the beginning, and the most.
+const SAMPLES: [usize; 2] = [64, 1 << 15];
+/// Harmonics that are smaller than this part of the largest are rounding errors.
+const NEGLIGIBLE: f64 = 2e-16;
+
+impl Orbit {
+    /// The harmonics of one number of the state, as many as its period shows in double precision.
+    ///
+    /// Samples are doubled until the last quarter of the harmonics they tell apart vanishes beside the largest: then what the
+    /// sums gather from higher ones is smaller still.
+    ///
+    /// # Accuracy
+    /// Each to some 1e-16 of the largest and what [`remainder`](Harmonics::remainder) says, times what the uncertainty of the
+    /// period makes of it.
+    #[must_use]
+    pub fn harmonics(&self, number: usize) -> Harmonics {
+        let [mut samples, most] = SAMPLES;
+        loop {
+            let all = transform(&self.sampled(number, samples));
+            let largest = all.iter().skip(1).map(Harmonic::amplitude).fold(0.0, f64::max);
+            let last = all[3 * all.len() / 4..].iter().map(Harmonic::amplitude).fold(0.0, f64::max);
+            if last <= 8.0 * NEGLIGIBLE * largest || samples >= most {
+                return significant(all, last.max(NEGLIGIBLE * largest), samples);
+            }
+            samples *= 2;
+        }
+    }
+
+    fn sampled(&self, number: usize, samples: usize) -> Vec<Complex> {
+        let part = |j: usize| self.period() * count(j) / count(samples);
+        let value = |time: f64| self.state_at(time).get(number).copied().unwrap_or(f64::NAN);
+        (0..samples).map(|j| Complex::from(value(part(j)))).collect()
+    }
+}
+
+/// The terms up to the last one above a size.
+fn significant(mut terms: Vec<Harmonic>, remainder: f64, samples: usize) -> Harmonics {
+    let last = terms.iter().rposition(|term| term.amplitude() > remainder).unwrap_or(0);
+    terms.truncate(last + 1);
+    Harmonics { terms, remainder, samples }
+}
+
+/// The harmonics below half the number of samples.
+fn transform(samples: &[Complex]) -> Vec<Harmonic> {
+    let weight = 1.0 / count(samples.len());
+    let sums = fourier(samples);
+    let term = |(n, sum): (usize, &Complex)| {
+        let factor = if n == 0 { weight } else { 2.0 * weight };
+        Harmonic { n, cosine: factor * sum.re, sine: -factor * sum.im }
+    };
+    sums.iter().take(samples.len() / 2).enumerate().map(term).collect()
+}
+
+/// Σ xⱼ·e^{−2πijk/N} for a power of two N, by halves.
+fn fourier(samples: &[Complex]) -> Vec<Complex> {
+    if samples.len() < 2 {
+        return samples.to_vec();
+    }
+    let part = |first: usize| fourier(&samples.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
+    let (even, odd) = (part(0), part(1));
+    let turn = |k: usize| Complex::unit(-TAU * count(k) / count(samples.len()));
+    let turned: Vec<Complex> = odd.iter().enumerate().map(|(k, value)| turn(k) * *value).collect();
+    let sums = even.iter().zip(&turned).map(|(a, b)| *a + *b);
+    sums.chain(even.iter().zip(&turned).map(|(a, b)| *a - *b)).collect()
+}

@@ -1,0 +1,150 @@
+//! A motion as the steps of its integration.
+
+use crate::taylor::{
+    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_watched,
+};
+use libration_numbers::quadrature::gauss;
+use libration_numbers::roots::{Tolerance, bisect};
+use libration_numbers::watch::Watch;
+use std::ops::ControlFlow;
+
+/// Steps one behind the other, from a state to a state.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    steps: DenseSolution,
+    end: f64,
+    /// Whether the steps are the first half only, and the second is the same backwards.
+    there_and_back: bool,
+}
+
+impl Path {
+    /// Steps from the time zero to the end.
+    pub(super) fn of_steps(steps: Vec<OwnedStep>, end: f64) -> Self {
+        Self { steps: steps.into(), end, there_and_back: false }
+    }
+
+    /// Steps from the time zero to rest, and then the same way back, to a time.
+    pub(super) fn there_and_back(steps: Vec<OwnedStep>, end: f64) -> Self {
+        Self { steps: steps.into(), end, there_and_back: true }
+    }
+
+    /// The motion from a moment to a time.
+    pub(super) fn to_time(
+        system: &System,
+        start: &Moment,
+        end: f64,
+        effort: &Effort,
+        watch: &Watch<'_>,
+    ) -> Result<Self, IntegrationError> {
+        let mut steps = DenseSolution::default();
+        integrate_watched(system, start, &[end], effort, |step| {
+            steps.push(step);
+            watch.flow()
+        })?;
+        Ok(Self { steps, end, there_and_back: false })
+    }
+
+    pub(super) fn start_time(&self) -> f64 {
+        self.steps.span().map_or(self.end, |[start, _]| start)
+    }
+
+    pub(super) fn end_time(&self) -> f64 {
+        self.end
+    }
+
+    /// The states at the ends of all steps.
+    pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
+        self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
+    }
+
+    /// The integral of a function of the state over all the time, step by step.
+    pub(super) fn integral(&self, f: impl Fn(&[f64]) -> f64) -> f64 {
+        let over = |own: &OwnedStep| {
+            let step = own.step();
+            let duration = step.end().min(self.end) - step.start();
+            duration * gauss(|part| f(&step.state_at(step.start() + part * duration))).value
+        };
+        self.steps.steps().iter().map(over).sum()
+    }
+
+    /// Coordinates, then velocities.
+    pub(super) fn state_at(&self, time: f64) -> Vec<f64> {
+        if self.there_and_back && time > 0.5 * self.end {
+            let [x, velocity] = self.stepped(self.end - time)[..] else { return vec![] };
+            return vec![x, -velocity];
+        }
+        self.stepped(time)
+    }
+
+    fn stepped(&self, time: f64) -> Vec<f64> {
+        self.steps.step_at(time).map_or_else(Vec::new, |step| step.state_at(time))
+    }
+
+    /// The end of this one is the start of the other.
+    pub(super) fn followed_by(self, other: Self) -> Self {
+        let steps = [self.steps.steps(), other.steps.steps()].concat();
+        Self::of_steps(steps, other.end)
+    }
+}
+
+/// The motion from a moment until something happens, which is told of each step with its time; `None` when it does not up to
+/// the last horizon. It is followed to the first horizon, then twice as far, and so on: on a step that seems to be a polynomial
+/// for ever the end of a branch would not be found to more than a part of the horizon.
+pub(super) fn until(
+    system: &System,
+    start: &Moment,
+    horizons: [f64; 2],
+    effort: &Effort,
+    watch: &Watch<'_>,
+    mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
+) -> Result<Option<Path>, IntegrationError> {
+    let [first, last] = horizons;
+    let (mut steps, mut found): (Vec<OwnedStep>, _) = (vec![], None);
+    let (mut at, mut duration) = (start.clone(), first);
+    while duration < last {
+        let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
+        let outcome = integrate_watched(system, &at, &[start.time + duration], &effort, |step| {
+            steps.push(step.to_owned_step());
+            found = happens(step);
+            let goes_on = watch.flow();
+            if found.is_some() { ControlFlow::Break(()) } else { goes_on }
+        });
+        match (found, outcome) {
+            (Some(end), _) => return Ok(Some(Path::of_steps(steps, end))),
+            (None, Ok(Solution { end, .. })) => at = end,
+            (None, Err(error)) => return Err(error),
+        }
+        duration *= 2.0;
+    }
+    Ok(None)
+}
+
+/// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.
+/// A step that begins with zero has the sign that it takes soon after.
+pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
+    zero_in(step, |time| step.state_at(time)[number])
+}
+
+/// When the rate of change of the first coordinate changes its sign in a step, to the last bit, as that of [`sign_change`].
+pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
+    zero_in(step, |time| step.speeds_at(time)[0])
+}
+
+fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
+    /// Of the step: a zero at its very beginning was one of the step before.
+    const SOON: f64 = 1e-3;
+    /// A step may be longer than half a wave, as that of an oscillator, whose series converge everywhere, with 4 radians; none of its quarters
+    /// is.
+    const PARTS: u32 = 4;
+    let (mut before, after) = (step.start(), step.end());
+    if value(before) == 0.0 {
+        before += SOON * (after - before);
+    }
+    let sign = value(before);
+    let part = |number: u32| before + (after - before) * f64::from(number) / f64::from(PARTS);
+    let mut parts =
+        (0..PARTS).map(|number| [part(number), if number + 1 < PARTS { part(number + 1) } else { after }]);
+    let [from, to] = parts.find(|[_, to]| value(*to) * sign <= 0.0)?;
+    let [_, zero] = bisect([from, to], Tolerance::LAST_BIT, |time| value(time) * sign > 0.0);
+    Some(zero)
+}

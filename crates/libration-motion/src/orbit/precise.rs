@@ -1,0 +1,305 @@
+//! The motion of one coordinate from rest to rest in floats of many bits, for what double precision cannot tell.
+//!
+//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from
+//! them is a difference of δ² in energy. So every number is carried in so many bits that what is left of them is enough.
+//!
+//! Coefficients do not show everything: of e^(−20000(x − 2)²) none of those at x = 3 is above the last bit of a motion that is about
+//! to pass x = 2. So each step is compared with an integration in double precision, which looks for such forces, and is shortened
+//! until both agree. What does less than [`UNSEEN`] to a step is not found that way, nor what begins where double precision has no
+//! values.
+
+use crate::taylor::{Effort, Moment, OwnedStep, System, integrate_watched};
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
+use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::roots::{Tolerance, bisect};
+use libration_numbers::watch::Watch;
+
+/// Position and velocity.
+#[derive(Clone, Debug)]
+struct State {
+    x: BigFloat,
+    velocity: BigFloat,
+}
+
+/// The position as a polynomial of the time, with what the velocity has beyond it.
+struct Series {
+    x: Vec<BigFloat>,
+    velocity: Vec<BigFloat>,
+}
+
+/// A motion from rest to the next rest.
+pub(super) struct HalfPeriod {
+    pub(super) steps: Vec<OwnedStep>,
+    pub(super) duration: BigFloat,
+    /// The place at the end.
+    pub(super) end: BigFloat,
+}
+
+/// Why there is no such motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum NoHalfPeriod {
+    /// It comes so near an equilibrium that these bits do not tell what it does there.
+    Undecided,
+    /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
+    Lost(f64),
+    /// The series end, and say nothing about how far they hold, there are too many steps, or the watch ends it.
+    Unable,
+}
+
+/// An acceleration as a function of position and velocity.
+pub(super) struct Motion<'a> {
+    system: &'a System,
+    tape: &'a Tape,
+    ring: Floats,
+    order: u32,
+    watch: &'a Watch<'a>,
+}
+
+/// Steps of a half period; more are taken only by motions without end.
+const MOST_STEPS: usize = 600;
+/// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
+const LAST: f64 = 4.0;
+/// Of the place, by which the same step in double precision may end elsewhere: roundings of the start, some 1e-16 of it, grow at most as
+/// e^T from an unstable equilibrium, and where steps are so long that this is more they are halved without need.
+const UNSEEN: f64 = 1e-12;
+/// Halvings after which two integrations do not agree for another reason than the length of the step.
+const MOST_HALVINGS: u32 = 60;
+
+impl<'a> Motion<'a> {
+    pub(super) fn new(system: &'a System, tape: &'a Tape, precision: usize, watch: &'a Watch<'a>) -> Self {
+        // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
+        let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
+        Self { system, tape, ring: Floats { precision }, order, watch }
+    }
+
+    /// The motion that is released from rest at a place, at a time that its steps begin to count from.
+    pub(super) fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, NoHalfPeriod> {
+        let size = place.exponent().unwrap_or(0);
+        let mut state = State { x: place.clone(), velocity: self.ring.zero() };
+        let (mut steps, mut duration) = (vec![], self.ring.zero());
+        let mut nearness = Nearness::default();
+        for _ in 0..MOST_STEPS {
+            self.watch.go_on().map_err(|_| NoHalfPeriod::Unable)?;
+            let lost = NoHalfPeriod::Lost(duration.to_f64());
+            if is_far(&state.x, size) {
+                return Err(lost);
+            }
+            // Exponentials of large numbers, which take too long, have values in double precision.
+            let no_series = || if self.has_value_nearby(&state) { NoHalfPeriod::Unable } else { lost };
+            let series = self.series(&state).ok_or_else(no_series)?;
+            nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
+            let size = size.max(state.x.exponent().unwrap_or(size));
+            let length = self.tried(&state, &series, self.length(&series, size)?, size)?;
+            let begin = start + duration.to_f64();
+            if let Some(rest) = self.rest_within(&series, length) {
+                duration = duration + rest.clone();
+                let end = sum_at(&series.x, &rest);
+                nearness.conclude(self.ring.precision)?;
+                steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
+                return Ok(HalfPeriod { steps, duration, end });
+            }
+            let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoHalfPeriod::Unable)?;
+            duration = duration + elapsed.clone();
+            steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
+            state = State { x: sum_at(&series.x, &elapsed), velocity: sum_at(&series.velocity, &elapsed) };
+        }
+        Err(NoHalfPeriod::Unable)
+    }
+
+    fn has_value_nearby(&self, state: &State) -> bool {
+        let state = [state.x.to_f64(), state.velocity.to_f64()];
+        Jet::new(&Doubles, self.tape, &state).is_ok_and(|jet| jet.result(0)[0].is_finite())
+    }
+
+    /// `None` where the acceleration has no value.
+    fn series(&self, state: &State) -> Option<Series> {
+        let mut series = Series { x: vec![state.x.clone()], velocity: vec![state.velocity.clone()] };
+        let mut jet = Jet::new(&self.ring, self.tape, &[state.x.clone(), state.velocity.clone()]).ok()?;
+        for n in 1..=u64::from(self.order) {
+            let last = usize::try_from(n - 1).ok()?;
+            series.x.push(self.ring.over_integer(&series.velocity[last], n)?);
+            series.velocity.push(self.ring.over_integer(&jet.result(0)[last], n)?);
+            jet.extend(&[series.x[last + 1].clone(), series.velocity[last + 1].clone()]).ok()?;
+        }
+        Some(series)
+    }
+
+    /// Where the last terms are below the last bit of a number whose first bit is 2^size, and fall.
+    fn length(&self, series: &Series, size: isize) -> Result<f64, NoHalfPeriod> {
+        let bits = count(self.ring.precision) + 4.0;
+        let exponents: Vec<(f64, f64)> = (series.x.iter().enumerate())
+            .filter_map(|(n, c)| Some((count(n), real_exponent(c.exponent()? - size))))
+            .collect();
+        let last = exponents.iter().filter(|(n, _)| *n > f64::from(self.order) - LAST);
+        let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
+        let length = libm::exp2(shortest - excess(&exponents, f64::from(self.order), shortest));
+        if length == f64::INFINITY { Err(NoHalfPeriod::Unable) } else { Ok(length) }
+    }
+
+    /// The length of a step, or as much of it as double precision agrees with.
+    fn tried(&self, state: &State, series: &Series, length: f64, size: isize) -> Result<f64, NoHalfPeriod> {
+        let lengths = (0..MOST_HALVINGS).map(|halvings| libm::ldexp(length, -halvings.cast_signed()));
+        let unseen = UNSEEN * libm::ldexp(1.0, i32::try_from(size).unwrap_or(i32::MAX));
+        let agrees = |length: &f64| {
+            let [place, velocity] = self.misfit(state, series, *length).unwrap_or_default();
+            place <= unseen && velocity * length <= unseen
+        };
+        lengths.into_iter().find(agrees).ok_or(NoHalfPeriod::Unable)
+    }
+
+    /// How far the same step in double precision ends from the sums of the series; `None` where it has no values.
+    fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
+        const MOST_STEPS: usize = 10_000;
+        let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
+        let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };
+        let solution = integrate_watched(self.system, &start, &[length], &effort, |_| self.watch.flow());
+        let solution = solution.ok()?;
+        let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
+        let ends = [&series.x, &series.velocity].map(|series| sum_at(series, &elapsed).to_f64());
+        let misfits = ends.iter().zip(&solution.end.state).map(|(own, other)| (own - other).abs());
+        misfits.collect::<Vec<_>>().try_into().ok()
+    }
+
+    /// When the velocity vanishes in a step, to the last bit; `None` when it does not.
+    fn rest_within(&self, series: &Series, length: f64) -> Option<BigFloat> {
+        let near = sign_change(&scaled(&series.velocity, length))? * length;
+        let mut time = BigFloat::from_f64(near, self.ring.precision)?;
+        let slope: Vec<BigFloat> =
+            (1_i64..).zip(&series.velocity[1..]).map(|(n, c)| self.ring.times_integer(c, n)).collect();
+        for _ in 0..self.ring.precision.ilog2() {
+            let step = sum_at(&series.velocity, &time) / sum_at(&slope, &time);
+            time = time - step;
+        }
+        Some(time)
+    }
+}
+
+/// By how many powers of two a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
+/// may still grow, as those of eˣ do up to the order x, and a sum that ends among them is not near its end.
+fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
+    /// Powers of two a term.
+    const FALL: f64 = 1.5;
+    let quarter = 0.25 * order;
+    let largest = |from: f64, to: f64| {
+        let within = exponents.iter().filter(|(n, _)| (from..to).contains(n));
+        within.map(|(n, exponent)| exponent + n * log2_length).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (third, last) = (largest(2.0 * quarter, 3.0 * quarter), largest(3.0 * quarter, f64::INFINITY));
+    if third == f64::NEG_INFINITY { 0.0 } else { f64::max(0.0, (last - third) / quarter + FALL) }
+}
+
+/// How near an equilibrium a motion comes: where velocity and acceleration are both small.
+#[derive(Default)]
+struct Nearness {
+    /// The first acceleration, then the largest, and the largest velocity, as powers of two.
+    first: Option<isize>,
+    acceleration: Option<isize>,
+    velocity: Option<isize>,
+}
+
+impl Nearness {
+    fn watch(
+        &mut self,
+        velocity: &BigFloat,
+        acceleration: &BigFloat,
+        precision: usize,
+    ) -> Result<(), NoHalfPeriod> {
+        let (v, a) = (velocity.exponent(), acceleration.exponent());
+        self.first = self.first.or(a);
+        self.velocity = self.velocity.max(v);
+        self.acceleration = self.acceleration.max(a);
+        let below = |own: Option<isize>, largest: Option<isize>| {
+            largest.is_some_and(|largest| own.is_none_or(|own| own - largest < -limit(precision)))
+        };
+        let near = below(v, self.velocity) && below(a, self.acceleration);
+        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
+    }
+
+    /// At the end it is known how small the first acceleration was.
+    fn conclude(&self, precision: usize) -> Result<(), NoHalfPeriod> {
+        let parts = self.first.zip(self.acceleration);
+        let near = parts.is_none_or(|(first, largest)| first - largest < -limit(precision));
+        if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
+    }
+}
+
+/// What is on the separatrix to p bits comes within 2^(−p/2) of the equilibrium, where an energy is lost in rounding; nothing is
+/// decided from 2^(−3p/8) on.
+fn limit(precision: usize) -> isize {
+    isize::try_from(3 * precision / 8).unwrap_or(isize::MAX)
+}
+
+/// Whether a place is so far from the first that nothing that passed an equilibrium slowly comes back from there.
+fn is_far(place: &BigFloat, size: isize) -> bool {
+    const FAR: isize = 40;
+    place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
+}
+
+fn sum_at(series: &[BigFloat], time: &BigFloat) -> BigFloat {
+    let mut terms = series.iter().rev().cloned();
+    let last = terms.next().unwrap_or_else(|| BigFloat::from_integer(0, time.precision()));
+    terms.fold(last, |sum, c| sum * time.clone() + c)
+}
+
+/// The coefficients in powers of the part of a step, which neither overflow nor underflow.
+fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
+    /// Bits, of which 53 are left.
+    const ENOUGH: usize = 64;
+    let Some(length) = BigFloat::from_f64(length, ENOUGH) else { return vec![] };
+    let powers = std::iter::successors(Some(BigFloat::from_integer(1, ENOUGH)), |power| {
+        Some(power.clone() * length.clone())
+    });
+    series.iter().zip(powers).map(|(c, power)| (c.rounded_to(ENOUGH) * power).to_f64()).collect()
+}
+
+/// Where a polynomial on [0, 1] first changes its sign; one that begins with zero has the sign that it takes soon after.
+fn sign_change(polynomial: &[f64]) -> Option<f64> {
+    const LOOKS: u32 = 16;
+    const SOON: f64 = 1e-3;
+    let value = |part: f64| polynomial.iter().rev().fold(0.0, |sum, c| sum * part + c);
+    let sign = value(if polynomial[0] == 0.0 { SOON } else { 0.0 });
+    let turned = |part: f64| value(part) * sign <= 0.0;
+    let after = (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)).find(|part| turned(*part))?;
+    let before = (after - 1.0 / f64::from(LOOKS)).max(SOON);
+    let [before, after] = bisect([before, after], Tolerance::LAST_BIT, |part| !turned(part));
+    Some(f64::midpoint(before, after))
+}
+
+/// The step in double precision, of length one in its own unit.
+fn owned_step(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
+    OwnedStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
+}
+
+#[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]
+fn real_exponent(exponent: isize) -> f64 {
+    exponent as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::orbit::acceleration::Acceleration;
+
+    /// How long a motion takes from rest to rest, and where that is.
+    fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
+        let equation = equation.parse().unwrap();
+        let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
+        let half =
+            Motion::new(&system, &acceleration.tape, 128, &Watch::none()).half_period(place, 0.0).unwrap();
+        [half.duration, half.end]
+    }
+
+    /// At the other end, −147.4, e^x is below the last of 128 bits, and the coefficients of a step that begins there are tiny.
+    #[test]
+    fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
+        let equation = "x'' = 1 - exp(x)";
+        let [there, end] = half_period(equation, &BigFloat::from_integer(5, 128));
+        let [back, start] = half_period(equation, &end);
+        assert!((there.clone() - back).to_f64().abs() < 1e-30, "{there:?}");
+        assert!((start.to_f64() - 5.0).abs() < 1e-15, "{start:?}");
+        // The energy, e^x − x, is the same at both ends.
+        let energy = libm::exp(5.0) - 5.0;
+        assert!((libm::exp(end.to_f64()) - end.to_f64() - energy).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,308 @@
+//! One coordinate released from rest, until it is back.
+//!
+//! It is followed in double precision first. Where that does not suffice, because of a separatrix nearby or a force that cancels, it
+//! is followed again with as many bits as it takes for two precisions to agree.
+
+use super::acceleration::Acceleration;
+use super::error::{Lost, NoOrbit, finished};
+use super::path::{Path, sign_change, until};
+use super::periodic::Orbit;
+use super::place::ReleasePlace;
+use super::precise::{HalfPeriod, Motion, NoHalfPeriod};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
+use libration_numbers::algebra::BigFloat;
+use libration_numbers::expression::{Equation, Expression, Symbol};
+use libration_numbers::watch::Watch;
+
+/// Steps of one half of an oscillation; more are taken only by motions without end.
+const MOST_STEPS: usize = 20_000;
+/// A period that may be wrong by more than this part of it is none: four digits are the least that a comparison needs.
+const UNCERTAIN: f64 = 1e-4;
+/// And one that may be wrong by more than this part of it, 2⁻⁴⁵ or 128 roundings, is looked for with more bits.
+const TRUSTED: f64 = 2.9e-14;
+/// Further off than this part of the swing an oscillation does not end where it began: next to an unstable equilibrium a rounding of
+/// the energy moves a turning point by its root, 1e-8, and a hundred of that are left.
+const CLOSED: f64 = 1e-6;
+/// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
+const PRECISIONS: [usize; 3] = [128, 192, 256];
+/// Two precisions agree in a period when they differ by less than this part of it; while they differ by more the lower one has lost the
+/// motion.
+const AGREED: f64 = 1e-3;
+/// While they agree the error is in proportion to the last bit, so that the higher precision is better by 2⁶⁴; half of these bits are
+/// left for what is by chance.
+const IMPROVED: f64 = 1.0 / 4_294_967_296.0;
+
+impl Orbit {
+    /// The motion of one coordinate that is released from rest at a place: to the other turning point and back. It is
+    /// periodic where the energy is conserved, or where the force is the same for the opposite velocity.
+    ///
+    /// # Accuracy
+    /// As [`period_uncertainty`](Self::period_uncertainty) says: some units in the last place of the period, for exactly this `f64` as the
+    /// place. Where a force has no derivative, as |x| at zero, what becomes of rounding errors near an unstable equilibrium is part of it.
+    ///
+    /// # Errors
+    /// Several coordinates or the time in the equation, a release in an equilibrium or on a separatrix, and motions that do not come
+    /// back to where they began.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::Orbit;
+    /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0)?;
+    /// // Γ(1/4)²/√π over the amplitude.
+    /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn released(equation: &Equation, place: f64) -> Result<Self, NoOrbit> {
+        Self::released_watched(equation, place, &Watch::none())
+    }
+
+    /// As [`released`](Self::released); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`released`](Self::released), and [`NoOrbit::Interrupted`].
+    pub fn released_watched(equation: &Equation, place: f64, watch: &Watch<'_>) -> Result<Self, NoOrbit> {
+        let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
+        Release::check(equation)?;
+        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, watch)
+    }
+
+    /// The same from a place that is known to more digits than an `f64` has.
+    pub fn released_from(
+        equation: &Equation,
+        place: &ReleasePlace,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        Release::check(equation)?;
+        finished(Release::new(equation, place, watch)?.orbit(), watch)
+    }
+}
+
+/// A release from rest.
+struct Release<'a> {
+    equation: &'a Equation,
+    system: System,
+    acceleration: Acceleration,
+    place: &'a ReleasePlace,
+    start: f64,
+    watch: &'a Watch<'a>,
+}
+
+/// An oscillation and the time of the first half of it.
+struct Around {
+    full: Path,
+    half: f64,
+}
+
+impl<'a> Release<'a> {
+    fn check(equation: &Equation) -> Result<(), NoOrbit> {
+        let [_] = equation.variables() else {
+            return Err(NoOrbit::SeveralCoordinates(equation.variables().len()));
+        };
+        equation.refuse_first_order()?;
+        if depends_on_time(equation) { Err(NoOrbit::DependsOnTime) } else { Ok(()) }
+    }
+
+    fn new(equation: &'a Equation, place: &'a ReleasePlace, watch: &'a Watch<'a>) -> Result<Self, NoOrbit> {
+        let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
+        Ok(Self { equation, system, acceleration, place, start: place.to_f64(), watch })
+    }
+
+    fn orbit(&self) -> Result<Orbit, NoOrbit> {
+        if self.is_too_small() {
+            return Err(NoOrbit::TooSmall(self.start));
+        }
+        let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
+        let doubtful = match &found {
+            Ok(orbit) => orbit.period_uncertainty() > TRUSTED * orbit.period(),
+            // Next to a separatrix rounding may lead elsewhere; where energy is lost or won nothing more is learnt.
+            Err(_) => self.acceleration.is_free_of_velocity,
+        };
+        let found = found.and_then(|orbit| self.sure(orbit));
+        if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
+    }
+
+    /// Whether squares of the displacement and of the velocity are so small that they are rounded to fewer digits than others, or to zero.
+    fn is_too_small(&self) -> bool {
+        const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+        let force = self.acceleration.at(&[self.start, 0.0]).abs();
+        force > 0.0 && libm::fmax(force * self.start.abs(), force * force) < LEAST
+    }
+
+    /// The orbit with its uncertainty: what other steps make of it, and what rounding does to an acceleration that is as large as
+    /// the largest, e of it, anywhere on the way. That changes energies by e times acceleration and swing, as another amplitude does,
+    /// and the period by e.
+    fn judged(&self, around: Around) -> Result<Orbit, NoOrbit> {
+        let period = around.full.end_time();
+        // Other orders and lengths of the steps make other rounding errors.
+        let again = self.once_around(self.start, 1e-16)?;
+        let other_half = if self.acceleration.is_free_of_velocity { 2.0 * around.half } else { period };
+        let spread = (period - again.full.end_time()).abs().max((period - other_half).abs());
+        let [largest, measured] = self.acceleration.largest_and_rounding(&around.full);
+        let other_side = around.full.state_at(around.half)[0];
+        let swing = (self.start - other_side).abs();
+        let place = f64::EPSILON * self.start.abs().max(other_side.abs()) / swing;
+        let rounding = measured.max(place).max(f64::EPSILON);
+        let first = self.acceleration.at(&[self.start, 0.0]).abs();
+        let grown = 2.0 + self.condition(period, swing.copysign(other_side - self.start)) * largest / first;
+        let uncertainty = 16.0 * spread + 4.0 * rounding * grown * period;
+        Ok(Orbit::new(self.equation, around.full, uncertainty, None))
+    }
+
+    /// By how many parts of it the period changes when the amplitude changes by a part of the swing, as a neighbour tells it: infinite
+    /// where the neighbour is another motion altogether. Next to a kink no better answer follows, and both sides are asked.
+    fn condition(&self, period: f64, swing: f64) -> f64 {
+        // Small beside any distance from a separatrix at which double precision is trusted, large beside its errors.
+        const PART: f64 = 1e-8;
+        // A neighbour whose period differs by a per cent at that distance is another motion.
+        const OTHER: f64 = 1e-2;
+        let sides: &[f64] = if self.acceleration.is_smooth() { &[1.0] } else { &[1.0, -1.0] };
+        let change = |side: &f64| {
+            let neighbour = self.once_around(self.start + side * PART * swing, 1e-16);
+            neighbour.map_or(f64::INFINITY, |around| (1.0 - around.full.end_time() / period).abs())
+        };
+        let largest = sides.iter().map(change).fold(0.0, f64::max);
+        if largest < OTHER { largest / PART } else { f64::INFINITY }
+    }
+
+    fn sure(&self, orbit: Orbit) -> Result<Orbit, NoOrbit> {
+        let (period, uncertainty) = (orbit.period(), orbit.period_uncertainty());
+        if uncertainty <= UNCERTAIN * period {
+            return Ok(orbit);
+        }
+        Err(NoOrbit::Unsure { start: self.start, period, uncertainty })
+    }
+
+    /// The orbit with as many bits as it takes, or what double precision found where that is no way.
+    fn precisely(&self, rough: Result<Orbit, NoOrbit>) -> Result<Orbit, NoOrbit> {
+        let mut before: Option<BigFloat> = None;
+        for precision in PRECISIONS {
+            let found = match self.precise_halves(precision) {
+                Ok(halves) => halves,
+                Err(NoHalfPeriod::Undecided) => {
+                    before = None;
+                    continue;
+                }
+                Err(NoHalfPeriod::Unable) => return rough,
+                Err(NoHalfPeriod::Lost(time)) => {
+                    let lost = NoOrbit::NoReturn { start: self.start, why: Lost::OneWay(time) };
+                    return Err(rough
+                        .err()
+                        .filter(|error| !matches!(error, NoOrbit::Unsure { .. }))
+                        .unwrap_or(lost));
+                }
+            };
+            let period = found.period();
+            let spread = before.map(|before| (before - period.clone()).to_f64().abs());
+            if let Some(spread) = spread.filter(|spread| *spread <= AGREED * period.to_f64()) {
+                let uncertainty = IMPROVED * spread + f64::EPSILON * period.to_f64();
+                return found.closed(self.place.to_f64(), self.equation, uncertainty);
+            }
+            before = Some(period);
+        }
+        Err(NoOrbit::Separatrix(self.start))
+    }
+
+    fn precise_halves(&self, precision: usize) -> Result<Halves, NoHalfPeriod> {
+        let motion = Motion::new(&self.system, &self.acceleration.tape, precision, self.watch);
+        let there = motion.half_period(&self.place.to_bits(precision), 0.0)?;
+        let back = match self.acceleration.is_free_of_velocity {
+            true => None,
+            false => Some(motion.half_period(&there.end, there.duration.to_f64())?),
+        };
+        Ok(Halves { there, back })
+    }
+
+    fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, NoOrbit> {
+        let start = Moment { time: 0.0, state: vec![place, 0.0] };
+        let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) };
+        let there = self.to_rest(&start, place, &effort)?;
+        let half = there.end_time();
+        let other_side = Moment { time: half, state: vec![there.state_at(half)[0], 0.0] };
+        let full = there.followed_by(self.to_rest(&other_side, place, &effort)?);
+        let end = full.state_at(full.end_time())[0];
+        let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
+        if back < CLOSED * swing {
+            return Err(NoOrbit::NoReturn { start: place, why: Lost::Rest });
+        }
+        if (end - place).abs() > CLOSED * swing {
+            return Err(match self.acceleration.is_free_of_velocity {
+                true => NoOrbit::Separatrix(place),
+                false => NoOrbit::NotClosed { start: place, end },
+            });
+        }
+        Ok(Around { full, half })
+    }
+
+    /// From rest to the next rest.
+    fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
+        /// What has not turned by then goes one way for good: a force that is felt at all turns a motion in the square root of what a
+        /// number can hold.
+        const FAR: f64 = 1e100;
+        let first = self.acceleration.at(&start.state).abs();
+        if first == 0.0 {
+            return Err(NoOrbit::AtRest(vec![start.state[0]]));
+        }
+        if !first.is_finite() {
+            return Err(match self.acceleration.is_too_large(&start.state) {
+                true => NoOrbit::TooLarge(place),
+                false => NoOrbit::NoValue(place),
+            });
+        }
+        let happens = |step: &Step<'_>| sign_change(step, 1);
+        // Roots before the quotient, which may be less than any number.
+        let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
+        let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
+        let found = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
+        let lost = |why| NoOrbit::NoReturn { start: place, why };
+        match found {
+            Ok(Some(path)) => Ok(path),
+            Ok(None) => Err(lost(Lost::OneWay(FAR))),
+            Err(error) => Err(lost(why_lost(error))),
+        }
+    }
+
+    /// In times in which the first acceleration leads to zero, about: a harmonic oscillator has come to rest after π of them, and most
+    /// motions after so many.
+    const HORIZON: f64 = 8.0;
+}
+
+/// The way to rest, and the way back where it is another.
+struct Halves {
+    there: HalfPeriod,
+    back: Option<HalfPeriod>,
+}
+
+impl Halves {
+    fn period(&self) -> BigFloat {
+        let back = self.back.as_ref().unwrap_or(&self.there);
+        self.there.duration.clone() + back.duration.clone()
+    }
+
+    /// The orbit, if its end is its start.
+    fn closed(self, start: f64, equation: &Equation, uncertainty: f64) -> Result<Orbit, NoOrbit> {
+        let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
+        let Some(back) = self.back else {
+            let path = Path::there_and_back(self.there.steps, period);
+            return Ok(Orbit::new(equation, path, uncertainty, None));
+        };
+        let end = back.end.to_f64();
+        if (end - start).abs() > CLOSED * (start - other_side).abs() {
+            return Err(NoOrbit::NotClosed { start, end });
+        }
+        let path = Path::of_steps([self.there.steps, back.steps].concat(), period);
+        Ok(Orbit::new(equation, path, uncertainty, None))
+    }
+}
+
+fn why_lost(error: IntegrationError) -> Lost {
+    match error {
+        IntegrationError::Stopped { cause: Cause::StepLimit, solution } => Lost::OneWay(solution.end.time),
+        other => Lost::Stopped(other),
+    }
+}
+
+/// Whether the time stands in one of the accelerations.
+pub fn depends_on_time(equation: &Equation) -> bool {
+    let time = Symbol::plain("t");
+    equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))
+}

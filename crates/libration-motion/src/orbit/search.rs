@@ -1,0 +1,142 @@
+//! An orbit of any kind: which way it is looked for follows from the equations.
+
+use super::closing::Rounds;
+use super::error::{NoOrbit, finished};
+use super::family::{Family, through_start};
+use super::near::OrbitGuess;
+use super::periodic::Orbit;
+use super::released::depends_on_time;
+use crate::taylor::StateLayout;
+use libration_numbers::expression::Equation;
+use libration_numbers::watch::Watch;
+
+/// What is known of an orbit that is looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrbitSearch {
+    /// A state at t = 0 on the orbit, near it, or that leads to it: coordinates, then velocities.
+    pub start: Vec<f64>,
+    /// The period of the drive or a multiple of it, or a guess of the period where nothing drives.
+    pub period: Option<f64>,
+    /// Whether the motion conserves an energy, so that orbits come in families and the start chooses one of them.
+    pub conserves_energy: bool,
+    /// The coordinate whose value at the start chooses one of a family near a guess; the one farthest from zero if there is none.
+    pub held: Option<usize>,
+}
+
+/// How an orbit came about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OrbitKind {
+    /// One coordinate released from rest.
+    Released,
+    /// What a motion without drive settles to.
+    LimitCycle,
+    /// The answer to a periodic force.
+    Driven,
+    /// One of a family of orbits, through the start itself.
+    Family,
+    /// Closed by Newton's method near a guess.
+    Near,
+}
+
+impl Orbit {
+    /// The orbit that a search finds: the answer to a force that depends on the time; near a guess of the period where there is one; the
+    /// motion of one coordinate from rest where energy is conserved, or else where it closes; a limit cycle otherwise. Where all motions near
+    /// the start close it is the one through the start.
+    ///
+    /// # Errors
+    /// As the kind of orbit has them; [`NoOrbit::NoPeriod`] where a period is needed and none is given.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::{Orbit, OrbitKind, OrbitSearch};
+    /// let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
+    /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search)?;
+    /// assert_eq!(kind, OrbitKind::LimitCycle);
+    /// assert!((cycle.period() - 6.66328685932313).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn search(equation: &Equation, search: &OrbitSearch) -> Result<(OrbitKind, Self), NoOrbit> {
+        Self::search_watched(equation, search, &Watch::none())
+    }
+
+    /// As [`search`](Self::search); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`search`](Self::search), and [`NoOrbit::Interrupted`].
+    pub fn search_watched(
+        equation: &Equation,
+        search: &OrbitSearch,
+        watch: &Watch<'_>,
+    ) -> Result<(OrbitKind, Self), NoOrbit> {
+        let layout = StateLayout::new(equation);
+        if search.start.len() != layout.numbers() {
+            return Err(NoOrbit::Start { state: search.start.clone(), wanted: layout.numbers() });
+        }
+        if depends_on_time(equation) {
+            let period = search.period.ok_or(NoOrbit::NoPeriod)?;
+            let orbit = Self::driven_watched(equation, period, &search.start, watch)?;
+            return Ok((OrbitKind::Driven, orbit));
+        }
+        if let Some(period) = search.period {
+            return search.near(equation, &layout, period, watch);
+        }
+        let from_rest =
+            search.is_at_rest(&layout).then(|| Self::released_watched(equation, search.start[0], watch));
+        match from_rest {
+            Some(Ok(orbit)) => Ok((OrbitKind::Released, orbit)),
+            Some(Err(error)) if search.conserves_energy => Err(error),
+            _ if search.conserves_energy => Err(NoOrbit::NoPeriod),
+            _ => Self::undriven(equation, &search.start, watch),
+        }
+    }
+}
+
+impl OrbitSearch {
+    /// One coordinate without a velocity.
+    fn is_at_rest(&self, layout: &StateLayout) -> bool {
+        layout.coordinates() == 1 && layout.velocity(0).is_some_and(|velocity| self.start[velocity] == 0.0)
+    }
+
+    /// The orbit through the start where that closes and is one of a family, or else near the guess; where its period is left open by the
+    /// equations it is one of a family after all.
+    fn near(
+        &self,
+        equation: &Equation,
+        layout: &StateLayout,
+        period: f64,
+        watch: &Watch<'_>,
+    ) -> Result<(OrbitKind, Orbit), NoOrbit> {
+        /// Of an isolated cycle it is some roundings, of a family whatever Newton's method came to.
+        const OPEN: f64 = 1e-4;
+        let guess = OrbitGuess { state: self.start.clone(), period };
+        let [start, family] = self.fixed(layout);
+        let near = |fixed: &[usize]| {
+            let orbit = Orbit::near_watched(equation, &guess, fixed, watch)?;
+            Ok((OrbitKind::Near, orbit))
+        };
+        let through = || {
+            let family = if self.conserves_energy { Family::Known } else { Family::Asked };
+            finished(through_start(equation, &Rounds::new(equation, watch)?, &guess, family), watch)
+        };
+        match through()? {
+            Some(orbit) => Ok((OrbitKind::Family, orbit)),
+            None if self.conserves_energy => near(&[start, family]),
+            None => near(&[start]).and_then(|found: (OrbitKind, Orbit)| {
+                let is_known = found.1.period_uncertainty() <= OPEN * found.1.period();
+                if is_known { Ok(found) } else { near(&[start, family]) }
+            }),
+        }
+    }
+
+    /// The numbers that keep their values: the velocity of the coordinate that is held, or farthest from zero, chooses the start on the orbit,
+    /// the coordinate itself one of a family. Without a velocity it is the coordinate, and another number.
+    fn fixed(&self, layout: &StateLayout) -> [usize; 2] {
+        let size = |coordinate: &usize| self.start[*coordinate].abs();
+        let farthest = || (0..layout.coordinates()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
+        let held = self.held.filter(|it| *it < layout.coordinates()).unwrap_or_else(farthest);
+        match layout.velocity(held) {
+            Some(velocity) => [velocity, held],
+            None => [held, usize::from(held == 0)],
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! Newton's method for the state that comes back to itself.
+
+use super::closing::{Round, Rounds};
+use super::error::{Lost, NoOrbit, finished};
+use super::floquet::{Divergence, Floquet, Stability};
+use super::near::OrbitGuess;
+use super::periodic::Orbit;
+use super::released::depends_on_time;
+use libration_numbers::expression::Equation;
+use libration_numbers::internals::linear::least_squares;
+use libration_numbers::watch::Watch;
+
+impl Orbit {
+    /// The periodic orbit near a guess, on which some numbers of the state at the start keep the values of the guess: one of
+    /// them chooses the start on an isolated cycle, two choose an orbit of the families of a conservative system, for
+    /// instance a coordinate at its largest value and its velocity of zero.
+    ///
+    /// # Accuracy
+    /// As [`period_uncertainty`](Self::period_uncertainty) says.
+    ///
+    /// # Errors
+    /// A guess that does not fit, the time in the equation, a motion that cannot be followed, and
+    /// [`NoOrbit::NoConvergence`].
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::orbit::{OrbitGuess, Orbit};
+    /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
+    /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
+    /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
+    /// let orbit = Orbit::near(&equation, &guess, &[0, 2])?;
+    /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1)?;
+    /// assert!((orbit.period() - alone.period()).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # References
+    /// R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.
+    pub fn near(equation: &Equation, guess: &OrbitGuess, fixed: &[usize]) -> Result<Self, NoOrbit> {
+        Self::near_watched(equation, guess, fixed, &Watch::none())
+    }
+
+    /// As [`near`](Self::near); `watch` is asked at each step.
+    ///
+    /// # Errors
+    /// As [`near`](Self::near), and [`NoOrbit::Interrupted`].
+    pub fn near_watched(
+        equation: &Equation,
+        guess: &OrbitGuess,
+        fixed: &[usize],
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoOrbit> {
+        if depends_on_time(equation) {
+            return Err(NoOrbit::DependsOnTime);
+        }
+        let rounds = Rounds::new(equation, watch)?;
+        let free = (0..rounds.layout.numbers()).filter(|number| !fixed.contains(number)).collect();
+        let unknowns = Unknowns { free, period: true };
+        finished(closed(equation, &rounds, guess, &unknowns), watch)
+    }
+}
+
+/// What Newton's method may change.
+pub(super) struct Unknowns {
+    /// Numbers of the state.
+    pub(super) free: Vec<usize>,
+    /// Whether the period is one of the unknowns.
+    pub(super) period: bool,
+}
+
+/// Rounds of Newton's method, in which by the next number a size can change by 1.3⁴⁰ = 4·10⁴.
+const MOST_ROUNDS: usize = 40;
+/// No round changes a number of the state by more than this part of its size.
+const LARGEST_CHANGE: f64 = 0.3;
+/// An orbit that misses its start by less than this part of its size is closed: what rounding, 1e-15, becomes in a round with a
+/// multiplier of 1e5.
+const CLOSED: f64 = 1e-10;
+
+/// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.
+const VANISHED: f64 = 1e-6;
+
+/// The orbit near a guess.
+pub(super) fn closed(
+    equation: &Equation,
+    rounds: &Rounds<'_>,
+    guess: &OrbitGuess,
+    unknowns: &Unknowns,
+) -> Result<Orbit, NoOrbit> {
+    check(rounds, guess)?;
+    let mut newton = Newton::new(rounds, unknowns, guess)?;
+    let size_of_guess = newton.size();
+    let taken = newton.converge()?;
+    if newton.size() < VANISHED * size_of_guess {
+        return Err(NoOrbit::NoCycle(newton.kind_of_rest()));
+    }
+    if newton.miss > CLOSED {
+        return Err(NoOrbit::NoConvergence { rounds: taken, defect: newton.miss });
+    }
+    let uncertainty = newton.period_uncertainty()?;
+    let floquet = Floquet::new(&newton.round.monodromy, unknowns.period).map(|floquet| Floquet {
+        logarithm: Divergence::new(equation)
+            .filter(|_| unknowns.period)
+            .map(|divergence| divergence.along(&newton.round.path)),
+        ..floquet
+    });
+    Ok(Orbit::new(equation, newton.round.path, uncertainty, floquet))
+}
+
+fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
+    let wanted = rounds.layout.numbers();
+    if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
+        return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
+    }
+    if !(guess.period > 0.0 && guess.period.is_finite()) {
+        return Err(NoOrbit::Period(guess.period));
+    }
+    Ok(())
+}
+
+/// Where Newton's method is.
+struct Newton<'a> {
+    rounds: &'a Rounds<'a>,
+    unknowns: &'a Unknowns,
+    at: OrbitGuess,
+    round: Round,
+    sizes: Vec<f64>,
+    /// The largest part of its size by which a number of the state misses its start.
+    miss: f64,
+}
+
+impl<'a> Newton<'a> {
+    fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
+        let round = rounds.round(&guess.state, guess.period)?;
+        let sizes = round.sizes(&rounds.layout, guess);
+        let miss = miss(&round.defect, &sizes);
+        Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
+    }
+
+    /// What a rest is at which it has ended: one to which motions come, or another.
+    fn kind_of_rest(&self) -> Lost {
+        let stays = Floquet::new(&self.round.monodromy, false).map(|floquet| floquet.stability);
+        if stays == Some(Stability::Attracting) { Lost::Rest } else { Lost::UnstableRest }
+    }
+
+    /// The largest swing of a coordinate.
+    fn size(&self) -> f64 {
+        self.sizes[..self.rounds.layout.coordinates()].iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Rounds until they improve nothing; how many there were.
+    fn converge(&mut self) -> Result<usize, NoOrbit> {
+        for count in 0..MOST_ROUNDS {
+            let before = self.miss;
+            if before == 0.0 || !self.improve()? {
+                return Ok(count);
+            }
+            if self.miss > 0.5 * before && self.miss < CLOSED {
+                return Ok(count + 1);
+            }
+        }
+        Ok(MOST_ROUNDS)
+    }
+
+    /// One step, shortened until it leads nearer; whether one does.
+    fn improve(&mut self) -> Result<bool, NoOrbit> {
+        /// Steps below 2⁻¹² of Newton's own would need more rounds than there are to come anywhere.
+        const HALVINGS: u32 = 12;
+        let Some(change) = self.change(&self.round.defect) else { return Ok(false) };
+        let mut part = self.largest_part(&change);
+        for _ in 0..HALVINGS {
+            let next = self.moved(&change, part);
+            let end =
+                self.rounds.path(&next.state, next.period, 1e-17).map(|path| path.state_at(next.period));
+            let near = end.is_ok_and(|end| {
+                let defect: Vec<f64> = end.iter().zip(&next.state).map(|(a, b)| a - b).collect();
+                miss(&defect, &self.sizes) < self.miss
+            });
+            if near {
+                *self = Self::new(self.rounds, self.unknowns, &next)?;
+                return Ok(true);
+            }
+            part *= 0.5;
+        }
+        Ok(false)
+    }
+
+    /// What would close the orbit if its end were linear in its start: the free numbers, then the period. Rows and columns are
+    /// measured in the sizes of the orbit.
+    fn change(&self, defect: &[f64]) -> Option<Vec<f64>> {
+        let Unknowns { free, period } = self.unknowns;
+        let row = |i: usize| {
+            let state = free.iter().map(move |&j| {
+                let own = if i == j { 1.0 } else { 0.0 };
+                (self.round.monodromy[i][j] - own) * self.sizes[j] / self.sizes[i]
+            });
+            let time = period.then(|| self.round.rate[i] * self.at.period / self.sizes[i]);
+            state.chain(time).collect()
+        };
+        let rows: Vec<Vec<f64>> = (0..defect.len()).map(row).collect();
+        let right: Vec<f64> = defect.iter().zip(&self.sizes).map(|(d, size)| -d / size).collect();
+        let change = least_squares(&rows, &right)?;
+        let units = free.iter().map(|&j| self.sizes[j]).chain(period.then_some(self.at.period));
+        Some(change.iter().zip(units).map(|(x, unit)| x * unit).collect())
+    }
+
+    fn largest_part(&self, change: &[f64]) -> f64 {
+        let units = self.unknowns.free.iter().map(|&j| self.sizes[j]).chain([self.at.period]);
+        let largest = change.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+        if largest > LARGEST_CHANGE { LARGEST_CHANGE / largest } else { 1.0 }
+    }
+
+    fn moved(&self, change: &[f64], part: f64) -> OrbitGuess {
+        let mut next = self.at.clone();
+        for (&j, x) in self.unknowns.free.iter().zip(change) {
+            next.state[j] += part * x;
+        }
+        if self.unknowns.period {
+            next.period += part * change.last().copied().unwrap_or(0.0);
+        }
+        next
+    }
+
+    /// The last change of the period that is not made, for the orbit as it is and as other steps find it.
+    fn period_uncertainty(&self) -> Result<f64, NoOrbit> {
+        if !self.unknowns.period {
+            return Ok(0.0);
+        }
+        let again = self.rounds.path(&self.at.state, self.at.period, 1e-16)?.state_at(self.at.period);
+        let other: Vec<f64> = again.iter().zip(&self.at.state).map(|(a, b)| a - b).collect();
+        let missing =
+            |defect: &[f64]| self.change(defect).and_then(|it| it.last().copied()).map_or(f64::NAN, f64::abs);
+        let spread = missing(&self.round.defect) + missing(&other);
+        Ok(4.0 * (spread + f64::EPSILON * self.at.period))
+    }
+}
+
+fn miss(defect: &[f64], sizes: &[f64]) -> f64 {
+    defect.iter().zip(sizes).map(|(d, size)| (d / size).abs()).fold(0.0, f64::max)
+}

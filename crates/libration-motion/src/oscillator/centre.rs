@@ -1,0 +1,41 @@
+//! Where a force drives back to, with or without an expansion.
+
+use super::constant::Constant;
+use super::equilibrium::{candidates, given, refined, vanishes_at};
+use super::force::Force;
+use super::model::{MOST_PLACES, force};
+use super::neighbourhood::{Neighbourhood, Tendency};
+use libration_numbers::algebra::Rational;
+use libration_numbers::expression::{Equation, Expression};
+
+/// The equilibrium nearest to zero, or the one next to a place, to which the force at rest drives back from both sides: what
+/// amplitudes count from. There is one of x″ = −(x − 1)³, though no expansion.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::centre_of;
+/// let centre = centre_of(&"x'' = -(x - 1)^3".parse()?, None).ok_or("no centre")?;
+/// assert_eq!(centre.to_f64(), 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn centre_of(equation: &Equation, about: Option<&Expression>) -> Option<Constant> {
+    let force = force(equation).ok().filter(|_| equation.parameters().is_empty())?;
+    let drives_back = |place: &Constant| {
+        let at_rest = force.at_rest();
+        let about = Neighbourhood::new(&at_rest, &force.x, place);
+        about.and_then(|about| about.tendency()) == Some(Tendency::Back)
+    };
+    match about {
+        Some(place) => given(&force, place).filter(drives_back),
+        None => places(&force).find(drives_back),
+    }
+}
+
+/// Where the force at rest vanishes, zero before all others.
+fn places(force: &Force) -> impl Iterator<Item = Constant> {
+    let zero = Rational::from(0);
+    let at_zero = vanishes_at(force, &zero).then_some(Constant::Exact(zero));
+    let others = candidates(force).near.into_iter().take(MOST_PLACES);
+    at_zero.into_iter().chain(others.filter_map(|near| refined(force, near)))
+}

@@ -1,0 +1,228 @@
+//! Where an oscillator can rest, and whether it returns there.
+
+use super::constant::{Approximation, Constant, PRECISION};
+use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
+use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
+use super::neighbourhood::{Neighbourhood, Roughness};
+use super::roots::{LARGEST_DEGREE, Scan, zeros};
+use super::sides::Sides;
+use libration_numbers::algebra::{BigFloat, Rational};
+use libration_numbers::expression::Expression;
+use libration_numbers::roots::polynomial_sign_changes;
+
+/// How far a zero may be from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, and
+/// a hundred of that are left.
+const FOUND_WITHIN: f64 = 1e-6;
+
+/// Bits of the longest fractions that are tried as zeros.
+const LONGEST_FRACTION: usize = 128;
+
+/// A place of rest.
+#[derive(Clone, Debug)]
+pub(super) struct Equilibrium {
+    pub(super) at: Constant,
+    pub(super) omega0_squared: Constant,
+    /// Where there is one power series above it and another below.
+    pub(super) sides: Option<Sides>,
+}
+
+/// Numbers next to which the force at rest vanishes.
+pub(super) struct Candidates {
+    /// The nearest to zero first, of equal distance the positive one.
+    pub(super) near: Vec<f64>,
+    /// What is said if none of them is a zero.
+    pub(super) none: OscillatorError,
+}
+
+/// Where the force at rest passes zero, to double precision.
+pub(super) fn candidates(force: &Force) -> Candidates {
+    let at_rest = force.at_rest();
+    let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
+    let everywhere = polynomial.and_then(|coefficients| polynomial_sign_changes(&scaled(&coefficients)));
+    let (mut near, none) = match (everywhere, Curve::new(&at_rest, &force.x)) {
+        (Some(zeros), _) => (zeros, OscillatorError::NoEquilibrium),
+        (None, Some(curve)) => {
+            let Scan { zeros, has_values } = zeros(|x| curve.at(x));
+            (zeros, if has_values { OscillatorError::NotFound } else { OscillatorError::NoValues })
+        }
+        (None, None) => (vec![], OscillatorError::NoValues),
+    };
+    near.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(b.total_cmp(a)));
+    near.dedup();
+    Candidates { near, none }
+}
+
+/// The coefficients over the last one, rounded.
+fn scaled(coefficients: &[Rational]) -> Vec<f64> {
+    let last = coefficients.last();
+    let over_last = |c: &Rational| last.and_then(|last| c.checked_div(last)).map_or(0.0, |c| c.to_f64());
+    coefficients.iter().map(over_last).collect()
+}
+
+/// The zero of the force next to a candidate.
+pub(super) fn refined(force: &Force, near: f64) -> Option<Constant> {
+    zero_or_fraction(force, near, FOUND_WITHIN)
+}
+
+/// The zero of the force next to a number, exactly if it is a fraction.
+fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
+    let fraction = |number: &BigFloat, bits| {
+        let simplest = simplest_about(number, bits);
+        let fits = simplest.bits() <= LONGEST_FRACTION && vanishes_at(force, &simplest);
+        fits.then_some(Constant::Exact(simplest))
+    };
+    // A multiple zero is no place for Newton's method, but may be a fraction of few digits.
+    if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
+        return Some(simple);
+    }
+    let digits = zero_next_to(force, near, within)?;
+    Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
+}
+
+/// Whether the force at rest is proved to vanish there.
+pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
+    let at_rest = force.at_rest();
+    let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
+    // Exact arithmetic is for what vanishes in digits.
+    let digits = curve.precisely_at(&BigFloat::from_rational(place, PRECISION));
+    let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(place));
+    value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
+}
+
+/// Whether a number of [`PRECISION`] bits may be what rounding leaves of zero.
+fn is_tiny(number: &BigFloat) -> bool {
+    let quarter = isize::try_from(PRECISION / 4).unwrap_or(isize::MAX);
+    number.exponent().is_none_or(|size| size < -quarter)
+}
+
+/// The zero next to a constant that is given, at most 5 % away.
+pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
+    const WITHIN: f64 = 0.05;
+    if let Some(exact) = place.to_rational().filter(|exact| vanishes_at(force, exact)) {
+        return Some(Constant::Exact(exact));
+    }
+    zero_or_fraction(force, Curve::new(place, &force.x)?.at(0.0), WITHIN)
+}
+
+/// The zero of the force to [`PRECISION`] bits, by Newton's method from a number next to it.
+fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
+    const MOST_STEPS: usize = 30;
+    let (at_rest, stiffness) = (force.at_rest(), force.stiffness());
+    let (force, stiffness) = (Curve::new(&at_rest, &force.x)?, Curve::new(&stiffness, &force.x)?);
+    let mut x = BigFloat::from_f64(near, PRECISION)?;
+    for _ in 0..MOST_STEPS {
+        let step = newton_step(force.precisely_at(&x)?, stiffness.precisely_at(&x)?)?;
+        x = x + step.clone();
+        if is_last(&step, &x) {
+            return Some(x).filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0));
+        }
+    }
+    None
+}
+
+/// F/(−F′); no step where F vanishes, `None` where only F′ does.
+fn newton_step(force: BigFloat, stiffness: BigFloat) -> Option<BigFloat> {
+    if force.is_zero() {
+        return Some(force);
+    }
+    (!stiffness.is_zero()).then(|| force / stiffness)
+}
+
+/// Whether the next step of Newton's method would be below the last bits.
+fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
+    let bits = isize::try_from(x.precision() * 9 / 10).unwrap_or(isize::MAX);
+    step.exponent().is_none_or(|size| size < x.exponent().unwrap_or(0).max(0) - bits)
+}
+
+/// The equilibrium at a place where the force vanishes, when it is stable and no energy is lost there.
+pub(super) fn assessed(force: &Force, at: Constant) -> Result<Equilibrium, RejectedEquilibrium> {
+    let smooth = omega0_squared_at(force, &at).and_then(|omega0_squared| {
+        refuse_losses(force, &at)?;
+        Ok(omega0_squared)
+    });
+    match (smooth, two_sided(force, &at)) {
+        (Ok(omega0_squared), _) => Ok(Equilibrium { at, omega0_squared, sides: None }),
+        (Err(RejectionReason::NotAnalytic { .. }), Some((sides, omega0_squared))) => {
+            Ok(Equilibrium { at, omega0_squared, sides: Some(sides) })
+        }
+        (Err(reason), _) => {
+            let reason = circular_arcs(force, &at).unwrap_or(reason);
+            Err(RejectedEquilibrium { at: at.to_string(), reason })
+        }
+    }
+}
+
+/// −k·sign(x) − ω²·x, as it is told.
+fn circular_arcs(force: &Force, at: &Constant) -> Option<RejectionReason> {
+    let sides = Sides::about(force, at.exact()?)?;
+    let lines = [&sides.above, &sides.below].map(|side| side.polynomial_coefficients(&force.x));
+    let [Some(above), Some(below)] = lines else { return None };
+    let [jump, slope] = above.as_slice() else { return None };
+    let drives_back = jump.is_negative() && slope.is_negative() && above == below;
+    let text = |number: &Rational| Expression::Number(number.magnitude()).to_string();
+    drives_back.then(|| RejectionReason::CircularArcs { jump: text(jump), omega_squared: text(slope) })
+}
+
+/// The force on both sides of a place to which it drives back, and ω0².
+fn two_sided(force: &Force, at: &Constant) -> Option<(Sides, Constant)> {
+    let (sides, slope) = Sides::new(force, at)?;
+    (slope.is_negative()).then(|| (sides, Constant::Exact(-slope)))
+}
+
+/// ω0², where the force drives back in proportion to the displacement.
+fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, RejectionReason> {
+    let (at_rest, place) = (force.at_rest(), at.digits());
+    let about = Neighbourhood::new(&at_rest, &force.x, at);
+    let frequency = |passed: bool| match (passed, returns(force, at)) {
+        (false, _) => FrequencySource::Nothing,
+        (true, true) => FrequencySource::Orbits,
+        (true, false) => FrequencySource::Motion,
+    };
+    let rough = || RejectionReason::NotAnalytic {
+        roughness: about.as_ref().map_or(Roughness::Other, Neighbourhood::roughness),
+        force: about.as_ref().and_then(Neighbourhood::tendency),
+        frequency: frequency(about.as_ref().is_some_and(Neighbourhood::is_analytic_on_both_sides)),
+    };
+    if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&place)) {
+        return Err(rough());
+    }
+    let omega0_squared = value_at(force, &force.stiffness(), at).ok_or_else(rough)?;
+    if omega0_squared.is_positive() {
+        return Ok(omega0_squared);
+    }
+    if omega0_squared.exact().is_some_and(Rational::is_zero) {
+        let force = about.as_ref().and_then(Neighbourhood::tendency);
+        return Err(RejectionReason::NoLinearPart { force, frequency: frequency(true) });
+    }
+    Err(RejectionReason::NotRestoring { omega0_squared: omega0_squared.to_string() })
+}
+
+/// Whether motions about a place are proved to run back as they came, as such or seen in a mirror.
+fn returns(force: &Force, at: &Constant) -> bool {
+    force.is_reversible() || at.exact().is_some_and(|place| force.is_mirrored_about(place))
+}
+
+/// Refuses forces that take or give energy.
+fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
+    if returns(force, at) {
+        return Ok(());
+    }
+    let damping = value_at(force, &force.damping(), at).filter(|it| it.to_f64() != 0.0);
+    Err(damping.map_or(RejectionReason::Irreversible, |damping| RejectionReason::Damped {
+        damping: damping.to_string(),
+    }))
+}
+
+/// The value of a formula at a constant; one that is zero to its digits is zero.
+fn value_at(force: &Force, formula: &Expression, at: &Constant) -> Option<Constant> {
+    let curve = Curve::new(formula, &force.x)?;
+    match at {
+        Constant::Exact(place) => curve.constant_at(place),
+        Constant::Approximate(Approximation(place)) => {
+            let value = curve.precisely_at(place)?;
+            let zero = is_tiny(&value).then(|| Rational::from(0));
+            let exact = formula.to_rational().or(zero).map(Constant::Exact);
+            Some(exact.unwrap_or(Constant::Approximate(Approximation(value))))
+        }
+    }
+}

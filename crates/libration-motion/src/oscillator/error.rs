@@ -1,0 +1,214 @@
+//! Why an equation is no oscillator.
+
+use super::neighbourhood::{Roughness, Tendency};
+use super::roots::SEARCHED;
+use libration_numbers::expression::{EquationError, NotSecondOrder};
+
+/// Why an equation of motion cannot be taken as an oscillator about an equilibrium.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OscillatorError {
+    /// An equation or values that are not understood.
+    #[error(transparent)]
+    Equation(#[from] EquationError),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
+    /// More than one variable.
+    #[error(
+        "there are {} variables, {}: give one equation of motion, or compute normal modes (libration modes)",
+        names.len(),
+        names.join(", ")
+    )]
+    SeveralVariables {
+        /// Their names.
+        names: Vec<String>,
+    },
+    /// The time itself in the equation.
+    #[error(
+        "the acceleration depends on t: leave the driving out, or simulate the motion (libration simulate)"
+    )]
+    DependsOnTime,
+    /// Parameters that have no value.
+    #[error(
+        "no value is given for {}: give one, such as {}=0.1 (only the strength of a self-excitation may stay open, such as mu in \
+             x'' - mu*(1-x^2)*x' + x = 0)",
+        names.join(", "),
+        names.first().map_or("mu", String::as_str)
+    )]
+    WithoutValue {
+        /// Their names.
+        names: Vec<String>,
+    },
+    /// A self-excitation of what is no linear oscillator.
+    #[error(
+        "a limit cycle is expanded in {parameter} only about a linear oscillator with rational coefficients, such as x'' = -2*x, and at {parameter} = 0 the \
+             equation is {variable}'' = {left}: give {parameter} a value and simulate the motion (libration simulate)"
+    )]
+    ExcitedNonlinear {
+        /// The open parameter.
+        parameter: String,
+        /// The variable.
+        variable: String,
+        /// The acceleration at strength zero.
+        left: String,
+    },
+    /// An open parameter that is more than the strength of a self-excitation.
+    #[error(
+        "{parameter} has no value, and is not the strength of a self-excitation, as the acceleration is not the same when both {parameter} and the velocity change sign: give it a value, such as {parameter}=0.1"
+    )]
+    NoStrength {
+        /// The open parameter.
+        parameter: String,
+    },
+    /// A force without values.
+    #[error("the acceleration at rest has no value at any place looked at, from -{SEARCHED} to {SEARCHED}")]
+    NoValues,
+    /// A force that vanishes nowhere.
+    #[error("there is no equilibrium to oscillate about: the acceleration at rest never passes through zero")]
+    NoEquilibrium,
+    /// A force that was not seen to vanish.
+    #[error(
+        "no equilibrium is found: from -{SEARCHED} to {SEARCHED}, where one is looked for, the acceleration at rest does not \
+         pass through zero; if there is one further out, give it, such as --about {}",
+        2.0 * SEARCHED
+    )]
+    NotFound,
+    /// Equilibria, but none that can be expanded about.
+    #[error("there is no expansion about any equilibrium: {}", list(.0))]
+    NoStableEquilibrium(Vec<RejectedEquilibrium>),
+    /// What is given as the equilibrium is no constant.
+    #[error("`{place}` is not a position: {why}")]
+    NotAPlace {
+        /// What is given, shortened.
+        place: String,
+        /// The reason.
+        why: String,
+    },
+    /// A place given as the equilibrium where the force does not vanish.
+    #[error("there is no equilibrium at {at}: the acceleration does not vanish there or nearby")]
+    NotAnEquilibrium {
+        /// The place, shortened.
+        at: String,
+    },
+}
+
+/// Why there are no oscillations about an equilibrium.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("at {at} {reason}")]
+pub struct RejectedEquilibrium {
+    /// The place.
+    pub at: String,
+    /// The reason.
+    pub reason: RejectionReason,
+}
+
+/// What is wrong with an equilibrium.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RejectionReason {
+    /// The force drives away.
+    #[error("the force points away from it: omega0^2 is {omega0_squared} and must be positive")]
+    NotRestoring {
+        /// −∂F/∂x.
+        omega0_squared: String,
+    },
+    /// The force has no linear part.
+    #[error("{}", without_linear_part(*.force, *.frequency))]
+    NoLinearPart {
+        /// Which way it drives all the same, where that is known.
+        force: Option<Tendency>,
+        /// What finds a frequency there.
+        frequency: FrequencySource,
+    },
+    /// The force has no power series there.
+    #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.frequency))]
+    NotAnalytic {
+        /// What is wrong with it.
+        roughness: Roughness,
+        /// Which way it drives all the same, where that is known.
+        force: Option<Tendency>,
+        /// What finds a frequency there.
+        frequency: FrequencySource,
+    },
+    /// The force jumps between two straight lines.
+    #[error(
+        "the force jumps from {jump} to -{jump}: the frequency grows without limit as the amplitude A goes to zero, and has no expansion in it. \
+         The motion is made of circular arcs with omega^2 = {omega_squared}, and its period is exactly 4/omega*arccos(k/(k + omega^2*A)), k = {jump}; \
+         the frequency at any amplitude is found without an expansion (libration backbone)"
+    )]
+    CircularArcs {
+        /// k of the force −k·sign(x) − ω²·x.
+        jump: String,
+        /// ω².
+        omega_squared: String,
+    },
+    /// Energy is lost or won in small oscillations.
+    #[error(
+        "small motions {}, because the acceleration contains {damping} times the velocity: simulate them (libration simulate); for an expansion leave \
+             that term out, or leave its strength open, as in c*x' (libration expand --damping-order 2)",
+        if damping.starts_with('-') { "decay" } else { "grow" }
+    )]
+    Damped {
+        /// ∂F/∂x′.
+        damping: String,
+    },
+    /// Energy is lost or won in larger ones, or it cannot be excluded.
+    #[error(
+        "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement, so that motions \
+         may decay or grow: simulate them (libration simulate)"
+    )]
+    Irreversible,
+}
+
+/// What finds the frequency of oscillations that have no expansion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrequencySource {
+    /// An orbit for each amplitude.
+    Orbits,
+    /// The motion in time.
+    Motion,
+    /// Neither, as integration does not pass the equilibrium.
+    Nothing,
+}
+
+impl FrequencySource {
+    fn advice(self) -> &'static str {
+        match self {
+            Self::Orbits => ": the frequency at any amplitude is found without one (libration backbone)",
+            Self::Motion => ": the motion is followed without one (libration simulate)",
+            Self::Nothing => "",
+        }
+    }
+}
+
+fn without_linear_part(force: Option<Tendency>, frequency: FrequencySource) -> String {
+    match force {
+        Some(Tendency::Back) => format!(
+            "the restoring force has no linear part: omega0^2 is 0, so that the frequency goes to zero with the amplitude and has no \
+             expansion{}",
+            frequency.advice()
+        ),
+        Some(Tendency::Away) => "the force points away from it, with omega0^2 = 0".to_owned(),
+        Some(Tendency::OneWay) => "the force points the same way on both sides, with omega0^2 = 0".to_owned(),
+        Some(Tendency::None) => "there is no force anywhere near it: omega0^2 is 0".to_owned(),
+        None => "omega0^2 is 0 and must be positive".to_owned(),
+    }
+}
+
+fn without_series(force: Option<Tendency>, frequency: FrequencySource) -> String {
+    match force {
+        Some(Tendency::Back) => format!("; the force points back to it{}", frequency.advice()),
+        Some(Tendency::Away) => "; the force points away from it".to_owned(),
+        Some(Tendency::OneWay) => "; the force points the same way on both sides".to_owned(),
+        _ => String::new(),
+    }
+}
+
+fn list(refusals: &[RejectedEquilibrium]) -> String {
+    const SHOWN: usize = 5;
+    let shown: Vec<String> = refusals.iter().take(SHOWN).map(RejectedEquilibrium::to_string).collect();
+    let more = refusals.len().saturating_sub(SHOWN);
+    let rest = if more > 0 { format!("; and {more} more") } else { String::new() };
+    shown.join("; ") + &rest
+}

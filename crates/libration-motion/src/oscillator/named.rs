@@ -1,0 +1,84 @@
+//! The oscillators that can be asked for by name.
+
+use super::{Oscillator, OscillatorError};
+use libration_numbers::expression::{Equation, EquationError, Expression};
+use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
+
+/// An oscillator of the literature, as data.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::NamedOscillator;
+/// let duffing = NamedOscillator::by_key("duffing")?;
+/// let oscillator = duffing.oscillator(&[("epsilon", "0.1".parse()?)])?;
+/// assert_eq!(oscillator.acceleration().to_string(), "-x - 0.1*x^3");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct NamedOscillator {
+    /// The name it is asked for by.
+    pub key: &'static str,
+    /// Other names for it.
+    pub also: &'static [&'static str],
+    /// What it is called in a sentence.
+    pub title: &'static str,
+    /// Its equation of motion.
+    pub equation: &'static str,
+    /// The parameters in it.
+    pub parameters: &'static [NamedParameter],
+    /// The parameter in which a limit cycle is expanded; it keeps no value.
+    pub expansion_parameter: Option<&'static str>,
+    /// What it describes.
+    pub description: &'static str,
+    /// Which motions are oscillations about the equilibrium.
+    pub domain: &'static str,
+    /// Where it comes from; `attributed to` where that is not read but remembered.
+    pub source: &'static str,
+}
+
+impl Named for NamedOscillator {
+    const KIND: &'static str = "oscillator";
+    const OTHERWISE: &'static str = "; or write its equation, such as x'' + sin(x) = 0";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.key).chain(self.also.iter().copied())
+    }
+}
+
+impl NamedOscillator {
+    /// The equation with these values of parameters, the default values for the others; an expansion parameter that is
+    /// not given stays.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn equation_with(&self, values: &[(&str, Expression)]) -> Result<Equation, EquationError> {
+        self.equation_with_letters(values, &[])
+    }
+
+    /// The same where parameters of these names stay letters.
+    ///
+    /// # Errors
+    /// As [`equation_with`](Self::equation_with), or a letter that is no parameter, or has a value.
+    pub fn equation_with_letters(
+        &self,
+        values: &[(&str, Expression)],
+        letters: &[&str],
+    ) -> Result<Equation, EquationError> {
+        let given = self.equation.parse::<Equation>()?.with(values)?;
+        let letters = given.parameters_called(letters)?;
+        let mut open = given.parameters();
+        open.retain(|name| !letters.contains(name));
+        let open = self.parameters.iter().filter(|it| open.contains(it.name));
+        let open = open.filter(|it| Some(it.name) != self.expansion_parameter);
+        let defaults = open.map(|it| Ok((it.name, it.default.parse()?)));
+        given.with(&defaults.collect::<Result<Vec<_>, EquationError>>()?)
+    }
+
+    /// The oscillator about its equilibrium, with these values of parameters.
+    ///
+    /// # Errors
+    /// As [`equation_with`](Self::equation_with) and [`Oscillator::new`].
+    pub fn oscillator(&self, values: &[(&str, Expression)]) -> Result<Oscillator, OscillatorError> {
+        Oscillator::new(&self.equation_with(values)?)
+    }
+}

@@ -1,0 +1,205 @@
+//! The force at rest next to a place where it vanishes, where its derivatives there do not tell.
+
+use super::constant::{Approximation, Constant, PRECISION};
+use super::force::{Curve, simplest_about};
+use libration_numbers::algebra::{BigFloat, Rational, Rationals, Ring};
+use libration_numbers::{
+    expression::{Expression, Symbol},
+    internals::expression::Side,
+};
+
+/// Which way a force drives next to a place where it vanishes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tendency {
+    /// Back to the place, from both sides.
+    Back,
+    /// Away from it, on both sides.
+    Away,
+    /// The same way on both sides.
+    OneWay,
+    /// No way: it vanishes all about the place.
+    None,
+}
+
+/// What is wrong with the derivative of a force where it has no power series.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Roughness {
+    /// No real values on one side.
+    #[error("it has no value {0} the place")]
+    Edge(&'static str),
+    /// Values that do not come near zero.
+    #[error("it jumps")]
+    Jump,
+    /// Two slopes.
+    #[error("it has a kink, its slope being {below} below and {above} above")]
+    Kink {
+        /// The slope on the side of smaller values.
+        below: String,
+        /// The slope on the side of larger values.
+        above: String,
+    },
+    /// No finite slope.
+    #[error("its slope is infinite")]
+    Steep,
+    /// A slope, and so ω0², but no power series.
+    #[error("it has a derivative, omega0^2 being {omega0_squared}, but not all derivatives")]
+    Slope {
+        /// −∂F/∂x.
+        omega0_squared: String,
+    },
+    /// Anything else.
+    #[error("it is not smooth")]
+    Other,
+}
+
+/// The side of a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Towards {
+    Below,
+    Above,
+}
+
+/// The force at rest about a place where it vanishes.
+pub(super) struct Neighbourhood<'a> {
+    curve: Curve<'a>,
+    at_rest: &'a Expression,
+    x: &'a Symbol,
+    at: &'a Constant,
+}
+
+/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power
+/// is too weak there to be told from the rounding of [`PRECISION`] bits.
+const TRIED: [usize; 3] = [40, 20, 8];
+/// Forces of fewer than two to this power may be rounding.
+const NOISE: isize = -460;
+/// Distances at which slopes are measured, as powers of two. Between them a power of the distance like √h changes by
+/// 2²⁰ and more, and what is analytic by 2⁻¹⁰⁰ of itself.
+const NEAR: [usize; 2] = [100, 140];
+
+impl<'a> Neighbourhood<'a> {
+    pub(super) fn new(at_rest: &'a Expression, x: &'a Symbol, at: &'a Constant) -> Option<Self> {
+        Some(Self { curve: Curve::new(at_rest, x)?, at_rest, x, at })
+    }
+
+    /// Which way the force drives; `None` where that cannot be told.
+    pub(super) fn tendency(&self) -> Option<Tendency> {
+        let signs = TRIED.iter().filter_map(|&n| {
+            Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?)).filter(|it| *it != (0, 0))
+        });
+        match signs.into_iter().next() {
+            Some((1, -1)) => Some(Tendency::Back),
+            Some((-1, 1)) => Some(Tendency::Away),
+            Some((below, above)) => (below == above).then_some(Tendency::OneWay),
+            None => self.at_rest.vanishes().then_some(Tendency::None),
+        }
+    }
+
+    /// The sign of the force; zero where it is not told from zero.
+    fn sign(&self, side: Towards, n: usize) -> Option<i8> {
+        let sign = |positive: bool| if positive { 1 } else { -1 };
+        match self.value(side, n)? {
+            Constant::Exact(value) if value.is_zero() => Some(0),
+            Constant::Exact(value) => Some(sign(!value.is_negative())),
+            value => {
+                let digits = value.digits();
+                let told = digits.exponent().is_some_and(|size| size > NOISE);
+                Some(if told { sign(value.is_positive()) } else { 0 })
+            }
+        }
+    }
+
+    /// The force at the distance 2⁻ⁿ.
+    fn value(&self, side: Towards, n: usize) -> Option<Constant> {
+        match (self.at, step(side, n)) {
+            (Constant::Exact(place), step) => self.curve.constant_at(&Rationals.add(place, &step)),
+            (place, step) => {
+                let near = place.digits() + BigFloat::from_rational(&step, PRECISION);
+                self.curve.precisely_at(&near).map(|value| Constant::Approximate(Approximation(value)))
+            }
+        }
+    }
+
+    /// What is wrong with the derivative.
+    pub(super) fn roughness(&self) -> Roughness {
+        match (self.slope(Towards::Below), self.slope(Towards::Above)) {
+            (OneSided::NoValue, OneSided::NoValue) => Roughness::Edge("on either side of"),
+            (OneSided::NoValue, _) => Roughness::Edge("below"),
+            (_, OneSided::NoValue) => Roughness::Edge("above"),
+            (OneSided::Jump, _) | (_, OneSided::Jump) => Roughness::Jump,
+            (OneSided::Slope(below), OneSided::Slope(above)) if agree(&below, &above) => {
+                Roughness::Slope { omega0_squared: short(&-above) }
+            }
+            (OneSided::Slope(below), OneSided::Slope(above)) => {
+                Roughness::Kink { below: short(&below), above: short(&above) }
+            }
+            (OneSided::Infinite, _) | (_, OneSided::Infinite) => Roughness::Steep,
+            _ => Roughness::Other,
+        }
+    }
+
+    fn slope(&self, side: Towards) -> OneSided {
+        let values: Option<Vec<BigFloat>> =
+            NEAR.iter().map(|&n| self.value(side, n).map(|value| value.digits())).collect();
+        let Some(values) = values else { return OneSided::NoValue };
+        // What goes to zero like any power of the distance above 1/1000 is smaller by 2 % at least.
+        if size(&values[1]) > 0.99 * size(&values[0]) && size(&values[0]) > 0.0 {
+            return OneSided::Jump;
+        }
+        let quotients: Vec<BigFloat> = values
+            .into_iter()
+            .zip(NEAR)
+            .map(|(value, n)| value / BigFloat::from_rational(&step(side, n), PRECISION))
+            .collect();
+        let (far, near) = (size(&quotients[0]), size(&quotients[1]));
+        if agree(&quotients[0], &quotients[1]) || near < 1e-3 * far {
+            let zero = near < 1e-9;
+            return OneSided::Slope(if zero {
+                BigFloat::from_integer(0, PRECISION)
+            } else {
+                quotients[1].clone()
+            });
+        }
+        if near > 1.2 * far { OneSided::Infinite } else { OneSided::Unclear }
+    }
+
+    /// Whether absolute values and signs are all that is rough, so that integration passes the place.
+    pub(super) fn is_analytic_on_both_sides(&self) -> bool {
+        let (symbols, state) = ([self.x.clone()], [self.at.to_f64()]);
+        [-1, 1].into_iter().all(|sign| {
+            let seen = Side { symbols: &symbols, state: &state, sign }.seen(self.at_rest);
+            Curve::new(&seen, self.x).is_some_and(|curve| curve.is_smooth_at(&self.at.digits()))
+        })
+    }
+}
+
+/// The force on one side.
+enum OneSided {
+    NoValue,
+    Jump,
+    Infinite,
+    Slope(BigFloat),
+    Unclear,
+}
+
+fn size(number: &BigFloat) -> f64 {
+    number.to_f64().abs()
+}
+
+/// ±2⁻ⁿ.
+fn step(side: Towards, n: usize) -> Rational {
+    let distance = Rational::from(1).divided_by_power_of_two(n);
+    if side == Towards::Below { -distance } else { distance }
+}
+
+/// To nine digits, or both nothing.
+fn agree(a: &BigFloat, b: &BigFloat) -> bool {
+    let gap = size(&(a.clone() - b.clone()));
+    gap <= 1e-9 * size(a).max(size(b)) || size(a).max(size(b)) < 1e-9
+}
+
+/// A slope as a fraction of few digits, or in twelve.
+fn short(slope: &BigFloat) -> String {
+    let simplest = simplest_about(slope, 60);
+    if simplest.bits() <= 24 { Expression::Number(simplest).to_string() } else { simplest.to_decimal(12) }
+}

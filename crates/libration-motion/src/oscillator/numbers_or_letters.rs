@@ -1,0 +1,61 @@
+//! Oscillators whose parameters have values or stay letters, whichever they are.
+
+use super::{Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError};
+use libration_numbers::expression::{Equation, Expression};
+
+/// An oscillator whose parameters have values, or one with letters.
+#[derive(Clone, Debug)]
+pub enum NumbersOrLetters {
+    /// Every parameter has a value.
+    Numbers(Oscillator),
+    /// Some have none.
+    Letters(SymbolicOscillator),
+}
+
+/// Why an equation is no oscillator, with numbers or with letters.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NumbersOrLettersError {
+    /// With numbers.
+    #[error(transparent)]
+    Numbers(#[from] OscillatorError),
+    /// With letters.
+    #[error(transparent)]
+    Letters(#[from] SymbolicOscillatorError),
+}
+
+impl NumbersOrLetters {
+    /// The oscillator about a place, or about the stable equilibrium nearest to zero; with letters where parameters have no value, unless the
+    /// parameter is the strength of a self-excitation.
+    ///
+    /// # Errors
+    /// What an oscillator with numbers lacks; where it lacks only values, what one with letters lacks.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::oscillator::NumbersOrLetters;
+    /// let of = |text: &str| NumbersOrLetters::new(&text.parse().unwrap(), None);
+    /// assert!(matches!(of("x'' + 2*x + x^3 = 0"), Ok(NumbersOrLetters::Numbers(_))));
+    /// assert!(matches!(of("x'' + k*x + x^3 = 0"), Ok(NumbersOrLetters::Letters(_))));
+    /// assert!(of("x'' - x = 0").is_err());
+    /// ```
+    pub fn new(equation: &Equation, about: Option<&Expression>) -> Result<Self, NumbersOrLettersError> {
+        let numbers = match about {
+            None => Oscillator::new(equation),
+            Some(place) => Oscillator::about(equation, place),
+        };
+        let numbers = match numbers {
+            Ok(oscillator) => return Ok(Self::Numbers(oscillator)),
+            Err(error) if equation.parameters().is_empty() => return Err(error.into()),
+            Err(error) => error,
+        };
+        let letters = match about {
+            None => SymbolicOscillator::new(equation),
+            Some(place) => SymbolicOscillator::about(equation, place),
+        };
+        match (letters, numbers) {
+            (Ok(oscillator), _) => Ok(Self::Letters(oscillator)),
+            (Err(error), OscillatorError::WithoutValue { .. }) => Err(error.into()),
+            (Err(_), error) => Err(error.into()),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Places where a function of one variable vanishes, to double precision.
+
+use libration_numbers::internals::roots::sign_change;
+
+/// The interval searched for zeros of what is no polynomial.
+pub(super) const SEARCHED: f64 = 10.0;
+/// The pieces it is cut into; of two zeros within one piece both are missed.
+const PIECES: i32 = 2000;
+/// Polynomials up to this degree are searched everywhere.
+pub(super) const LARGEST_DEGREE: usize = 40;
+
+/// What a search has seen of a function.
+pub(super) struct Scan {
+    /// Where it changes its sign through zero, ascending.
+    pub(super) zeros: Vec<f64>,
+    /// Whether it has a value anywhere.
+    pub(super) has_values: bool,
+}
+
+/// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`].
+pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Scan {
+    let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
+    let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
+    let mut found: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
+    for pair in values.windows(2) {
+        let ((a, fa), (b, fb)) = (pair[0], pair[1]);
+        if fa * fb < 0.0 {
+            let zero = sign_change(&f, [a, b]);
+            // At a pole the function grows where it changes sign.
+            found.extend(Some(zero).filter(|&zero| f(zero).abs() <= fa.abs().max(fb.abs())));
+        }
+    }
+    found.sort_by(f64::total_cmp);
+    Scan { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn poles_are_no_zeros() {
+        assert!(zeros(|x| 1.0 / (x - 0.123)).zeros.is_empty());
+        assert!(!zeros(|_| f64::NAN).has_values);
+        let found = zeros(|x| libm::exp(x) - 2.0).zeros;
+        assert!((found[0] - core::f64::consts::LN_2).abs() < 1e-15 && found.len() == 1);
+    }
+}

@@ -1,0 +1,322 @@
+//! Oscillators whose parameters stay letters.
+
+use std::fmt;
+
+use super::OscillatorError;
+use super::force::Force;
+use super::model::{Kind, force};
+use super::named_constants::{NamedConstants, free_name, value_of};
+use libration_numbers::algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring};
+use libration_numbers::quantity::excerpt;
+use libration_numbers::{
+    expression::{Equation, Expression, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// An oscillator about an equilibrium that is known in letters: parameters without values, which stand for positive
+/// numbers wherever a root is taken.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::SymbolicOscillator;
+/// let oscillator = SymbolicOscillator::new(&"x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?)?;
+/// assert_eq!(oscillator.letters(), ["a", "b", "w"]);
+/// assert_eq!(oscillator.omega0_squared().to_string(), "w^2");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SymbolicOscillator {
+    equation: Equation,
+    /// With the displacement counted from the equilibrium.
+    force: Force,
+    kind: Kind,
+    odd: bool,
+    letters: Vec<String>,
+    constants: Vec<(String, Expression)>,
+    ring: LaurentPolynomials,
+    /// The acceleration as a function of x, x′ and the letters.
+    tape: Tape,
+    /// The values of the tape's places at the equilibrium.
+    values: Vec<LaurentPolynomial>,
+    equilibrium: LaurentPolynomial,
+    omega0_squared: LaurentPolynomial,
+}
+
+impl SymbolicOscillator {
+    /// The oscillator about zero.
+    ///
+    /// # Errors
+    /// Several variables, the time in the equation, or what allows no expansion in letters.
+    pub fn new(equation: &Equation) -> Result<Self, SymbolicOscillatorError> {
+        Self::about(equation, &Expression::from(0))
+    }
+
+    /// The oscillator about an equilibrium given as a formula of the letters.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn about(equation: &Equation, place: &Expression) -> Result<Self, SymbolicOscillatorError> {
+        let force = force(equation)?;
+        let names: Vec<String> = equation.parameters().into_iter().collect();
+        Self::of_letters(equation, &force, place, &names).map_err(|reason| {
+            let variable = force.x.name.clone();
+            SymbolicOscillatorError::NoExpansion { names, variable, at: excerpt(&place.to_string()), reason }
+        })
+    }
+
+    fn of_letters(
+        equation: &Equation,
+        force: &Force,
+        place: &Expression,
+        names: &[String],
+    ) -> Result<Self, NoSymbolicExpansion> {
+        let mut force = Force { formula: counted_from(&force.formula, &force.x, place), ..force.clone() };
+        let variables = [force.x.clone(), force.velocity.clone()];
+        let mut named = NamedConstants::new(&variables, names);
+        force.formula = named.named(&force.formula);
+        let constants = named.constants;
+        let mut in_ring: Vec<String> =
+            names.iter().chain(constants.iter().map(|(name, _)| name)).cloned().collect();
+        in_ring.push(free_name("omega0", &in_ring));
+        let ring = LaurentPolynomials::new(in_ring);
+        let equilibrium = value_of(&ring, place).ok_or(NoSymbolicExpansion::NoSeries)?;
+        let zero = Rational::from(0);
+        let kind = match (force.uses_velocity(), force.is_reversible(), force.is_mirrored_about(&zero)) {
+            (false, ..) => Some(Kind::Conservative),
+            (true, true, _) => Some(Kind::Reversible),
+            (true, false, true) => Some(Kind::Mirrored),
+            (true, false, false) => None,
+        };
+        if kind == Some(Kind::Conservative) {
+            force.formula = force.at_rest();
+        }
+        let tape = tape(&force, &ring).ok_or(NoSymbolicExpansion::NoSeries)?;
+        let AtRest { values, slope, damping } =
+            AtRest::new(&ring, &tape).ok_or(NoSymbolicExpansion::NoSeries)?;
+        let vanishing = &values[tape.results()[0]];
+        if !vanishing.is_zero() {
+            return Err(NoSymbolicExpansion::NotAtRest { acceleration: excerpt(&vanishing.to_string()) });
+        }
+        if !damping.is_zero() {
+            return Err(NoSymbolicExpansion::Damped { damping: excerpt(&damping.to_string()) });
+        }
+        let kind = kind.ok_or(NoSymbolicExpansion::Irreversible)?;
+        let omega0_squared = stiffness(&ring, &slope)?;
+        let odd = force.is_odd_about(&zero);
+        let (equation, letters) = (equation.clone(), names.to_vec());
+        Ok(Self {
+            equation,
+            force,
+            kind,
+            odd,
+            letters,
+            constants,
+            ring,
+            tape,
+            values,
+            equilibrium,
+            omega0_squared,
+        })
+    }
+
+    /// The equation, as it was understood.
+    #[must_use]
+    pub fn equation(&self) -> &Equation {
+        &self.equation
+    }
+
+    /// The name of the variable.
+    #[must_use]
+    pub fn variable(&self) -> &str {
+        &self.force.x.name
+    }
+
+    /// The names of the parameters without values.
+    #[must_use]
+    pub fn letters(&self) -> &[String] {
+        &self.letters
+    }
+
+    /// The names that stand for constants which are no products of letters, with these: c1 for √2, pi for π.
+    #[must_use]
+    pub fn constants(&self) -> &[(String, Expression)] {
+        &self.constants
+    }
+
+    /// Where it rests.
+    #[must_use]
+    pub fn equilibrium(&self) -> &LaurentPolynomial {
+        &self.equilibrium
+    }
+
+    /// ω0², the square of the frequency of small oscillations.
+    #[must_use]
+    pub fn omega0_squared(&self) -> &LaurentPolynomial {
+        &self.omega0_squared
+    }
+
+    /// Whether energy is conserved, or each motion runs back as it came.
+    #[must_use]
+    pub fn kind(&self) -> &Kind {
+        &self.kind
+    }
+
+    /// Whether the acceleration is proved to be the opposite at the opposite displacement.
+    #[must_use]
+    pub fn is_odd(&self) -> bool {
+        self.odd
+    }
+
+    /// The acceleration, the displacement counted from the equilibrium.
+    #[doc(hidden)]
+    pub fn acceleration(&self) -> &Expression {
+        &self.force.formula
+    }
+
+    /// The ring of the letters, the named constants and, behind them, ω0.
+    #[doc(hidden)]
+    pub fn ring(&self) -> &LaurentPolynomials {
+        &self.ring
+    }
+
+    #[doc(hidden)]
+    pub fn tape(&self) -> &Tape {
+        &self.tape
+    }
+
+    #[doc(hidden)]
+    pub fn values(&self) -> &[LaurentPolynomial] {
+        &self.values
+    }
+}
+
+/// What the tape says about rest.
+struct AtRest {
+    values: Vec<LaurentPolynomial>,
+    /// ∂F/∂x.
+    slope: LaurentPolynomial,
+    /// ∂F/∂x′.
+    damping: LaurentPolynomial,
+}
+
+impl AtRest {
+    fn new(ring: &LaurentPolynomials, tape: &Tape) -> Option<Self> {
+        let letters = (0..tape.inputs() - 2).map(|number| ring.letter(number));
+        let inputs: Vec<LaurentPolynomial> = [ring.zero(), ring.zero()].into_iter().chain(letters).collect();
+        let jet = Jet::new(ring, tape, &inputs).ok()?;
+        let result = tape.results()[0];
+        let gain = |input: usize| Some(jet.gains(input).ok()?.swap_remove(result));
+        let (slope, damping) = (gain(0)?, gain(1)?);
+        let values: Vec<LaurentPolynomial> = jet.values().cloned().collect();
+        let known = values.iter().chain([&slope, &damping]).all(|value| !value.is_beyond_limit());
+        known.then_some(Self { values, slope, damping })
+    }
+}
+
+/// The acceleration in x, x′ and the letters.
+fn tape(force: &Force, ring: &LaurentPolynomials) -> Option<Tape> {
+    let letters = ring.letters().split_last()?.1.iter().map(|name| Symbol::plain(name));
+    let inputs: Vec<Symbol> = [force.x.clone(), force.velocity.clone()].into_iter().chain(letters).collect();
+    Tape::new(&[&force.formula], &inputs).ok()
+}
+
+/// ω0², if it is positive for some positive values of the letters.
+fn stiffness(
+    ring: &LaurentPolynomials,
+    slope: &LaurentPolynomial,
+) -> Result<LaurentPolynomial, NoSymbolicExpansion> {
+    let omega0_squared = ring.negate(slope);
+    if omega0_squared.is_zero() {
+        return Err(NoSymbolicExpansion::NoLinearPart);
+    }
+    if omega0_squared.terms().all(|(factor, _)| factor.is_negative()) {
+        return Err(NoSymbolicExpansion::Unstable { omega0_squared: excerpt(&omega0_squared.to_string()) });
+    }
+    Ok(omega0_squared)
+}
+
+fn counted_from(formula: &Expression, x: &Symbol, place: &Expression) -> Expression {
+    if *place == Expression::from(0) {
+        return formula.clone();
+    }
+    let shifted = Expression::Add(Box::new(Expression::Symbol(x.clone())), Box::new(place.clone()));
+    formula.substitute(x, &shifted)
+}
+
+/// Why an oscillator with letters has no expansion.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SymbolicOscillatorError {
+    /// What holds with values too.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// What values may mend.
+    #[error(
+        "no value is given for {}: give one, such as {}=0.1; letters allow no expansion about {variable} = {at}, because {reason}",
+        names.join(", "),
+        names.first().map_or("mu", String::as_str)
+    )]
+    NoExpansion {
+        /// The parameters without values.
+        names: Vec<String>,
+        /// The variable.
+        variable: String,
+        /// The place that was to be the equilibrium.
+        at: String,
+        /// Why not.
+        reason: NoSymbolicExpansion,
+    },
+}
+
+/// What letters do not allow.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoSymbolicExpansion {
+    /// Something is no Laurent polynomial in the letters and their roots.
+    NoSeries,
+    /// The acceleration does not vanish there.
+    NotAtRest {
+        /// What it is.
+        acceleration: String,
+    },
+    /// ω0² is zero.
+    NoLinearPart,
+    /// ω0² is negative.
+    Unstable {
+        /// What it is.
+        omega0_squared: String,
+    },
+    /// Energy is lost or won in small oscillations.
+    Damped {
+        /// ∂F/∂x′.
+        damping: String,
+    },
+    /// Energy is lost or won in larger ones.
+    Irreversible,
+}
+
+impl fmt::Display for NoSymbolicExpansion {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSeries => formatter.write_str(
+                "not all coefficients of the acceleration by powers of the displacement are sums of products of letters, their powers and roots",
+            ),
+            Self::NotAtRest { acceleration } => write!(
+                formatter,
+                "the acceleration there is {acceleration}, which is not zero for all values: name the equilibrium as a formula of the letters"
+            ),
+            Self::NoLinearPart => formatter.write_str("omega0^2 is 0: the restoring force has no linear part"),
+            Self::Unstable { omega0_squared } => {
+                write!(formatter, "omega0^2 = {omega0_squared} is negative where the letters are positive")
+            }
+            Self::Damped { damping } => {
+                write!(formatter, "the acceleration contains {damping} times the velocity")
+            }
+            Self::Irreversible => {
+                formatter.write_str(
+                    "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement",
+                )
+            }
+        }
+    }
+}

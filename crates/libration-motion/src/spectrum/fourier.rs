@@ -1,0 +1,56 @@
+//! The fast Fourier transform.
+
+use libration_numbers::algebra::Complex;
+use std::f64::consts::TAU;
+
+/// Σ xₙ e^{−2πikn/N} for all k, where N is a power of two (Cooley and Tukey, Math. Comp. 19, 297, 1965).
+pub(super) fn transform(values: &[Complex]) -> Vec<Complex> {
+    let length = values.len();
+    debug_assert!(length.is_power_of_two(), "a transform of {length} numbers");
+    let mut sums = bit_reversed(values);
+    let mut half = 1;
+    while half < length {
+        let factors: Vec<Complex> = (0..half).map(|k| Complex::unit(-0.5 * TAU * part(k, half))).collect();
+        for block in sums.chunks_exact_mut(2 * half) {
+            let (even, odd) = block.split_at_mut(half);
+            for ((a, b), factor) in even.iter_mut().zip(odd).zip(&factors) {
+                let turned = *b * *factor;
+                (*a, *b) = (*a + turned, *a - turned);
+            }
+        }
+        half *= 2;
+    }
+    sums
+}
+
+/// The numbers in the order of their reversed places.
+fn bit_reversed(values: &[Complex]) -> Vec<Complex> {
+    let bits = values.len().trailing_zeros();
+    let place = |k: usize| if bits == 0 { 0 } else { k.reverse_bits() >> (usize::BITS - bits) };
+    (0..values.len()).map(|k| values[place(k)]).collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "lengths of lists, far below 2^53")]
+fn part(k: usize, of: usize) -> f64 {
+    k as f64 / of as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_the_sum_of_its_definition() {
+        for length in [1, 2, 4, 64] {
+            let values: Vec<Complex> =
+                (0..length).map(|n| Complex::new(libm::sin(part(n * n, 3)), part(n % 5, 7))).collect();
+            let fast = transform(&values);
+            for (k, fast) in fast.iter().enumerate() {
+                let slow = values.iter().enumerate().fold(Complex::default(), |sum, (n, x)| {
+                    sum + *x * Complex::unit(-TAU * part(k * n % length, length))
+                });
+                assert!((*fast - slow).abs() < 1e-13, "{length} {k}");
+            }
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! The spectrum of a motion: how much of each frequency is in values at evenly spaced times.
+//!
+//! ```
+//! use libration::pendulum::Pendulum;
+//! use libration::spectrum::Spectrum;
+//!
+//! // A pendulum from 120°, over 30 periods: the harmonics 1, 3, 5, … stand out.
+//! let motion = Pendulum::from_angular_frequency(1.0)?.released_from("120deg".parse()?)?;
+//! let interval = 30.0 * motion.period() / 4096.0;
+//! let angles: Vec<f64> = (0..4096_u32).map(|n| motion.state_at(interval * f64::from(n)).angle).collect();
+//! let spectrum = Spectrum::new(&angles, interval)?;
+//! let third = 3.0 * std::f64::consts::TAU / motion.period();
+//! assert!((spectrum.amplitude_at(third) - motion.harmonics(1e-9, 10).terms[1].angle.abs()).abs() < 1e-7);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod fourier;
+mod window;
+
+use crate::taylor::DenseSolution;
+use libration_numbers::algebra::Complex;
+use std::f64::consts::TAU;
+
+/// The amplitude of the oscillations of each frequency in a motion.
+///
+/// The values are weighted by Kaiser's window (Kaiser and Schafer, IEEE Trans. ASSP 28, 105, 1980), so that an oscillation
+/// a·cos(ωt + φ) makes a line of height a, as wide as [`Self::resolution`] says, and beyond it less than
+/// [`Self::SIDE_LOBES`] times a. Oscillations nearer to each other, or to frequency zero, are not told apart. A mean value is the
+/// height at zero. What grows without bound, such as the angle of a rotation, has no spectrum: take its velocity.
+#[derive(Clone, Debug)]
+pub struct Spectrum {
+    weighted: Vec<f64>,
+    interval: f64,
+    amplitudes: Vec<f64>,
+}
+
+/// Why there is no spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoSpectrum {
+    /// Hardly any values.
+    #[error("{0} values are too few for a spectrum: give at least {least}", least = Spectrum::FEWEST)]
+    TooFew(usize),
+    /// A value that is infinite or no number.
+    #[error("{0:?} is among the values: a spectrum needs finite ones")]
+    NotFinite(f64),
+    /// An interval of time that cannot be.
+    #[error("the interval between the values is {0:?} s: give one above zero")]
+    Interval(f64),
+    /// Times at which the motion is not known.
+    #[error(
+        "the motion is not known from {from:?} s to {until:?} s: give times within it, the earlier one first"
+    )]
+    NotKnown {
+        /// The first time asked for.
+        from: f64,
+        /// The last.
+        until: f64,
+    },
+    /// Values that move from one end to the other more than they swing, such as the angle of a rotation.
+    #[error(
+        "the values go from {first:?} to {last:?} and swing little about that: take their rate of change"
+    )]
+    Trend {
+        /// The first value.
+        first: f64,
+        /// The last.
+        last: f64,
+    },
+    /// Oscillations that are faster than the values can show.
+    #[error("{0} values do not show the fastest oscillations: give a shorter time")]
+    NotResolved(usize),
+}
+
+impl Spectrum {
+    /// What a line leaves of its height far from it: the side lobes of the window.
+    pub const SIDE_LOBES: f64 = 2e-8;
+
+    /// Fewer values have no spectrum.
+    pub const FEWEST: usize = 16;
+
+    /// More values are never taken of a motion.
+    pub const MOST: usize = 1 << 20;
+
+    /// The spectrum of values at times `interval` (in seconds) from each other.
+    ///
+    /// # Errors
+    /// Too few values, a value that is not finite, an interval that is not above zero.
+    pub fn new(values: &[f64], interval: f64) -> Result<Self, NoSpectrum> {
+        if values.len() < Self::FEWEST {
+            return Err(NoSpectrum::TooFew(values.len()));
+        }
+        if let Some(value) = values.iter().find(|value| !value.is_finite()) {
+            return Err(NoSpectrum::NotFinite(*value));
+        }
+        if !(interval > 0.0 && interval.is_finite()) {
+            return Err(NoSpectrum::Interval(interval));
+        }
+        let weighted = window::weighted(values);
+        let transform = fourier::transform(&padded(&weighted));
+        let amplitudes = transform[..=transform.len() / 2].iter().map(|z| 2.0 * z.abs()).collect::<Vec<_>>();
+        Ok(Self { weighted, interval, amplitudes: halved_at_zero(amplitudes) })
+    }
+
+    /// The spectrum of one number of the state (a coordinate or, after these, a velocity) of a motion between two times, from
+    /// as many values as it needs: at least two for each step of the integration, and twice as many until the amplitudes at
+    /// the highest frequencies are no more than side lobes.
+    ///
+    /// # Errors
+    /// Times that the motion does not reach, values that grow, or that oscillate faster than [`Self::MOST`] of them show.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::spectrum::Spectrum;
+    /// use libration::taylor::{Effort, System, integrate_dense};
+    /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;
+    /// // Fast enough to turn over: the angle grows, its velocity swings.
+    /// let start = system.start(&[("theta'", 3.0)])?;
+    /// let motion = integrate_dense(&system, &start, 100.0, &Effort::to_tolerance(1e-12))?;
+    /// assert!(Spectrum::of_motion(&motion, 0, [0.0, 100.0]).is_err());
+    /// assert!(Spectrum::of_motion(&motion, 1, [0.0, 100.0]).is_ok());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_motion(
+        motion: &DenseSolution,
+        number: usize,
+        [from, until]: [f64; 2],
+    ) -> Result<Self, NoSpectrum> {
+        let mut count = (2 * motion.steps().len()).clamp(FEWEST_OF_MOTION, Self::MOST);
+        loop {
+            let interval = (until - from) / float(count - 1);
+            // The last time is the one that was given, not the sum of roundings.
+            let time = |place: usize| if place + 1 == count { until } else { from + interval * float(place) };
+            let value = |place| motion.state_at(time(place))?.get(number).copied();
+            let values: Option<Vec<f64>> = (0..count).map(value).collect();
+            let values = values.filter(|_| from < until).ok_or(NoSpectrum::NotKnown { from, until })?;
+            check_trend(&values)?;
+            let spectrum = Self::new(&values, interval)?;
+            if spectrum.is_resolved() {
+                return Ok(spectrum);
+            }
+            count *= 2;
+            if count > Self::MOST {
+                return Err(NoSpectrum::NotResolved(values.len()));
+            }
+        }
+    }
+
+    /// Whether the amplitudes have fallen to what lines leave far from them before the last eighth of the frequencies.
+    fn is_resolved(&self) -> bool {
+        let largest = |amplitudes: &[f64]| amplitudes.iter().copied().fold(0.0, f64::max);
+        let (lower, highest) = self.amplitudes.split_at(self.amplitudes.len() / 8 * 7);
+        largest(highest) <= 2.0 * Self::SIDE_LOBES * largest(lower)
+    }
+
+    /// Angular frequencies (in rad/s, from zero to the highest that the values show) and amplitudes (in the unit of the values),
+    /// at least 50 to the width of a line.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = (f64, f64)> + '_ {
+        let step = self.highest() / float(self.amplitudes.len() - 1);
+        self.amplitudes.iter().enumerate().map(move |(place, amplitude)| (step * float(place), *amplitude))
+    }
+
+    /// The amplitude at an angular frequency (rad/s) above zero.
+    ///
+    /// # Accuracy
+    /// At the frequency of an oscillation its amplitude, to [`Self::SIDE_LOBES`] times the sum of the others' and of its own.
+    #[must_use]
+    pub fn amplitude_at(&self, angular_frequency: f64) -> f64 {
+        let turn = angular_frequency * self.interval;
+        let terms = self.weighted.iter().enumerate();
+        let sum = terms
+            .fold(Complex::default(), |sum, (n, value)| sum + Complex::unit(-turn * float(n)).scaled(*value));
+        2.0 * sum.abs()
+    }
+
+    /// The highest angular frequency that the values show, in rad/s: half a turn from value to value. Faster oscillations appear at
+    /// slower ones.
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        0.5 * TAU / self.interval
+    }
+
+    /// How far from its middle a line ends, in rad/s.
+    #[must_use]
+    pub fn resolution(&self) -> f64 {
+        window::half_width() * TAU / (self.interval * float(self.weighted.len()))
+    }
+}
+
+/// Fewer values make a spectrum of few points.
+const FEWEST_OF_MOTION: usize = 4096;
+
+/// Refuses values whose departure from the line between their ends is less than half of the way between these. Whatever swings
+/// about a mean, at any phases of its ends, departs by at least as much.
+fn check_trend(values: &[f64]) -> Result<(), NoSpectrum> {
+    let (Some(&first), Some(&last)) = (values.first(), values.last()) else { return Ok(()) };
+    let slope = (last - first) / float(values.len() - 1);
+    let departures = values.iter().enumerate().map(|(place, value)| value - first - slope * float(place));
+    let (low, high) = departures.fold((0.0, 0.0), |(low, high): (f64, f64), it| (low.min(it), high.max(it)));
+    if high - low < 0.5 * (last - first).abs() { Err(NoSpectrum::Trend { first, last }) } else { Ok(()) }
+}
+
+/// A mean value is its own mirror image.
+fn halved_at_zero(mut amplitudes: Vec<f64>) -> Vec<f64> {
+    if let Some(mean) = amplitudes.first_mut() {
+        *mean *= 0.5;
+    }
+    amplitudes
+}
+
+/// With zeros behind, to a power of two that is at least twice as long: a line has a half-width of six steps of the
+/// plain transform, and loses less than 0.4 % of its height at the points beside its middle.
+fn padded(values: &[f64]) -> Vec<Complex> {
+    let mut padded: Vec<Complex> = values.iter().map(|value| Complex::from(*value)).collect();
+    padded.resize((4 * values.len()).next_power_of_two(), Complex::default());
+    padded
+}
+
+#[expect(clippy::cast_precision_loss, reason = "numbers of values, far below 2^53")]
+fn float(number: usize) -> f64 {
+    number as f64
+}
+
+#[cfg(test)]
+mod tests;

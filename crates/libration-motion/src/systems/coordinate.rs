@@ -1,0 +1,33 @@
+//! The coordinates of a model with their units.
+
+use libration_numbers::quantity::is_angle_name;
+
+/// A coordinate of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coordinate {
+    /// Its name in the equations: `theta`.
+    pub name: String,
+    /// Its unit: `rad` for an angle, empty where an equation that was typed does not tell.
+    pub unit: String,
+    /// Where it is at rest; zero where no such place is known.
+    pub at_rest: f64,
+}
+
+impl Coordinate {
+    /// A coordinate of which only the name is known.
+    pub(super) fn by_name(name: &str) -> Self {
+        let unit = if is_angle_name(name) { "rad" } else { "" };
+        Self { name: name.to_owned(), unit: unit.to_owned(), at_rest: 0.0 }
+    }
+
+    /// Whether it is an angle, in radians.
+    #[must_use]
+    pub fn is_angle(&self) -> bool {
+        self.unit == "rad"
+    }
+
+    /// The unit of its velocity, with times in seconds; empty where its own is not known.
+    pub(super) fn velocity_unit(&self) -> String {
+        if self.unit.is_empty() { String::new() } else { format!("{}/s", self.unit) }
+    }
+}

@@ -1,0 +1,50 @@
+//! How many bodies a system has, where that is a parameter.
+
+use super::{ModelError, NamedSystem};
+use libration_numbers::expression::Expression;
+
+/// The equations for so many bodies, and the values that stand in them.
+pub(super) struct Counted {
+    pub(super) equations: String,
+    pub(super) values: Vec<(String, Expression)>,
+    /// The count with its value.
+    pub(super) count: Option<(String, Expression)>,
+}
+
+/// The most bodies.
+const MOST: u32 = 1000;
+
+impl Counted {
+    /// Takes the count out of the values of a system.
+    pub(super) fn new(named: &NamedSystem, values: &[(&str, Expression)]) -> Result<Self, ModelError> {
+        let is_count = |name: &str| named.count == Some(name.trim());
+        let others = values.iter().filter(|(name, _)| !is_count(name));
+        let others = others.map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+        let Some(name) = named.count else {
+            return Ok(Self { equations: named.equations.to_owned(), values: others, count: None });
+        };
+        let default = named.parameters.iter().find(|it| it.name == name).map_or("1", |it| it.default);
+        let given = values.iter().find(|(name, _)| is_count(name)).map(|(_, value)| value.clone());
+        let value = given.map_or_else(
+            || default.parse().map_err(libration_numbers::expression::EquationError::from),
+            Ok,
+        )?;
+        let refusal = || ModelError::NotACount { name, value: value.to_string(), most: MOST };
+        let whole = value.to_f64().filter(|n| n.fract() == 0.0 && (1.0..=f64::from(MOST)).contains(n));
+        let number = whole.ok_or_else(refusal)?;
+        let equations = written_out(named.equations, name, number);
+        Ok(Self { equations, values: others, count: Some((name.to_owned(), value)) })
+    }
+}
+
+/// Equations with a number in the place of the count, where it ends a range or counts to an end.
+fn written_out(equations: &str, name: &str, number: f64) -> String {
+    let next = number + 1.0;
+    let ends = [
+        (format!("..{name}"), format!("..{number}")),
+        (format!("[{name}]"), format!("[{number}]")),
+        (format!("[{name}+1]"), format!("[{next}]")),
+    ];
+    ends.iter()
+        .fold(equations.to_owned(), |equations, (by_name, by_number)| equations.replace(by_name, by_number))
+}

@@ -1,0 +1,84 @@
+//! Why there is no such model, or no energy of it.
+
+use libration_numbers::catalogue::UnknownKey;
+use libration_numbers::expression::{EquationError, NotSecondOrder, Symbol, WithoutValue};
+
+/// Why there is no such model.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A key that neither a system nor an oscillator has.
+    #[error("{system}; the keys of oscillators are {}", oscillators.join(", "))]
+    Unknown {
+        /// The systems there are.
+        system: Box<UnknownKey>,
+        /// The keys of the oscillators there are.
+        oscillators: Vec<String>,
+    },
+    /// A power of the velocity that grows without bound at rest.
+    #[error("n = {value} is no power of a velocity: give a number of 0 or more")]
+    NegativePower {
+        /// The power.
+        value: String,
+    },
+    /// A broken power of a velocity that has either sign.
+    #[error(
+        "n = {value} is not a whole number, and a velocity below zero has no such power: give a whole number, or take damped_pendulum, which \
+         has powers of the size of the velocity"
+    )]
+    NotWhole {
+        /// The power.
+        value: String,
+    },
+    /// Three and a half masses.
+    #[error("{name} = {value} is no number of bodies: give a whole number from 1 to {most}")]
+    NotACount {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: String,
+        /// The most.
+        most: u32,
+    },
+    /// Equations or values that are not understood.
+    #[error(transparent)]
+    Equation(#[from] EquationError),
+}
+
+/// Why a model has no energy that is conserved.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoEnergy {
+    /// Damping or driving.
+    #[error("energy is not conserved: it changes by {power} per time")]
+    NotConserved {
+        /// What it gains per time.
+        power: String,
+    },
+    /// A force that depends on velocities or the time.
+    #[error(
+        "the force on {coordinate} depends on {on}: an energy is found for forces of the coordinates only"
+    )]
+    NotOfPlace {
+        /// The coordinate.
+        coordinate: String,
+        /// The velocity, or the time.
+        on: Symbol,
+    },
+    /// Forces with a curl.
+    #[error(
+        "the forces have no potential that could be proved: that on {first} changes with {second} differently from that on {second} with {first}"
+    )]
+    Curl {
+        /// One coordinate.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A parameter without a value.
+    #[error(transparent)]
+    WithoutValue(#[from] WithoutValue),
+    /// An equation of the first order.
+    #[error("the equation for {variable}' is of the first order: an energy is found for accelerations only", variable = .0.variable)]
+    NotSecondOrder(#[from] NotSecondOrder),
+}

@@ -1,0 +1,13 @@
+//! Integrals along straight lines.
+
+use libration_numbers::quadrature::{Integral, gauss_kronrod};
+
+/// The work ∫ F·dx of forces from one state to another, along the straight line between them; of the states the forces have
+/// as many numbers as there are coordinates.
+pub(super) fn work(from: &[f64], to: &[f64], mut forces: impl FnMut(&[f64]) -> Vec<f64>) -> Integral {
+    gauss_kronrod(|s| {
+        let place: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + s * (b - a)).collect();
+        let ways = from.iter().zip(to).map(|(a, b)| b - a);
+        forces(&place).iter().zip(ways).map(|(force, way)| force * way).sum()
+    })
+}

@@ -1,0 +1,342 @@
+//! Equations of motion with their values, and the words for them.
+
+use super::count::Counted;
+use super::{Bodies, Coordinate, Energy, ModelError, NamedSystem, NoEnergy, VelocityPower};
+use crate::oscillator::{NamedOscillator, Oscillator};
+use crate::taylor::{Moment, StateLayout, StateNameError, System, named_state};
+use libration_numbers::expression::{Equation, EquationError, Expression, Function, Symbol, WithoutValue};
+
+/// Equations of motion with values for their parameters, ready to be integrated.
+///
+/// # Examples
+/// ```
+/// use libration::systems::Model;
+/// let model = Model::by_key("double_pendulum", &[("m2", "1/2".parse()?)], &[])?;
+/// assert_eq!(model.state_names(), ["theta1", "theta2", "theta1'", "theta2'"]);
+/// assert!(model.energy().is_ok());
+/// let kepler = Model::typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)", &[], &[])?;
+/// assert!(kepler.energy().is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    key: Option<&'static str>,
+    title: &'static str,
+    equation: Equation,
+    coordinates: Vec<Coordinate>,
+    values: Vec<(String, Expression)>,
+    known: Option<Known>,
+}
+
+/// What only named systems tell, the values put in.
+#[derive(Clone, Debug)]
+struct Known {
+    energy: Option<Expression>,
+    power: Option<Expression>,
+    drive_frequency: Option<Expression>,
+    /// The place of each body, and where it is held.
+    bodies: Vec<[[Expression; 2]; 2]>,
+}
+
+/// Values for parameters, which may be written as in a formula.
+type Values<'a> = &'a [(&'a str, Expression)];
+
+impl Model {
+    /// A named system, or else an oscillator of the other catalogue, with values for some of its parameters, the default
+    /// values for the others, and some left open.
+    ///
+    /// # Errors
+    /// A key that is not known; a value for what is no parameter, or one that is not constant.
+    pub fn by_key(key: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
+            (Ok(named), _) => Self::named(named, values, open),
+            (Err(_), Ok(oscillator)) => Self::oscillator(oscillator, values, open),
+            (Err(system), Err(oscillator)) => {
+                Err(ModelError::Unknown { system: Box::new(system), oscillators: oscillator.known })
+            }
+        }
+    }
+
+    /// A named system.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let Counted { equations, values: given, count } = Counted::new(named, values)?;
+        let given: Vec<(&str, Expression)> =
+            given.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+        let others = named.parameters.iter().filter(|it| Some(it.name) != named.count);
+        let defaults = others.map(|it| (it.name, it.default));
+        let (equation, mut values) = filled(&equations, &given, defaults, open)?;
+        values.extend(count);
+        if let Some(powers) = named.velocity_power {
+            check_power(powers, &values)?;
+        }
+        let defaults: Vec<_> = named.parameters.iter().map(|it| (it.name, it.default)).collect();
+        let put_in = |text: &str| Ok::<_, ModelError>(with_values(formula(text)?, &values));
+        let coordinates = named.coordinates.iter().map(|it| {
+            let at_rest = with_values(put_in(it.at_rest)?, &all_defaults(&defaults)?);
+            let at_rest = at_rest.to_f64().unwrap_or(0.0);
+            Ok(Coordinate { name: it.name.to_owned(), unit: it.unit.to_owned(), at_rest })
+        });
+        let coordinates = coordinates.collect::<Result<Vec<_>, ModelError>>()?;
+        let coordinates =
+            if named.count.is_some() { each_like(&coordinates, &equation) } else { coordinates };
+        let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
+        let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.pivot)?]));
+        let known = Known {
+            bodies: bodies.collect::<Result<_, ModelError>>()?,
+            energy: Some(named.energy).filter(|it| !it.is_empty()).map(put_in).transpose()?,
+            power: Some(named.power).filter(|it| !it.is_empty()).map(put_in).transpose()?,
+            drive_frequency: named.drive_frequency.map(put_in).transpose()?,
+        };
+        let (key, title) = (Some(named.key), named.title);
+        Ok(Self { key, title, equation, coordinates, values, known: Some(known) })
+    }
+
+    /// An oscillator of the other catalogue, at rest in its equilibrium.
+    ///
+    /// # Errors
+    /// A value for what is no parameter, or one that is not constant.
+    pub fn oscillator(named: &NamedOscillator, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let defaults = named.parameters.iter().map(|it| (it.name, it.default));
+        let (equation, values) = filled(named.equation, values, defaults, open)?;
+        let mut coordinates = by_names(&equation);
+        if let Ok(oscillator) = Oscillator::new(&equation) {
+            coordinates[0].at_rest = oscillator.equilibrium().to_f64();
+        }
+        Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, known: None })
+    }
+
+    /// Equations of motion as text, several with `;` between them. Times count in seconds, and a coordinate is an angle
+    /// when its name is that of one, such as theta.
+    ///
+    /// # Errors
+    /// Text that is no equation of motion; a value for what is no parameter, or one that is not constant.
+    pub fn typed(equations: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
+        let (equation, values) = filled(equations, values, [].into_iter(), open)?;
+        let coordinates = by_names(&equation);
+        Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, known: None })
+    }
+
+    /// Its key in one of the catalogues.
+    #[must_use]
+    pub fn key(&self) -> Option<&'static str> {
+        self.key
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub fn title(&self) -> &'static str {
+        self.title
+    }
+
+    /// The equations of motion with their values.
+    #[must_use]
+    pub fn equation(&self) -> &Equation {
+        &self.equation
+    }
+
+    /// The coordinates in the order of the equations.
+    #[must_use]
+    pub fn coordinates(&self) -> &[Coordinate] {
+        &self.coordinates
+    }
+
+    /// The parameters that have a value, and it.
+    #[must_use]
+    pub fn values(&self) -> &[(String, Expression)] {
+        &self.values
+    }
+
+    /// The value of a parameter as a number; `None` where it has none.
+    #[must_use]
+    pub fn value_of(&self, parameter: &str) -> Option<f64> {
+        self.values.iter().find(|(name, _)| name == parameter).and_then(|(_, value)| value.to_f64())
+    }
+
+    /// The names of the parameters that have no value.
+    #[must_use]
+    pub fn open_parameters(&self) -> Vec<String> {
+        self.equation.parameters().into_iter().collect()
+    }
+
+    /// Which number of a state is what.
+    #[must_use]
+    pub fn layout(&self) -> StateLayout {
+        StateLayout::new(&self.equation)
+    }
+
+    /// The names of the numbers of a state: coordinates, then velocities.
+    #[must_use]
+    pub fn state_names(&self) -> Vec<String> {
+        self.layout().symbols(self.equation.variables()).iter().map(ToString::to_string).collect()
+    }
+
+    /// The units of the numbers of a state, empty where they are not known.
+    #[must_use]
+    pub fn state_units(&self) -> Vec<String> {
+        let own = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
+        self.layout().arrange(own, |coordinate| self.coordinates[coordinate].velocity_unit())
+    }
+
+    /// The state of rest: every coordinate where it is at rest, without velocity.
+    #[must_use]
+    pub fn state_at_rest(&self) -> Vec<f64> {
+        let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
+        self.layout().arrange(places, |_| 0.0)
+    }
+
+    /// A state at the time zero from names and values; numbers that are not named are those of rest.
+    ///
+    /// # Errors
+    /// A name that is none of [`Self::state_names`], or one that is there twice.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::systems::Model;
+    /// use libration::taylor::{Effort, integrate};
+    /// let model = Model::by_key("double_pendulum", &[], &[])?;
+    /// let start = model.start(&[("theta1", 2.0)])?;
+    /// let solution = integrate(&model.system()?, &start, &[10.0], &Effort::to_tolerance(1e-15))?;
+    /// assert!(model.energy()?.drift(&start, &solution.end).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn start(&self, values: &[(&str, f64)]) -> Result<Moment, StateNameError> {
+        let state = named_state(&self.state_names(), self.state_at_rest(), values)?;
+        Ok(Moment { time: 0.0, state })
+    }
+
+    /// The system to be integrated.
+    ///
+    /// # Errors
+    /// A parameter without a value.
+    pub fn system(&self) -> Result<System, WithoutValue> {
+        System::new(&self.equation)
+    }
+
+    /// The angular frequency of the drive, where the system is known to have one.
+    #[must_use]
+    pub fn drive_frequency(&self) -> Option<f64> {
+        self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
+    }
+
+    /// Where its bodies are, if that is known: named systems tell, and angles of other equations are those of rods on one axle.
+    #[must_use]
+    pub fn bodies(&self) -> Option<Bodies> {
+        let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
+        let places = match &self.known {
+            Some(known) if known.bodies.is_empty() => return None,
+            Some(known) => known.bodies.clone(),
+            None if self.layout().is_of_second_order()
+                && self.coordinates.iter().all(Coordinate::is_angle) =>
+            {
+                names.iter().map(hanging).collect()
+            }
+            None => return None,
+        };
+        Bodies::new(&places, &names).ok()
+    }
+
+    /// What the energy of a named system gains per time, a formula of the state and the time t.
+    #[must_use]
+    pub fn power(&self) -> Option<&Expression> {
+        self.known.as_ref().and_then(|known| known.power.as_ref())
+    }
+
+    /// The conserved energy: the known one of a named system whose damping and driving are zero, and for other equations
+    /// that of forces which depend on the coordinates only and have a potential.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn energy(&self) -> Result<Energy, NoEnergy> {
+        match &self.known {
+            Some(Known { energy: Some(energy), power: Some(power), .. }) => match power.vanishes() {
+                true => Energy::of_formula(&self.equation, energy),
+                false => Err(NoEnergy::NotConserved { power: power.to_string() }),
+            },
+            _ => Energy::of_forces(&self.equation),
+        }
+    }
+}
+
+/// The end of a rod of length one on an axle at zero, and the axle.
+fn hanging(angle: &Symbol) -> [[Expression; 2]; 2] {
+    let angle = || Box::new(Expression::Symbol(angle.clone()));
+    let up = Expression::Negate(Box::new(Expression::Call(Function::Cos, angle())));
+    [[Expression::Call(Function::Sin, angle()), up], [Expression::from(0), Expression::from(0)]]
+}
+
+/// The equation with the given values, and default ones for all others that are not left open.
+fn filled<'a>(
+    text: &str,
+    given: Values,
+    defaults: impl Iterator<Item = (&'a str, &'a str)>,
+    open: &[&str],
+) -> Result<(Equation, Vec<(String, Expression)>), EquationError> {
+    let equation: Equation = text.parse()?;
+    let mut values: Vec<(String, Expression)> = vec![];
+    for (name, value) in given {
+        values.push((plain(name), value.clone()));
+    }
+    for name in open {
+        // Refuses what is no parameter, or has a value already.
+        equation.with(&[given, &[(*name, Expression::from(1))]].concat())?;
+    }
+    let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
+    for (name, default) in defaults {
+        if values.iter().all(|(known, _)| known != name) && !open.iter().any(|it| it == name) {
+            values.push((name.to_owned(), formula(default)?));
+        }
+    }
+    let borrowed: Vec<(&str, Expression)> =
+        values.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    Ok((equation.with(&borrowed)?, values))
+}
+
+/// The name as equations have it: ω0 is omega0.
+pub(super) fn plain(name: &str) -> String {
+    name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
+}
+
+fn formula(text: &str) -> Result<Expression, EquationError> {
+    Ok(text.parse::<Expression>()?)
+}
+
+fn all_defaults(defaults: &[(&str, &str)]) -> Result<Vec<(String, Expression)>, EquationError> {
+    defaults.iter().map(|(name, default)| Ok(((*name).to_owned(), formula(default)?))).collect()
+}
+
+fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expression {
+    let put_in = |formula: Expression, (name, value): &(String, Expression)| {
+        formula.substitute(&Symbol::plain(name), value)
+    };
+    values.iter().fold(formula, put_in).simplified()
+}
+
+/// For each variable of the equations the coordinate of its family, `x[i]` for x1, with its own name.
+fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
+    let of = |name: &String| {
+        let family =
+            families.iter().find(|it| it.name.split('[').next().is_some_and(|it| name.starts_with(it)));
+        family.map_or_else(|| Coordinate::by_name(name), |it| Coordinate { name: name.clone(), ..it.clone() })
+    };
+    equation.variables().iter().map(of).collect()
+}
+
+fn by_names(equation: &Equation) -> Vec<Coordinate> {
+    equation.variables().iter().map(|name| Coordinate::by_name(name)).collect()
+}
+
+/// Refuses a value of the power n that makes no sense.
+fn check_power(powers: VelocityPower, values: &[(String, Expression)]) -> Result<(), ModelError> {
+    let power = values.iter().find(|(name, _)| name == "n").map(|(_, value)| value);
+    let Some(power) = power else { return Ok(()) };
+    let number = power.to_f64().unwrap_or(f64::NAN);
+    let value = || power.to_string();
+    match powers {
+        _ if number.is_nan() || number < 0.0 => Err(ModelError::NegativePower { value: value() }),
+        VelocityPower::Whole if number.fract() != 0.0 => Err(ModelError::NotWhole { value: value() }),
+        VelocityPower::Whole | VelocityPower::Any => Ok(()),
+    }
+}

@@ -1,0 +1,166 @@
+//! What is known of a system that has a name.
+
+use libration_numbers::expression::{Expression, Function};
+use libration_numbers::quantity::STANDARD_GRAVITY;
+use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
+
+/// A system of the literature, as data.
+///
+/// # Examples
+/// ```
+/// use libration::systems::{Model, NamedSystem};
+/// let named = NamedSystem::by_key("damped_pendulum")?;
+/// let model = Model::named(named, &[("c", "0.1".parse()?), ("n", "2".parse()?)], &[])?;
+/// assert_eq!(model.equation().to_string(), "theta'' + 0.1*(theta'*abs(theta')) + sin(theta) = 0");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct NamedSystem {
+    /// The name it is asked for by.
+    pub key: &'static str,
+    /// Other names for it.
+    pub also: &'static [&'static str],
+    /// What it is called in a sentence.
+    pub title: &'static str,
+    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what `x[0]` and `x[n+1]` are.
+    pub equations: &'static str,
+    /// Its coordinates, in the order of the equations; `x[i]` for as many as are counted.
+    pub coordinates: &'static [NamedCoordinate],
+    /// The parameters in the equations. Their default values leave out all damping and driving.
+    pub parameters: &'static [NamedParameter],
+    /// Its energy as a formula of coordinates, velocities and parameters; empty where it has none, or a sum over as many as are counted.
+    pub energy: &'static str,
+    /// The unit of the energy, which says what it is divided by; empty without a formula of it.
+    pub energy_unit: &'static str,
+    /// What the energy gains per time: `0` where it is conserved, empty without a formula of it.
+    pub power: &'static str,
+    /// The parameter that is the angular frequency of a periodic drive.
+    pub drive_frequency: Option<&'static str>,
+    /// The parameter that counts the bodies, and stands in the equations as the end of a range.
+    pub count: Option<&'static str>,
+    /// What the parameter n may be where it is a power of a velocity.
+    pub velocity_power: Option<VelocityPower>,
+    /// Its bodies, and what they hang on.
+    pub bodies: &'static [NamedBody],
+    /// What it describes, and how the coordinates are measured.
+    pub description: &'static str,
+    /// For which motions and parameters it holds.
+    pub domain: &'static str,
+    /// Where it comes from; `attributed to` where that is not read but remembered.
+    pub source: &'static str,
+}
+
+/// Which powers of a velocity make sense: none below zero, which grow without bound at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VelocityPower {
+    /// Of the velocity with its sign.
+    Whole,
+    /// Of its size.
+    Any,
+}
+
+/// A body of a named system, in the vertical plane: lengths in metres where the system has metres, and else in lengths of the
+/// rod. Formulas of the coordinates, the parameters and the time.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedBody {
+    /// Where it is, to the right and upwards.
+    pub place: [&'static str; 2],
+    /// Where the other end of the rod or the spring is that holds it.
+    pub pivot: [&'static str; 2],
+}
+
+/// A coordinate of a named system.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedCoordinate {
+    /// Its name in the equations.
+    pub name: &'static str,
+    /// Its unit: `rad` for angles; empty where it has none.
+    pub unit: &'static str,
+    /// Where it is at rest, as a formula of the parameters.
+    pub at_rest: &'static str,
+}
+
+impl Named for NamedSystem {
+    const KIND: &'static str = "system";
+    const OTHERWISE: &'static str = "; or write its equations, as x'' = y - x; y'' = x - y";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.key).chain(self.also.iter().copied())
+    }
+}
+
+impl NamedSystem {
+    /// The values of its parameters for a pendulum of this length under this gravity: ω0 is the root of their quotient, and all
+    /// rods are as long. Where one is not given it is a metre, or 9.80665 m/s².
+    ///
+    /// # Errors
+    /// Parameters that do not say what is asked for, as of a body that is no mass on a rod.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::systems::NamedSystem;
+    /// let pendulum = NamedSystem::by_key("pendulum")?;
+    /// let [(name, value)] = &pendulum.values_of(Some(4.0), Some(9.0))?[..] else { panic!() };
+    /// assert_eq!((*name, value.to_f64()), ("omega0", Some(1.5)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn values_of(
+        &self,
+        length: Option<f64>,
+        gravity: Option<f64>,
+    ) -> Result<Vec<(&'static str, Expression)>, NoSuchPendulum> {
+        /// The pendulum of a metre under the standard gravity.
+        const DEFAULTS: [f64; 2] = [1.0, STANDARD_GRAVITY];
+        let number = |value: f64| decimal(value).ok_or(NoSuchPendulum::NotAbove(value));
+        let quotient = Expression::Divide(
+            Box::new(number(gravity.unwrap_or(DEFAULTS[1]))?),
+            Box::new(number(length.unwrap_or(DEFAULTS[0]))?),
+        );
+        let frequency = Expression::Call(Function::Sqrt, Box::new(quotient));
+        let mut values = vec![];
+        let mut said = [length.is_none(), gravity.is_none()];
+        for parameter in self.parameters {
+            let (value, says) = match (parameter.name, length, gravity) {
+                ("omega0" | "omega1" | "omega2", ..) => (frequency.clone(), [true, true]),
+                ("l" | "l1" | "l2", Some(length), _) => (number(length)?, [true, false]),
+                ("g", ..) => (number(gravity.unwrap_or(DEFAULTS[1]))?, [false, true]),
+                _ => continue,
+            };
+            values.push((parameter.name, value));
+            said = [said[0] || says[0], said[1] || says[1]];
+        }
+        let names = || self.parameters.iter().map(|it| it.name).collect::<Vec<_>>().join(", ");
+        match said {
+            [true, true] => Ok(values),
+            [false, _] => Err(NoSuchPendulum::Without { key: self.key, what: "length", parameters: names() }),
+            [_, false] => {
+                Err(NoSuchPendulum::Without { key: self.key, what: "gravity", parameters: names() })
+            }
+        }
+    }
+}
+
+/// Why a system is no pendulum of a given length or gravity.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoSuchPendulum {
+    /// A length or gravity that is not above zero.
+    #[error("the length or gravity is {0:?}: give finite numbers above zero")]
+    NotAbove(f64),
+    /// Parameters that do not say it.
+    #[error("{key} has no {what} among its parameters, which are {parameters}: give these by --set")]
+    Without {
+        /// The system.
+        key: &'static str,
+        /// What is asked for.
+        what: &'static str,
+        /// What it has.
+        parameters: String,
+    },
+}
+
+/// A number above zero as the decimal that it is written as.
+fn decimal(value: f64) -> Option<Expression> {
+    let above = Some(value).filter(|value| value.is_finite() && *value > 0.0);
+    above.and_then(|value| format!("{value:?}").parse().ok())
+}

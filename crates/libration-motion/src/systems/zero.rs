@@ -1,0 +1,56 @@
+//! What is looked for on the way, as it is written.
+
+use super::Model;
+use libration_numbers::expression::{Expression, ParseError, Symbol};
+
+/// Why a text is nothing that a motion can be looked through for.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoZero {
+    /// It is no formula.
+    #[error(transparent)]
+    Formula(#[from] ParseError),
+    /// A name that the system does not have.
+    #[error("the system has no state variable `{name}`: it has {}, and the time t", known.join(", "))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names of the state.
+        known: Vec<String>,
+    },
+}
+
+impl Model {
+    /// The formula that vanishes where a text says so: a formula of coordinates, velocities, rates, parameters and the time t, or an equation,
+    /// `theta = 0.5`; the parameters with their values.
+    ///
+    /// # Errors
+    /// Text that is no formula; a name that the system does not have.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::systems::Model;
+    /// let model = Model::typed("x'' + k*x = 0", &[("k", "4".parse()?)], &[])?;
+    /// assert_eq!(model.zero_of("x = k/8")?.to_string(), model.zero_of("x - 4/8")?.to_string());
+    /// assert!(model.zero_of("y").is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn zero_of(&self, text: &str) -> Result<Expression, NoZero> {
+        let difference = match text.split_once('=') {
+            Some((left, right)) => format!("({left}) - ({right})"),
+            None => text.to_owned(),
+        };
+        let written: Expression = difference.parse()?;
+        let put_in = |formula: Expression, (name, value): &(String, Expression)| {
+            formula.substitute(&Symbol::plain(name), value)
+        };
+        let formula = self.values().iter().fold(written, put_in);
+        let known = self.state_names();
+        let in_state = self.equation().with_rates(&formula);
+        let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
+        match unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
+            Some(name) => Err(NoZero::Unknown { name, known }),
+            None => Ok(formula),
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Where a formula is zero on the way, found on the polynomial of each step.
+//!
+//! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's basis miss none
+//! of these. On which side of zero the formula is goes from step to step, so that a zero at the end of one step, which
+//! rounding may put before or behind it, is neither missed nor found twice.
+
+use super::Contact;
+use super::sign_change::{bernstein, first_sign_change, sign_changes};
+use libration_numbers::roots::{Tolerance, zero_between};
+
+/// One formula on its way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contacts {
+    /// On which side of zero it is; none before the first step, and while it vanishes.
+    pub(super) side: Option<f64>,
+    pub(super) begun: bool,
+    /// When it was zero last.
+    pub(super) last: f64,
+    /// Whether it came within the tolerance of zero at the end of the step.
+    pub(super) near: bool,
+    /// How many of its zeros counted, the start apart.
+    pub(super) found: u64,
+}
+
+/// A step of a formula: Σ cₙτⁿ with τ from zero to one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch<'a> {
+    pub(super) coefficients: &'a [f64],
+    pub(super) start: f64,
+    pub(super) length: f64,
+    /// The error of the formula as a part of how much it changes.
+    pub(super) tolerance: f64,
+}
+
+impl Stretch<'_> {
+    fn at(&self, tau: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+    }
+
+    fn time(&self, tau: f64) -> f64 {
+        self.start + tau * self.length
+    }
+
+    /// How far from zero is no difference.
+    fn blur(&self) -> f64 {
+        self.tolerance.max(4.0 * f64::EPSILON) * self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
+    }
+
+    /// Where the derivative changes its sign.
+    fn extrema(&self) -> Vec<f64> {
+        let factors = (1..).map(f64::from);
+        let slopes: Vec<f64> = self.coefficients[1..].iter().zip(factors).map(|(c, n)| n * c).collect();
+        sign_changes(&slopes)
+    }
+
+    /// The one zero between two places where it has different signs.
+    fn zero_between(&self, before: f64, behind: f64) -> f64 {
+        let negative_behind = self.at(behind) < 0.0;
+        let is_before = |tau| (self.at(tau) < 0.0) != negative_behind;
+        let ends = [before, behind].map(|tau| (tau, self.at(tau)));
+        match zero_between(ends, Tolerance::LAST_BIT, |tau| self.at(tau)) {
+            Some(zero) if is_before(zero) => zero.next_up().min(behind),
+            Some(zero) => zero,
+            None => behind,
+        }
+    }
+
+    /// The first place in the step where it changes its sign or comes within the blur of zero.
+    pub(super) fn first_contact(&self) -> Option<f64> {
+        let blur = self.blur();
+        if self.keeps_away(blur) {
+            return None;
+        }
+        let touches = self.extrema().into_iter().find(|&tau| self.at(tau).abs() <= blur);
+        first_sign_change(self.coefficients).into_iter().chain(touches).reduce(f64::min)
+    }
+
+    /// Whether it is farther from zero than the blur in the whole step.
+    fn keeps_away(&self, blur: f64) -> bool {
+        let rest: f64 = self.coefficients[1..].iter().map(|c| c.abs()).sum();
+        if self.coefficients[0].abs() > rest + blur {
+            return true;
+        }
+        let form = bernstein(self.coefficients);
+        form.iter().all(|c| *c > blur) || form.iter().all(|c| *c < -blur)
+    }
+}
+
+impl Contacts {
+    pub(super) const NONE: Self =
+        Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
+
+    /// The zeros in a step, with their times in its order.
+    pub(super) fn zeros_in(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+        if stretch.coefficients.is_empty() {
+            // Behind a pole either sign is as good.
+            (self.side, self.near) = (None, false);
+            return vec![];
+        }
+        let blur = stretch.blur();
+        if blur == 0.0 {
+            return self.comes_to_rest(stretch);
+        }
+        let mut found = self.at_start(stretch, blur);
+        if stretch.keeps_away(blur) {
+            self.near = false;
+            return found;
+        }
+        self.inside(stretch, blur, &mut found);
+        self.near = stretch.at(1.0).abs() <= blur;
+        if let Some((time, _)) = found.last() {
+            self.last = *time;
+        }
+        found
+    }
+
+    /// A formula that vanishes throughout a step: what counts is that it becomes zero.
+    fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+        self.begun = true;
+        let known = self.just_found(stretch);
+        let side = self.side.take().filter(|_| !known);
+        side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
+    }
+
+    /// What happens where the step begins.
+    fn at_start(&mut self, stretch: &Stretch<'_>, blur: f64) -> Vec<(f64, Contact)> {
+        let first = stretch.coefficients[0];
+        let leaves = stretch.coefficients.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
+        let begun = std::mem::replace(&mut self.begun, true);
+        let Some(side) = self.side else {
+            self.side = Some(leaves);
+            return if first == 0.0 && !begun { vec![(stretch.start, Contact::Start)] } else { vec![] };
+        };
+        if first.abs() > blur && first * side < 0.0 {
+            // A formula with a jump.
+            self.side = Some(-side);
+            return vec![(stretch.start, crossing(-side))];
+        }
+        let leaves_again = stretch.coefficients[1] * side > 0.0;
+        let returns = self.near && leaves_again && first.abs() <= blur && !self.just_found(stretch);
+        if returns { vec![(stretch.start, Contact::Grazing)] } else { vec![] }
+    }
+
+    /// Whether the start of a step is within the blur of the last zero.
+    fn just_found(&self, stretch: &Stretch<'_>) -> bool {
+        let width = 4.0 * stretch.tolerance.max(f64::EPSILON).sqrt() * stretch.length.abs();
+        (stretch.start - self.last).abs() <= width
+    }
+
+    /// What happens behind the start, from extremum to extremum.
+    fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, found: &mut Vec<(f64, Contact)>) {
+        let Some(mut side) = self.side else { return };
+        let mut before = 0.0;
+        let mut touched = None;
+        let nodes = stretch.extrema().into_iter().map(|node| (node, true)).chain([(1.0, false)]);
+        for (node, is_extremum) in nodes {
+            let value = stretch.at(node);
+            if is_extremum && value.abs() <= blur {
+                touched = touched.or(Some(node));
+            } else if value * side > 0.0 {
+                found.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
+            } else if value * side < 0.0 {
+                side = -side;
+                let zero = touched.take().unwrap_or_else(|| self.zero(stretch, before, node, side));
+                found.push((stretch.time(zero), crossing(side)));
+            }
+            before = node;
+        }
+        found.extend(touched.map(|tau| (stretch.time(tau), Contact::Grazing)));
+        self.side = Some(side);
+    }
+
+    /// The zero before a place where the formula has this sign; at the beginning rounding may give it this sign already.
+    fn zero(&self, stretch: &Stretch<'_>, before: f64, node: f64, side: f64) -> f64 {
+        if stretch.at(before) * side >= 0.0 { before } else { stretch.zero_between(before, node) }
+    }
+}
+
+/// The zero behind which a formula has this sign.
+fn crossing(side: f64) -> Contact {
+    if side > 0.0 { Contact::Rising } else { Contact::Falling }
+}

@@ -1,0 +1,123 @@
+//! A motion that is known at every time.
+
+use std::ops::ControlFlow;
+
+use super::{Effort, IntegrationError, Moment, OwnedStep, Step, System, integrate_watched};
+
+/// A motion as the polynomials of all its steps, from which the state at every time between its ends follows.
+///
+/// It takes 8 bytes for each coefficient: some 30 of them for each number of the state, in each step, at the tolerance 1e-15.
+#[derive(Clone, Debug, Default)]
+pub struct DenseSolution {
+    steps: Vec<OwnedStep>,
+}
+
+/// Integrates as [`integrate`](super::integrate()) does, from a state to a time, and keeps all steps.
+///
+/// # Errors
+/// As [`integrate`](super::integrate()).
+///
+/// # Examples
+/// ```
+/// use libration::taylor::{Effort, System, integrate_dense};
+/// let system = System::new(&"x'' + x = 0".parse()?)?;
+/// let start = system.start(&[("x", 1.0)])?;
+/// let motion = integrate_dense(&system, &start, 10.0, &Effort::to_tolerance(1e-15))?;
+/// let state = motion.state_at(std::f64::consts::PI).ok_or("it ends before")?;
+/// assert!((state[0] + 1.0).abs() < 1e-15);
+/// assert_eq!(motion.state_at(11.0), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn integrate_dense(
+    system: &System,
+    start: &Moment,
+    end: f64,
+    effort: &Effort,
+) -> Result<DenseSolution, IntegrationError> {
+    let mut motion = DenseSolution::default();
+    integrate_watched(system, start, &[end], effort, |step| {
+        motion.push(step);
+        ControlFlow::Continue(())
+    })?;
+    Ok(motion)
+}
+
+impl DenseSolution {
+    /// Adds the step that follows.
+    pub fn push(&mut self, step: &Step<'_>) {
+        self.steps.push(step.to_owned_step());
+    }
+
+    /// The times of the start and of the end; `None` where there are no steps.
+    #[must_use]
+    pub fn span(&self) -> Option<[f64; 2]> {
+        Some([self.steps.first()?.step().start(), self.steps.last()?.step().end()])
+    }
+
+    /// The steps.
+    #[must_use]
+    pub fn steps(&self) -> &[OwnedStep] {
+        &self.steps
+    }
+
+    /// Coordinates, then velocities, at a time; `None` before the start or after the end.
+    ///
+    /// # Accuracy
+    /// That of the states at the ends of the steps.
+    #[must_use]
+    pub fn state_at(&self, time: f64) -> Option<Vec<f64>> {
+        let [start, end] = self.span()?;
+        let (low, high) = (start.min(end), start.max(end));
+        if !(low..=high).contains(&time) {
+            return None;
+        }
+        Some(self.step_at(time)?.state_at(time))
+    }
+
+    /// The step in which the time is, or the nearest one.
+    pub(crate) fn step_at(&self, time: f64) -> Option<Step<'_>> {
+        let [start, end] = self.span()?;
+        let place = self.steps.partition_point(|step| match end < start {
+            true => step.step().end() > time,
+            false => step.step().end() < time,
+        });
+        self.steps.get(place).or(self.steps.last()).map(OwnedStep::step)
+    }
+}
+
+impl From<Vec<OwnedStep>> for DenseSolution {
+    /// Steps that follow each other.
+    fn from(steps: Vec<OwnedStep>) -> Self {
+        Self { steps }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use libration_pendulum::pendulum::Pendulum;
+
+    /// The pendulum's own motion, in closed form, at times within and at the ends of steps, forwards and backwards.
+    #[test]
+    fn the_state_between_the_steps_is_the_exact_one() {
+        let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
+        let start = system.start(&[("theta", 1.0)]).unwrap();
+        let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+        let exact = pendulum.released_from("1rad".parse().unwrap()).unwrap();
+        for end in [30.0, -30.0] {
+            let motion = integrate_dense(&system, &start, end, &Effort::to_tolerance(1e-15)).unwrap();
+            assert_eq!(motion.span(), Some([0.0, end]));
+            let ends = motion.steps().iter().flat_map(|step| [step.step().start(), step.step().end()]);
+            let between = (0..=977_u32).map(|part| end * f64::from(part) / 977.0);
+            for time in ends.chain(between) {
+                let (state, exact) = (motion.state_at(time).unwrap(), exact.state_at(time));
+                assert!((state[0] - exact.angle).abs() < 3e-14, "{time}");
+                assert!((state[1] - exact.velocity).abs() < 3e-14, "{time}");
+            }
+            assert_eq!(motion.state_at(end * (1.0 + f64::EPSILON)), None);
+            assert_eq!(motion.state_at(-end * f64::MIN_POSITIVE), None);
+            assert_eq!(motion.state_at(f64::NAN), None);
+        }
+        assert_eq!(DenseSolution::default().state_at(0.0), None);
+    }
+}

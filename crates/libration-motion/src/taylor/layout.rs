@@ -1,0 +1,175 @@
+//! How the numbers of a state stand behind each other.
+
+use libration_numbers::expression::{Equation, Order, Symbol};
+
+/// The order of the numbers of a state: all coordinates in the order of their equations, then the velocities of those whose equation is
+/// of the second order. Whatever reads or makes states asks here which number is what.
+///
+/// # Examples
+/// ```
+/// use libration::taylor::StateLayout;
+/// let thermostat = StateLayout::new(&"x'' = -x - z*x'; z' = x'^2 - 1".parse()?);
+/// assert_eq!((thermostat.coordinates(), thermostat.numbers()), (2, 3));
+/// assert_eq!((thermostat.velocity(0), thermostat.velocity(1)), (Some(2), None));
+/// assert_eq!((thermostat.driven(0), thermostat.driven(1)), (2, 1));
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StateLayout {
+    /// Of each coordinate the number of its velocity.
+    velocities: Vec<Option<usize>>,
+    /// Of each velocity, in their order, its coordinate.
+    accelerated: Vec<usize>,
+}
+
+impl StateLayout {
+    /// Of the states of some equations.
+    #[must_use]
+    pub fn new(equation: &Equation) -> Self {
+        Self::of_orders(equation.orders())
+    }
+
+    /// Of one coordinate and its velocity.
+    pub(super) fn one_coordinate() -> Self {
+        Self::of_orders(&[Order::Second])
+    }
+
+    fn of_orders(orders: &[Order]) -> Self {
+        let coordinates = orders.len();
+        let is_accelerated = |coordinate: &usize| orders[*coordinate] == Order::Second;
+        let accelerated: Vec<usize> = (0..coordinates).filter(is_accelerated).collect();
+        let mut velocities = vec![None; coordinates];
+        for (number, &coordinate) in (coordinates..).zip(&accelerated) {
+            velocities[coordinate] = Some(number);
+        }
+        Self { velocities, accelerated }
+    }
+
+    /// How many coordinates there are.
+    #[must_use]
+    #[inline(always)]
+    pub fn coordinates(&self) -> usize {
+        self.velocities.len()
+    }
+
+    /// How many numbers a state has.
+    #[must_use]
+    #[inline(always)]
+    pub fn numbers(&self) -> usize {
+        self.velocities.len() + self.accelerated.len()
+    }
+
+    /// The number of the velocity of a number; `None` of velocities, and of coordinates whose equation is of the first order.
+    #[must_use]
+    #[inline(always)]
+    pub fn velocity(&self, number: usize) -> Option<usize> {
+        self.velocities.get(number).copied().flatten()
+    }
+
+    /// The number whose rate of change the equation of a coordinate tells: its velocity, or the coordinate itself.
+    #[must_use]
+    #[inline(always)]
+    pub fn driven(&self, coordinate: usize) -> usize {
+        self.velocity(coordinate).unwrap_or(coordinate)
+    }
+
+    /// The coordinate whose equation tells the rate of change of a number; `None` of coordinates that have a velocity.
+    #[must_use]
+    pub fn driving(&self, number: usize) -> Option<usize> {
+        match number.checked_sub(self.coordinates()) {
+            Some(velocity) => self.accelerated.get(velocity).copied(),
+            None => Some(number).filter(|&coordinate| self.velocity(coordinate).is_none()),
+        }
+    }
+
+    /// Whether a number is a velocity.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_velocity(&self, number: usize) -> bool {
+        number >= self.coordinates()
+    }
+
+    /// Whether every coordinate has a velocity.
+    #[must_use]
+    pub fn is_of_second_order(&self) -> bool {
+        self.accelerated.len() == self.coordinates()
+    }
+
+    /// One thing for each number of a state, from those of the coordinates and those of their velocities.
+    pub fn arrange<T>(
+        &self,
+        coordinates: impl IntoIterator<Item = T>,
+        velocity: impl Fn(usize) -> T,
+    ) -> Vec<T> {
+        coordinates
+            .into_iter()
+            .chain(self.accelerated.iter().map(|&coordinate| velocity(coordinate)))
+            .collect()
+    }
+
+    /// The symbols of the numbers: the names of the variables, with a prime for velocities.
+    #[must_use]
+    pub fn symbols(&self, variables: &[String]) -> Vec<Symbol> {
+        let velocity = |coordinate: usize| Symbol::plain(&variables[coordinate]).with_primes(1);
+        self.arrange(variables.iter().map(|name| Symbol::plain(name)), velocity)
+    }
+
+    /// Where a number of the state stands in that of the equations followed by copies of them, such as
+    /// [`with_tangents`](super::with_tangents) makes: in the equations themselves, copy 0, or in one of the copies.
+    #[must_use]
+    pub fn place_in_copy(&self, number: usize, copy: usize, copies: usize) -> usize {
+        let coordinates = self.coordinates();
+        match number.checked_sub(coordinates) {
+            None => coordinates * copy + number,
+            Some(velocity) => coordinates * (1 + copies) + self.accelerated.len() * copy + velocity,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layout(text: &str) -> StateLayout {
+        StateLayout::new(&text.parse().unwrap())
+    }
+
+    #[test]
+    fn velocities_follow_for_those_that_have_one() {
+        let mixed = layout("q' = x; x'' = -x; z' = y; y'' = -q");
+        assert_eq!((mixed.coordinates(), mixed.numbers()), (4, 6));
+        assert_eq!(
+            (0..6).map(|n| mixed.velocity(n)).collect::<Vec<_>>(),
+            [None, Some(4), None, Some(5), None, None]
+        );
+        assert_eq!((0..4).map(|n| mixed.driven(n)).collect::<Vec<_>>(), [0, 4, 2, 5]);
+        assert_eq!(
+            (0..7).map(|n| mixed.driving(n)).collect::<Vec<_>>(),
+            [Some(0), None, Some(2), None, Some(1), Some(3), None]
+        );
+        assert_eq!(
+            mixed
+                .symbols(&["q", "x", "z", "y"].map(str::to_owned))
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>(),
+            ["q", "x", "z", "y", "x'", "y'"]
+        );
+        assert!(!mixed.is_of_second_order() && layout("x'' = -x; y'' = -y").is_of_second_order());
+    }
+
+    #[test]
+    fn copies_stand_between_coordinates_and_velocities() {
+        use crate::taylor::with_tangents;
+        let equation: Equation = "q' = x; x'' = -q*x".parse().unwrap();
+        let (own, copied) = (StateLayout::new(&equation), with_tangents(&equation, 2));
+        let symbols = StateLayout::new(&copied).symbols(copied.variables());
+        let names = own.symbols(equation.variables());
+        for (number, name) in names.iter().enumerate() {
+            for copy in 0..3 {
+                let expected = if copy == 0 { name.to_string() } else { format!("delta{copy} {name}") };
+                assert_eq!(symbols[own.place_in_copy(number, copy, 2)].to_string(), expected);
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Equations of motion beside those of small deviations from the motion.
+
+use libration_numbers::expression::{Equation, Expression, Order, Symbol};
+
+/// The equations of motion, followed by so many copies of the equations of an infinitely small deviation:
+/// δx″ = Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, taken along the motion.
+///
+/// The deviations of x are called `delta1 x`, `delta2 x`, …, names that no text can have. The state is, as always, all
+/// coordinates and then all velocities: for one variable and two deviations x, δ₁x, δ₂x, x′, δ₁x′, δ₂x′. The deviations of a variable
+/// whose equation is of the first order have equations of the first order.
+///
+/// # Examples
+/// ```
+/// use libration::taylor::with_tangents;
+/// let duffing = with_tangents(&"x'' = -x - x^3".parse()?, 1);
+/// assert_eq!(duffing.variables(), ["x", "delta1 x"]);
+/// assert_eq!(duffing.accelerations()[1].to_string(), "(-1 - 3*x^2)*delta1 x");
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+#[must_use]
+pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
+    with_sensitivities(equation, &[], deviations)
+}
+
+/// The same, the first deviations being those by some parameters: δx″ = ∂F/∂p + Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, which from
+/// δx = δx′ = 0 on is how the motion changes with p. Then follow so many copies for the start.
+///
+/// # Examples
+/// ```
+/// use libration::taylor::with_sensitivities;
+/// let damped = with_sensitivities(&"x'' = -k*x - b*x'".parse()?, &["k", "b"], 0);
+/// assert_eq!(damped.variables(), ["x", "delta1 x", "delta2 x"]);
+/// assert_eq!(damped.accelerations()[1].to_string(), "-k*delta1 x - b*delta1 x' - x");
+/// assert_eq!(damped.accelerations()[2].to_string(), "-k*delta2 x - b*delta2 x' - x'");
+/// # Ok::<(), libration::expression::EquationError>(())
+/// ```
+///
+/// # References
+/// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993, section I.14.
+#[must_use]
+pub fn with_sensitivities(equation: &Equation, parameters: &[&str], deviations: usize) -> Equation {
+    let mut variables = equation.variables().to_vec();
+    let mut orders = equation.orders().to_vec();
+    let mut derivatives = equation.derivatives().to_vec();
+    let starts = std::iter::repeat_n(None, deviations);
+    for (number, parameter) in (1..).zip(parameters.iter().map(Some).chain(starts)) {
+        let deviation = |name: &str| format!("delta{number} {name}");
+        variables.extend(equation.variables().iter().map(|name| deviation(name)));
+        orders.extend(equation.orders());
+        let change = |formula: &Expression| {
+            let by_motion = total_differential(formula, equation, &deviation);
+            match parameter {
+                Some(name) => sum(by_motion, formula.derivative(&Symbol::plain(name))).simplified(),
+                None => by_motion.simplified(),
+            }
+        };
+        derivatives.extend(equation.derivatives().iter().map(change));
+    }
+    Equation::of_derivatives(variables, orders, derivatives)
+}
+
+fn sum(a: Expression, b: Expression) -> Expression {
+    Expression::Add(Box::new(a), Box::new(b))
+}
+
+/// How a formula changes with all coordinates and velocities.
+fn total_differential(
+    formula: &Expression,
+    equation: &Equation,
+    deviation: &impl Fn(&str) -> String,
+) -> Expression {
+    let names = equation.variables().iter().zip(equation.orders());
+    let pairs = names.flat_map(|(name, order)| {
+        let primes: &[u8] = if *order == Order::First { &[0] } else { &[0, 1] };
+        primes.iter().map(|primes| (Symbol::plain(name), Symbol::plain(&deviation(name)), *primes))
+    });
+    let terms = pairs.map(|(variable, deviation, primes)| {
+        let slope = formula.derivative(&variable.with_primes(primes));
+        let deviation = Expression::Symbol(deviation.with_primes(primes));
+        Expression::Multiply(Box::new(slope), Box::new(deviation))
+    });
+    terms.reduce(sum).unwrap_or_else(|| Expression::from(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::taylor::{Effort, Moment, System, integrate};
+
+    fn end(equation: &Equation, state: &[f64], time: f64) -> Vec<f64> {
+        let system = System::new(equation).unwrap();
+        let start = Moment { time: 0.0, state: state.to_vec() };
+        integrate(&system, &start, &[time], &Effort::to_tolerance(1e-15)).unwrap().end.state
+    }
+
+    /// Two coordinates that are coupled through velocities and the time.
+    const COUPLED: &str = "x'' = -sin(x) - y'*x'/(2 + cos(y)) + cos(t); y'' = x*y - y^3 - y'/5 + x'^2";
+
+    #[test]
+    fn deviations_are_the_limit_of_differences_of_motions() {
+        let equation: Equation = COUPLED.parse().unwrap();
+        let (state, time, step) = ([0.4, -0.3, 0.2, 0.1], 3.0, 1e-5);
+        for (column, coordinate) in [0, 1, 4, 5].into_iter().zip(0..4) {
+            let shifted = |by: f64| {
+                let mut state = state;
+                state[coordinate] += by;
+                end(&equation, &state, time)
+            };
+            let mut start = vec![0.4, -0.3, 0.0, 0.0, 0.2, 0.1, 0.0, 0.0];
+            start[column + 2] = 1.0;
+            let tangent = end(&with_tangents(&equation, 1), &start, time);
+            let difference =
+                shifted(step).into_iter().zip(shifted(-step)).map(|(a, b)| (a - b) / (2.0 * step));
+            for (found, expected) in [2, 3, 6, 7].map(|n| tangent[n]).into_iter().zip(difference) {
+                // The third derivative times step²/6, and rounding errors over the step.
+                assert!((found - expected).abs() < 1e-8, "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn without_deviations_nothing_is_added() {
+        let equation: Equation = COUPLED.parse().unwrap();
+        assert_eq!(with_tangents(&equation, 0).accelerations(), equation.accelerations());
+        assert_eq!(with_tangents(&equation, 3).variables().len(), 8);
+    }
+}

@@ -1,0 +1,243 @@
+//! Binary floats of any precision, for what two words cannot decide.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::LazyLock;
+
+use dashu_base::BitTest;
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+use dashu_int::{IBig, UBig};
+
+use super::Rational;
+use libration_kernels::double_double::DoubleDouble;
+
+type Float = FBig<HalfEven, 2>;
+
+/// A binary float of a chosen precision, every operation rounded to nearest; the result of an operation has the
+/// larger precision of its operands. Division by zero, and roots and logarithms outside their domain, are the
+/// caller's to avoid.
+#[derive(Clone, Debug, PartialEq, PartialOrd)]
+pub struct BigFloat(Float);
+
+impl BigFloat {
+    /// A whole number, rounded to so many bits.
+    #[must_use]
+    pub fn from_integer(integer: i64, precision: usize) -> Self {
+        Self(rounded(Float::from(integer), precision))
+    }
+
+    /// An `f64`, rounded to so many bits; `None` for what is not finite.
+    #[must_use]
+    pub fn from_f64(value: f64, precision: usize) -> Option<Self> {
+        let value = Float::try_from(value).ok().filter(|_| value.is_finite())?;
+        Some(Self(rounded(value, precision)))
+    }
+
+    /// A fraction, rounded to so many bits.
+    #[must_use]
+    pub fn from_rational(value: &Rational, precision: usize) -> Self {
+        let (numerator, denominator) = value.parts();
+        Self::from_big(numerator.clone(), precision)
+            / Self::from_big(IBig::from(denominator.clone()), precision)
+    }
+
+    /// `hi + lo`, exactly when `precision` reaches from the first bit of `hi` to the last of `lo`; zero for
+    /// words that are not finite.
+    #[doc(hidden)]
+    pub fn from_words(words: DoubleDouble, precision: usize) -> Self {
+        let word = |x: f64| match Float::try_from(x) {
+            Ok(word) if x.is_finite() => rounded(word, precision),
+            _ => Float::default(),
+        };
+        Self(word(words.hi) + word(words.lo))
+    }
+
+    /// π; to 1280 bits it is worked out once.
+    #[must_use]
+    pub fn pi(precision: usize) -> Self {
+        const KEPT: usize = 1280;
+        static PI: LazyLock<Float> = LazyLock::new(|| Float::pi(KEPT));
+        if precision < KEPT { Self(rounded(PI.clone(), precision)) } else { Self(Float::pi(precision)) }
+    }
+
+    /// Bits of the significand.
+    #[must_use]
+    pub fn precision(&self) -> usize {
+        self.0.precision()
+    }
+
+    /// The nearest `f64`, ties to even, subnormal and infinite as they come.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.0.to_f64().value()
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.0.repr().significand().is_zero()
+    }
+
+    /// The exponent e with 2^(e−1) ≤ |x| < 2^e; `None` for zero.
+    #[must_use]
+    pub fn exponent(&self) -> Option<isize> {
+        let repr = self.0.repr();
+        let bits = isize::try_from(repr.significand().bit_len()).ok()?;
+        (bits > 0).then(|| repr.exponent() + bits)
+    }
+
+    /// √x.
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        if self.is_zero() { self.clone() } else { Self(self.0.sqrt()) }
+    }
+
+    /// ln x.
+    #[must_use]
+    pub fn ln(&self) -> Self {
+        Self(self.0.ln())
+    }
+
+    /// ln(1 + x) with full relative accuracy at small x.
+    #[must_use]
+    pub fn ln_1p(&self) -> Self {
+        Self(self.0.ln_1p())
+    }
+
+    /// eˣ.
+    #[must_use]
+    pub fn exp(&self) -> Self {
+        Self(self.0.exp())
+    }
+
+    /// sin x.
+    #[must_use]
+    pub fn sin(&self) -> Self {
+        Self(self.0.sin())
+    }
+
+    /// cos x.
+    #[must_use]
+    pub fn cos(&self) -> Self {
+        Self(self.0.cos())
+    }
+
+    /// arcsin x.
+    #[must_use]
+    pub fn asin(&self) -> Self {
+        Self(self.0.asin())
+    }
+
+    /// arccos x.
+    #[must_use]
+    pub fn acos(&self) -> Self {
+        Self(self.0.acos())
+    }
+
+    /// arctan x.
+    #[must_use]
+    pub fn atan(&self) -> Self {
+        Self(self.0.atan())
+    }
+
+    /// Rounded to so many bits.
+    #[must_use]
+    pub fn rounded_to(&self, precision: usize) -> Self {
+        Self(rounded(self.0.clone(), precision))
+    }
+
+    /// The same number as a fraction.
+    #[must_use]
+    pub fn to_rational(&self) -> Rational {
+        let repr = self.0.repr();
+        let (significand, exponent) = (repr.significand().clone(), repr.exponent());
+        let scale = UBig::ONE << exponent.unsigned_abs();
+        if exponent < 0 {
+            Rational::from_parts(significand, scale)
+        } else {
+            Rational::from_parts(significand * IBig::from(scale), UBig::ONE)
+        }
+    }
+
+    /// The arithmetic-geometric mean of two positive numbers, to a few units in the last place
+    /// (DLMF 19.8(i)). Each step doubles the digits that agree, so the last is taken when half of them do.
+    #[must_use]
+    pub fn agm(&self, other: &Self) -> Self {
+        let half_the_bits = isize::try_from(self.precision() / 2 + 2).unwrap_or(isize::MAX);
+        let (mut a, mut b) = (self.clone(), other.clone());
+        loop {
+            let gap = (a.clone() - b.clone()).exponent();
+            let close = gap.is_none_or(|gap| a.exponent().is_some_and(|size| size - gap >= half_the_bits));
+            let mean = (a.clone() + b.clone()).halved();
+            if close {
+                return mean;
+            }
+            b = (a * b).sqrt();
+            a = mean;
+        }
+    }
+
+    /// Half of it, exactly.
+    #[must_use]
+    pub fn halved(self) -> Self {
+        Self(self.0 >> 1)
+    }
+
+    /// ⌊x·2^bits⌋.
+    pub(super) fn in_units_of(&self, bits: usize) -> IBig {
+        let repr = self.0.repr();
+        let shift = repr.exponent().saturating_add(bits.cast_signed());
+        match usize::try_from(shift) {
+            Ok(left) => repr.significand() << left,
+            Err(_) => repr.significand() >> shift.unsigned_abs(),
+        }
+    }
+
+    /// n/2^bits, rounded to a precision.
+    pub(super) fn from_units(units: IBig, bits: usize, precision: usize) -> Self {
+        Self(rounded(Float::from(units) >> bits.cast_signed(), precision))
+    }
+
+    fn from_big(integer: IBig, precision: usize) -> Self {
+        Self(rounded(Float::from(integer), precision))
+    }
+}
+
+fn rounded(value: Float, precision: usize) -> Float {
+    value.with_precision(precision).value()
+}
+
+impl Add for BigFloat {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for BigFloat {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Mul for BigFloat {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Div for BigFloat {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl Neg for BigFloat {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}

@@ -1,0 +1,135 @@
+//! Fractions written with some decimal digits.
+
+use dashu_base::BitTest;
+use dashu_int::{IBig, UBig};
+
+use super::Rational;
+
+impl Rational {
+    /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; in plain digits from 0.0001
+    /// up to the digits asked for.
+    #[must_use]
+    pub fn to_decimal(&self, digits: usize) -> String {
+        let digits = digits.max(1);
+        if self.is_zero() {
+            return "0".to_owned();
+        }
+        let (figures, exponent) = self.leading_figures(digits);
+        let sign = if self.is_negative() { "-" } else { "" };
+        format!("{sign}{}", placed(figures.to_string().trim_end_matches('0'), exponent))
+    }
+
+    /// The decimal of so many significant digits next to it.
+    #[doc(hidden)]
+    pub fn rounded_to_digits(&self, digits: usize) -> Self {
+        if self.is_zero() {
+            return self.clone();
+        }
+        let (figures, exponent) = self.leading_figures(digits.max(1));
+        let shift = exponent + 1 - isize::try_from(digits.max(1)).unwrap_or(isize::MAX);
+        let figures = if self.is_negative() { -IBig::from(figures) } else { figures.into() };
+        match shift {
+            0.. => Self::from_parts(figures * IBig::from(ten_to(shift)), UBig::ONE),
+            _ => Self::from_parts(figures, ten_to(shift)),
+        }
+    }
+
+    /// So many digits of |a|, rounded, and the power of ten of the first of them.
+    fn leading_figures(&self, digits: usize) -> (UBig, isize) {
+        let end = ten_to(isize::try_from(digits).unwrap_or(isize::MAX));
+        let mut exponent = self.decimal_exponent();
+        let mut figures = self.figures(digits, exponent);
+        // The estimate may be low, and rounding may carry into a new digit.
+        while figures >= end {
+            exponent += 1;
+            figures = self.figures(digits, exponent);
+        }
+        (figures, exponent)
+    }
+
+    /// The power of ten of the first digit, or at most two less: from the numbers of bits, since numbers of a million bits take long
+    /// to be written out.
+    fn decimal_exponent(&self) -> isize {
+        let (numerator, denominator) = self.parts();
+        let bits = |length: usize| i128::try_from(length).unwrap_or(i128::MAX);
+        // |a| is larger than 2 to this power.
+        let power = bits(numerator.bit_len()) - bits(denominator.bit_len()) - 1;
+        // log₁₀ 2 lies between these.
+        let log10_of_two = if power < 0 { 301_029_995_663_982 } else { 301_029_995_663_981 };
+        let exponent = (power * log10_of_two).div_euclid(1_000_000_000_000_000);
+        isize::try_from(exponent).unwrap_or(isize::MAX)
+    }
+
+    /// The integer nearest to |a|·10^(digits − 1 − exponent).
+    fn figures(&self, digits: usize, exponent: isize) -> UBig {
+        let (numerator, denominator) = self.parts();
+        let (_, magnitude) = numerator.clone().into_parts();
+        let shift = isize::try_from(digits).unwrap_or(isize::MAX) - 1 - exponent;
+        let (upper, lower) = if shift >= 0 {
+            (magnitude * ten_to(shift), denominator.clone())
+        } else {
+            (magnitude, denominator * ten_to(shift))
+        };
+        (upper * 2_u8 + &lower) / (lower * 2_u8)
+    }
+}
+
+/// Ten to the magnitude of a power.
+fn ten_to(power: isize) -> UBig {
+    UBig::from(10_u8).pow(power.unsigned_abs())
+}
+
+/// Significant digits, the first at 10^exponent, as a decimal.
+fn placed(figures: &str, exponent: isize) -> String {
+    let (first, rest) = figures.split_at(1);
+    let whole = usize::try_from(exponent).unwrap_or(0) + 1;
+    match exponent {
+        0.. if figures.len() > whole => format!("{}.{}", &figures[..whole], &figures[whole..]),
+        0..=20 => format!("{figures:0<whole$}"),
+        -4..0 => format!("0.{}{figures}", "0".repeat(exponent.unsigned_abs() - 1)),
+        _ if rest.is_empty() => format!("{first}e{exponent}"),
+        _ => format!("{first}.{rest}e{exponent}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rational(text: &str) -> Rational {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn decimals_have_the_digits_asked_for() {
+        for (text, digits, decimal) in [
+            ("1/3", 5, "0.33333"),
+            ("-2/3", 3, "-0.667"),
+            ("999999/1000", 3, "1000"),
+            ("1/80000", 4, "1.25e-5"),
+            ("123456789", 3, "123000000"),
+            ("355/113", 10, "3.14159292"),
+            ("0", 7, "0"),
+            ("1/1024", 20, "0.0009765625"),
+        ] {
+            assert_eq!(rational(text).to_decimal(digits), decimal);
+        }
+        let power = rational("7").integer_power(100).unwrap();
+        assert_eq!(power.to_decimal(6), "3.23448e84");
+        for n in (-60..-4).chain(21..60) {
+            let power = rational("10").integer_power(n).unwrap();
+            assert_eq!(power.to_decimal(9), format!("1e{n}"));
+            let less = power * rational("999999999/1000000000");
+            assert_eq!(less.to_decimal(5), format!("1e{n}"));
+        }
+    }
+
+    /// By mpmath, from 3000000·log₁₀ 2.
+    #[test]
+    fn a_few_digits_of_numbers_of_millions_of_bits_are_right() {
+        let huge = Rational::from_parts(IBig::ONE << 3_000_000, UBig::ONE);
+        assert_eq!(huge.to_decimal(12), "9.7049196389e903089");
+        let tiny = Rational::from_parts(IBig::ONE, UBig::ONE << 3_000_000);
+        assert_eq!(tiny.to_decimal(12), "1.03040523488e-903090");
+    }
+}

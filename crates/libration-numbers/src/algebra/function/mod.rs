@@ -1,0 +1,213 @@
+//! The elementary functions that equations are written with, each with all there is to know of it in a file of its own.
+
+#[doc(hidden)]
+pub(crate) mod entry;
+mod hyperbolic;
+
+mod abs;
+mod acos;
+mod asin;
+mod atan;
+mod cos;
+mod cosh;
+mod exp;
+mod ln;
+mod sign;
+mod sin;
+mod sinh;
+mod sqrt;
+mod tan;
+mod tanh;
+
+use super::{BigFloat, Rational};
+use entry::Entry;
+pub(crate) use entry::{Divisor, Domain, Growth, Pair, Parity, Rule, Slope};
+
+/// An elementary function of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// √x.
+    Sqrt,
+    /// sin x.
+    Sin,
+    /// cos x.
+    Cos,
+    /// tan x.
+    Tan,
+    /// arcsin x.
+    Asin,
+    /// arccos x.
+    Acos,
+    /// arctan x.
+    Atan,
+    /// sinh x.
+    Sinh,
+    /// cosh x.
+    Cosh,
+    /// tanh x.
+    Tanh,
+    /// eˣ.
+    Exp,
+    /// ln x.
+    Ln,
+    /// |x|.
+    Abs,
+    /// −1 below zero, 0 at it, 1 above it.
+    Sign,
+}
+
+impl Function {
+    /// All of them.
+    pub const ALL: [Self; 14] = [
+        Self::Sqrt,
+        Self::Sin,
+        Self::Cos,
+        Self::Tan,
+        Self::Asin,
+        Self::Acos,
+        Self::Atan,
+        Self::Sinh,
+        Self::Cosh,
+        Self::Tanh,
+        Self::Exp,
+        Self::Ln,
+        Self::Abs,
+        Self::Sign,
+    ];
+
+    const fn entry(self) -> &'static Entry {
+        match self {
+            Self::Sqrt => &sqrt::ENTRY,
+            Self::Sin => &sin::ENTRY,
+            Self::Cos => &cos::ENTRY,
+            Self::Tan => &tan::ENTRY,
+            Self::Asin => &asin::ENTRY,
+            Self::Acos => &acos::ENTRY,
+            Self::Atan => &atan::ENTRY,
+            Self::Sinh => &sinh::ENTRY,
+            Self::Cosh => &cosh::ENTRY,
+            Self::Tanh => &tanh::ENTRY,
+            Self::Exp => &exp::ENTRY,
+            Self::Ln => &ln::ENTRY,
+            Self::Abs => &abs::ENTRY,
+            Self::Sign => &sign::ENTRY,
+        }
+    }
+
+    /// The name it has in text: `sqrt`, `asin`, ….
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.entry().name
+    }
+
+    /// The word it is printed with, and may be read by: `arcsin` for `asin`, `sgn` for `sign`, else its name.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::expression::Function;
+    /// assert_eq!([Function::Asin.word(), Function::Sinh.word()], ["arcsin", "sinh"]);
+    /// ```
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        self.entry().word
+    }
+
+    /// The function of this name.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|function| function.name() == name)
+    }
+
+    /// What stands before and behind the argument in LaTeX.
+    pub(crate) const fn latex(self) -> [&'static str; 2] {
+        self.entry().latex
+    }
+
+    /// `None` for what is neither even nor odd.
+    pub(crate) const fn parity(self) -> Option<Parity> {
+        self.entry().parity
+    }
+
+    pub const fn growth(self) -> Growth {
+        self.entry().growth
+    }
+
+    /// Whether it is zero anywhere.
+    pub const fn has_zeros(self) -> bool {
+        self.entry().has_zeros
+    }
+
+    /// Where it has values; `None` for everywhere, but at poles.
+    pub const fn domain(self) -> Option<Domain> {
+        self.entry().domain
+    }
+
+    pub(crate) const fn rule(self) -> Rule {
+        self.entry().rule
+    }
+
+    /// The value in double precision; NaN where it has none.
+    #[inline]
+    pub fn at_double(self, x: f64) -> f64 {
+        (self.entry().double)(x)
+    }
+
+    /// The value of a number that has this precision, to some ulp; `None` where it has none.
+    pub(crate) fn at_float(self, x: &BigFloat, precision: usize) -> Option<BigFloat> {
+        (self.entry().float)(x, precision)
+    }
+
+    /// The value where it is known to be a fraction.
+    pub(crate) fn at_rational(self, x: &Rational) -> Option<Rational> {
+        (self.entry().rational)(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_function_is_found_by_its_name_and_by_no_other() {
+        for function in Function::ALL {
+            assert_eq!(Function::by_name(function.name()), Some(function));
+        }
+        assert_eq!(
+            (Function::by_name("Sin"), Function::by_name("log"), Function::by_name("")),
+            (None, None, None)
+        );
+    }
+
+    /// Values in all three kinds of numbers, parity, zeros and domain, at fractions on both sides of zero.
+    #[test]
+    fn what_an_entry_says_belongs_together() {
+        const PRECISION: usize = 100;
+        for function in Function::ALL {
+            let double = |x: f64| function.at_double(x);
+            let mut seen_zero = false;
+            for n in -60..=60 {
+                let x = f64::from(n) / 16.0;
+                let float = function.at_float(&BigFloat::from_f64(x, PRECISION).unwrap(), PRECISION);
+                let (value, float) = (double(x), float.map_or(f64::NAN, |value| value.to_f64()));
+                let same = value.is_nan() && float.is_nan() || (value - float).abs() <= 1e-15 * value.abs();
+                assert!(same || value.is_infinite() && n == 0, "{function:?} at {x}: {value:e} {float:e}");
+                if let Some(exact) = function.at_rational(&Rational::new(i64::from(n), 16).unwrap()) {
+                    assert!((exact.to_f64() - value).abs() <= f64::EPSILON, "{function:?} at {x}");
+                }
+                let mirrored = match function.parity() {
+                    Some(Parity::Even) => value - double(-x),
+                    Some(Parity::Odd) => value + double(-x),
+                    None => 0.0,
+                };
+                assert!(mirrored.abs() <= 0.0 || value.is_nan(), "{function:?} at {x}");
+                let outside = function.domain().is_some_and(|Domain { low, high, .. }| {
+                    let as_double = |bound: i64| Rational::from(bound).to_f64();
+                    low.is_some_and(|low| x < as_double(low)) || high.is_some_and(|high| x > as_double(high))
+                });
+                assert_eq!(value.is_nan(), outside, "{function:?} at {x}");
+                seen_zero |= value.abs() <= 0.0 || value * double(x - 0.0625) < 0.0;
+            }
+            assert_eq!(seen_zero, function.has_zeros(), "{function:?}");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Numbers that are rounded, lane by lane, and sums of products in an order that many of them can be formed in.
+//!
+//! The newest coefficients come last, so that all else can be under way before these are known.
+
+use libration_jit::MultiplyAdd;
+
+use super::Ring;
+
+/// One number for each lane. Other than `std::array::from_fn` it is always compiled into its caller, and so for the same
+/// instruction set.
+#[inline(always)]
+pub fn lanes<const N: usize>(mut number: impl FnMut(usize) -> f64) -> [f64; N] {
+    let mut all = [0.0; N];
+    for (lane, one) in all.iter_mut().enumerate() {
+        *one = number(lane);
+    }
+    all
+}
+
+/// Whether one of the lanes is so: asked of all of them, without a branch for each.
+#[inline(always)]
+pub fn any<const N: usize>(numbers: &[f64; N], is_so: impl Fn(f64) -> bool) -> bool {
+    let mut any = false;
+    for number in numbers {
+        any |= is_so(*number);
+    }
+    any
+}
+
+/// A ring whose operations are those of rounded numbers.
+pub trait Rounded<E>: Ring<Element = E> + MultiplyAdd<Element = E> {
+    /// Σ aᵢ·b_{n−1−i} over two slices of the same length n, which [`libration_jit::inner_product`] forms.
+    fn inner_product(&self, a: &[E], b: &[E]) -> E;
+}
+
+/// Σ aᵢ·b_{n−1−i}, where the sum of what lies between the ends is formed as an inner product. The last product is that of the last a.
+#[inline(always)]
+pub fn convolution<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
+    let n = a.len().min(b.len());
+    let (a, b) = (&a[..n], &b[..n]);
+    match n {
+        0 => on.nothing(),
+        1 => on.product(a[0], b[0]),
+        _ => {
+            let inner = before_the_last(on, &a[1..n - 1], &b[1..n - 1]);
+            on.multiply_add(a[n - 1], b[0], on.multiply_add(a[0], b[n - 1], inner))
+        }
+    }
+}
+
+/// The same of coefficients 1 to n − 1, of which the last ones are known when an order begins, but only just.
+#[inline(always)]
+fn before_the_last<E: Copy>(on: &impl Rounded<E>, a: &[E], b: &[E]) -> E {
+    let n = a.len();
+    match n {
+        0 => on.nothing(),
+        1 => on.product(a[0], b[0]),
+        _ => {
+            let inner = on.inner_product(&a[1..n - 1], &b[1..n - 1]);
+            on.multiply_add(a[n - 1], b[0], on.multiply_add(a[0], b[n - 1], inner))
+        }
+    }
+}
+
+/// The last coefficient of the square of a₀ … aₙ, for which the newest one enters once.
+#[inline(always)]
+pub fn square<E: Copy>(on: &impl Rounded<E>, a: &[E]) -> E {
+    match *a {
+        [] => on.nothing(),
+        [only] => on.product(only, only),
+        [first, ref middle @ .., last] => {
+            on.multiply_add(last, on.sum(first, first), before_the_last(on, middle, middle))
+        }
+    }
+}
+
+/// cₙ of c = a/b, from aₙ, c₀ … cₙ₋₁ and b₀ … bₙ.
+#[inline(always)]
+pub fn quotient<E: Copy>(on: &impl Rounded<E>, a_n: E, c: &[E], b: &[E]) -> Option<E> {
+    let n = c.len();
+    let known = on.multiply_add(b[n], c[0], before_the_last(on, &b[1..n], &c[1..]));
+    on.divide(&on.subtract(&a_n, &known), &b[0])
+}
+
+/// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁: what aₙ contributes is not weighted.
+#[inline(always)]
+pub fn integral<E: Copy>(on: &impl Rounded<E>, a_n: E, weighted_a: &[E], b: &[E]) -> Option<E> {
+    let n = b.len();
+    let known = before_the_last(on, &weighted_a[..n - 1], &b[1..]);
+    let known = on.over_integer(&known, u64::try_from(n).unwrap_or(u64::MAX))?;
+    Some(on.multiply_add(a_n, b[0], known))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Lanes, Ring};
+    use super::{integral, quotient, square};
+
+    fn numbers(factor: u32, length: u32) -> Vec<f64> {
+        (0..length).map(|n| f64::from(n * n * factor % 17)).collect()
+    }
+
+    #[test]
+    fn convolutions_of_every_length_are_those_of_whole_numbers() {
+        for length in 0..20 {
+            let (a, b) = (numbers(3, length), numbers(5, length));
+            let plain = a.iter().zip(b.iter().rev()).fold(0.0, |sum, (a, b)| sum + a * b);
+            let [sum] = Lanes::<1>.convolution(a.as_chunks().0, b.as_chunks().0);
+            assert_eq!(sum.to_bits(), plain.to_bits(), "{length}");
+        }
+    }
+
+    #[test]
+    fn squares_of_every_length_are_convolutions_of_whole_numbers() {
+        for length in 0..20 {
+            let a = numbers(3, length);
+            let plain = a.iter().zip(a.iter().rev()).fold(0.0, |sum, (a, b)| sum + a * b);
+            let [sum] = square(&Lanes::<1>, a.as_chunks().0);
+            assert_eq!(sum.to_bits(), plain.to_bits(), "{length}");
+        }
+    }
+
+    #[test]
+    fn quotients_of_every_order_times_divisors_are_what_was_divided() {
+        for n in 1..20_u32 {
+            let (c, mut b) = (numbers(3, n + 1), numbers(5, n + 1));
+            b[0] = 4.0;
+            let a_n = c.iter().zip(b.iter().rev()).fold(0.0, |sum, (c, b)| sum + c * b);
+            let (c, last) = c.split_at(n as usize);
+            let found = quotient(&Lanes::<1>, [a_n], c.as_chunks().0, b.as_chunks().0);
+            assert_eq!(found, Some([last[0]]), "{n}");
+        }
+    }
+
+    /// With a₁ … aₙ whole multiples of n! the coefficients are whole too.
+    #[test]
+    fn integrals_of_every_order_are_those_of_whole_numbers() {
+        for n in 1..10_u32 {
+            let factorial = f64::from((1..=n).product::<u32>());
+            let a: Vec<f64> = numbers(3, n + 1).iter().map(|a| a * factorial).collect();
+            let b = numbers(5, n);
+            let weighted: Vec<f64> = a.iter().zip(0..).map(|(a, k)| a * f64::from(k)).collect();
+            let plain = weighted[1..].iter().zip(b.iter().rev()).fold(0.0, |sum, (a, b)| sum + a * b);
+            let found = integral(&Lanes::<1>, [a[n as usize]], weighted[1..].as_chunks().0, b.as_chunks().0);
+            assert!((found.unwrap()[0] - plain / f64::from(n)).abs() <= 1e-15 * plain.abs(), "{n}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Sums of products of powers of letters, negative powers and square roots among them.
+
+mod ring;
+mod text;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{Rational, Rationals, Ring};
+
+pub use ring::LaurentPolynomials;
+
+/// A sum of products of powers of letters with fractions before them, exact: `3*b/(8*w^2) - 5*a^2/(12*w^4)`. Exponents
+/// are multiples of one half; where they are odd the letter stands for a positive number.
+///
+/// # Examples
+/// ```
+/// use libration::algebra::{LaurentPolynomials, Ring};
+/// let ring = LaurentPolynomials::new(vec!["a".into(), "w".into()]);
+/// let (a, w) = (ring.letter(0), ring.letter(1));
+/// let quotient = ring.divide(&ring.add(&a, &w), &ring.multiply(&w, &w)).ok_or("no quotient")?;
+/// assert_eq!(quotient.to_string(), "1/w + a/w^2");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LaurentPolynomial {
+    letters: Arc<[String]>,
+    /// No coefficient is zero. `None` for what has grown beyond a limit, and for all that is computed with it.
+    terms: Option<BTreeMap<HalfPowers, Rational>>,
+}
+
+/// Twice the exponent of each letter.
+pub(crate) type HalfPowers = Box<[i64]>;
+
+/// A power of a letter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LetterPower<'a> {
+    /// The letter.
+    pub letter: &'a str,
+    /// Its exponent, a multiple of one half that is not zero.
+    pub exponent: Rational,
+}
+
+impl LaurentPolynomial {
+    /// The letters that may occur.
+    #[must_use]
+    pub fn letters(&self) -> &[String] {
+        &self.letters
+    }
+
+    /// Whether it has no terms.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.terms.as_ref().is_some_and(BTreeMap::is_empty)
+    }
+
+    /// The number it is; `None` when a letter is left.
+    #[must_use]
+    pub fn to_constant(&self) -> Option<Rational> {
+        match self.as_single_term() {
+            Some((powers, factor)) => powers.iter().all(|&power| power == 0).then(|| factor.clone()),
+            None => self.is_zero().then(|| Rational::from(0)),
+        }
+    }
+
+    /// The terms: for each the fraction before it and the powers in it, in the order of the letters. Terms of fewer letters above
+    /// the line come first, among these those with larger powers of the first letter.
+    pub fn terms(&self) -> impl Iterator<Item = (&Rational, Vec<LetterPower<'_>>)> {
+        let above = |powers: &HalfPowers| powers.iter().filter(|power| **power > 0).sum::<i64>();
+        let mut terms: Vec<_> = self.half_powers().collect();
+        terms.sort_by(|(a, _), (b, _)| above(a).cmp(&above(b)).then_with(|| b.cmp(a)));
+        terms.into_iter().map(|(powers, factor)| {
+            let present = self.letters.iter().zip(powers.iter()).filter(|(_, power)| **power != 0);
+            let exponent = |power: i64| Rational::new(power, 2).expect("two is not zero");
+            let powers = present.map(|(letter, &power)| LetterPower { letter, exponent: exponent(power) });
+            (factor, powers.collect())
+        })
+    }
+
+    /// The letters that do occur, in their order.
+    #[must_use]
+    pub fn letters_present(&self) -> Vec<&str> {
+        let present = |place: &usize| self.half_powers().any(|(powers, _)| powers[*place] != 0);
+        (0..self.letters.len()).filter(present).map(|place| self.letters[place].as_str()).collect()
+    }
+
+    /// Whether a letter stands under a root.
+    #[must_use]
+    pub fn has_roots(&self) -> bool {
+        self.half_powers().any(|(powers, _)| powers.iter().any(|power| power % 2 != 0))
+    }
+
+    /// Whether it has grown beyond the limit of the ring, so that its terms are not known.
+    #[must_use]
+    pub fn is_beyond_limit(&self) -> bool {
+        self.terms.is_none()
+    }
+
+    /// The value where powers of letters have these values, told by the number of the letter and twice the exponent.
+    #[doc(hidden)]
+    pub fn value(&self, power: impl Fn(usize, i64) -> Option<Rational>) -> Option<Rational> {
+        self.terms.as_ref()?.iter().try_fold(Rational::from(0), |sum, (powers, factor)| {
+            let present = powers.iter().enumerate().filter(|(_, half_power)| **half_power != 0);
+            let mut powers = present.map(|(place, half_power)| power(place, *half_power));
+            let term =
+                powers.try_fold(factor.clone(), |term, power| Some(Rationals.multiply(&term, &power?)))?;
+            Some(Rationals.add(&sum, &term))
+        })
+    }
+
+    /// The largest power of any letter, whatever its sign, doubled.
+    #[doc(hidden)]
+    pub fn largest_half_power(&self) -> i64 {
+        self.half_powers().flat_map(|(powers, _)| powers.iter()).map(|power| power.abs()).max().unwrap_or(0)
+    }
+
+    #[doc(hidden)]
+    pub fn half_powers(&self) -> impl Iterator<Item = (&HalfPowers, &Rational)> {
+        self.terms.iter().flatten()
+    }
+
+    /// Its term, when it is the only one.
+    #[doc(hidden)]
+    pub fn as_single_term(&self) -> Option<(&HalfPowers, &Rational)> {
+        let mut terms = self.half_powers();
+        terms.next().filter(|_| self.terms.as_ref().is_some_and(|terms| terms.len() == 1))
+    }
+}
+
+fn add_term(terms: &mut BTreeMap<HalfPowers, Rational>, powers: HalfPowers, factor: Rational) {
+    match terms.remove(&powers) {
+        None => {
+            terms.insert(powers, factor);
+        }
+        Some(present) => {
+            let sum = Rationals.add(&present, &factor);
+            if !sum.is_zero() {
+                terms.insert(powers, sum);
+            }
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! The ring of Laurent polynomials in given letters.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{HalfPowers, LaurentPolynomial, add_term};
+use crate::algebra::{Function, Rational, Rationals, Ring};
+
+/// The ring of all [`LaurentPolynomial`]s in some letters.
+///
+/// Quotients and powers that are no natural ones exist of single terms only, and of sums where the division leaves no
+/// rest. What has more than ten thousand terms, or exponents beyond a million, is not kept: see
+/// [`LaurentPolynomial::is_beyond_limit`].
+#[derive(Clone, Debug)]
+pub struct LaurentPolynomials {
+    letters: Arc<[String]>,
+}
+
+/// So many products of terms in one product of sums, which take a tenth of a second; an order has hundreds of such products.
+const MOST_PRODUCTS: usize = 100_000;
+const MOST_TERMS: usize = 10_000;
+const LARGEST_HALF_POWER: i64 = 2_000_000;
+
+impl LaurentPolynomials {
+    /// The ring in letters of these names.
+    #[must_use]
+    pub fn new(letters: Vec<String>) -> Self {
+        Self { letters: letters.into() }
+    }
+
+    /// Their names.
+    #[must_use]
+    pub fn letters(&self) -> &[String] {
+        &self.letters
+    }
+
+    /// The letter of this number, counted from zero; zero beyond the last.
+    #[must_use]
+    pub fn letter(&self, number: usize) -> LaurentPolynomial {
+        let mut powers = self.no_powers();
+        match powers.get_mut(number) {
+            Some(power) => *power = 2,
+            None => return self.zero(),
+        }
+        self.term(powers, Rational::from(1))
+    }
+
+    #[doc(hidden)]
+    pub fn term(&self, powers: HalfPowers, factor: Rational) -> LaurentPolynomial {
+        let beyond = powers.iter().any(|power| power.abs() > LARGEST_HALF_POWER);
+        let terms = if factor.is_zero() { BTreeMap::new() } else { BTreeMap::from([(powers, factor)]) };
+        self.element((!beyond).then_some(terms))
+    }
+
+    /// The part whose terms are such.
+    #[doc(hidden)]
+    pub fn part(&self, of: &LaurentPolynomial, is_such: impl Fn(&[i64]) -> bool) -> LaurentPolynomial {
+        let such = |terms: &BTreeMap<HalfPowers, Rational>| {
+            let such = terms.iter().filter(|(powers, _)| is_such(powers));
+            such.map(|(powers, factor)| (powers.clone(), factor.clone())).collect()
+        };
+        self.element(of.terms.as_ref().map(such))
+    }
+
+    fn no_powers(&self) -> HalfPowers {
+        vec![0; self.letters.len()].into()
+    }
+
+    fn element(&self, terms: Option<BTreeMap<HalfPowers, Rational>>) -> LaurentPolynomial {
+        let terms = terms.filter(|terms| terms.len() <= MOST_TERMS);
+        LaurentPolynomial { letters: Arc::clone(&self.letters), terms }
+    }
+
+    fn map(&self, a: &LaurentPolynomial, change: impl Fn(&Rational) -> Rational) -> LaurentPolynomial {
+        let changed = |terms: &BTreeMap<HalfPowers, Rational>| {
+            terms.iter().map(|(powers, factor)| (powers.clone(), change(factor))).collect()
+        };
+        self.element(a.terms.as_ref().map(changed))
+    }
+
+    fn sum(
+        &self,
+        a: &LaurentPolynomial,
+        b: &LaurentPolynomial,
+        of: impl Fn(&Rational) -> Rational,
+    ) -> LaurentPolynomial {
+        let terms = a.terms.clone().zip(b.terms.as_ref()).map(|(mut sum, terms)| {
+            for (powers, factor) in terms {
+                add_term(&mut sum, powers.clone(), of(factor));
+            }
+            sum
+        });
+        self.element(terms)
+    }
+
+    /// A single term to a power that is a multiple of one half, or leads to such.
+    fn power_of_term(
+        &self,
+        (powers, factor): (&HalfPowers, &Rational),
+        exponent: &Rational,
+    ) -> Option<LaurentPolynomial> {
+        let raised = powers.iter().map(|&power| {
+            let raised = Rationals.multiply(&Rational::from(power), exponent);
+            let size = raised.magnitude().to_natural().and_then(|size| i64::try_from(size).ok())?;
+            Some(if raised.is_negative() { -size } else { size })
+        });
+        let raised: HalfPowers = raised.collect::<Option<Vec<_>>>()?.into();
+        Some(self.term(raised, Rationals.power(factor, exponent)?))
+    }
+
+    /// Long division by the last terms, until a rest is smaller than the divisor.
+    fn divide_exactly(
+        &self,
+        a: &LaurentPolynomial,
+        divisor: &LaurentPolynomial,
+    ) -> Option<LaurentPolynomial> {
+        let (leading, factor) = divisor.terms.as_ref()?.last_key_value()?;
+        let (mut rest, mut quotient) = (a.clone(), self.zero());
+        // Each step takes the last term away, and what it brings comes before it.
+        for _ in 0..MOST_TERMS {
+            let Some((powers, above)) = rest.terms.as_ref()?.last_key_value() else { return Some(quotient) };
+            let powers = powers.iter().zip(leading.iter()).map(|(a, b)| a - b).collect();
+            let term = self.term(powers, above.checked_div(factor)?);
+            if !self.may_divide(&term, a, divisor) {
+                return None;
+            }
+            rest = self.subtract(&rest, &self.multiply(&term, divisor));
+            quotient = self.add(&quotient, &term);
+        }
+        None
+    }
+
+    /// Whether a term of a quotient has no power that numerator and divisor together exclude: in each letter the extreme powers of a product are
+    /// the sums of those of its factors.
+    fn may_divide(
+        &self,
+        term: &LaurentPolynomial,
+        a: &LaurentPolynomial,
+        divisor: &LaurentPolynomial,
+    ) -> bool {
+        let Some((powers, _)) = term.as_single_term() else { return false };
+        powers.iter().enumerate().all(|(place, power)| {
+            let (low, high) = extremes(a, place);
+            let (low_divisor, high_divisor) = extremes(divisor, place);
+            (low - low_divisor..=high - high_divisor).contains(power)
+        })
+    }
+}
+
+/// The smallest and the largest power of a letter.
+fn extremes(of: &LaurentPolynomial, place: usize) -> (i64, i64) {
+    let powers = || of.half_powers().map(|(powers, _)| powers[place]);
+    (powers().min().unwrap_or(0), powers().max().unwrap_or(0))
+}
+
+impl Ring for LaurentPolynomials {
+    type Element = LaurentPolynomial;
+
+    fn zero(&self) -> LaurentPolynomial {
+        self.element(Some(BTreeMap::new()))
+    }
+
+    fn is_zero(&self, a: &LaurentPolynomial) -> bool {
+        a.is_zero()
+    }
+
+    fn rational(&self, value: &Rational) -> Option<LaurentPolynomial> {
+        Some(self.term(self.no_powers(), value.clone()))
+    }
+
+    fn add(&self, a: &LaurentPolynomial, b: &LaurentPolynomial) -> LaurentPolynomial {
+        self.sum(a, b, Clone::clone)
+    }
+
+    fn subtract(&self, a: &LaurentPolynomial, b: &LaurentPolynomial) -> LaurentPolynomial {
+        self.sum(a, b, |factor| Rationals.negate(factor))
+    }
+
+    fn negate(&self, a: &LaurentPolynomial) -> LaurentPolynomial {
+        self.map(a, |factor| Rationals.negate(factor))
+    }
+
+    fn multiply(&self, a: &LaurentPolynomial, b: &LaurentPolynomial) -> LaurentPolynomial {
+        let pair = a.terms.as_ref().zip(b.terms.as_ref());
+        let Some((a, b)) = pair.filter(|(a, b)| a.len().saturating_mul(b.len()) <= MOST_PRODUCTS) else {
+            return self.element(None);
+        };
+        let mut sum = BTreeMap::new();
+        for (x, p) in a {
+            for (y, q) in b {
+                let powers: HalfPowers = x.iter().zip(y.iter()).map(|(i, j)| i + j).collect();
+                if powers.iter().any(|power| power.abs() > LARGEST_HALF_POWER) {
+                    return self.element(None);
+                }
+                add_term(&mut sum, powers, Rationals.multiply(p, q));
+            }
+        }
+        self.element(Some(sum))
+    }
+
+    fn times_integer(&self, a: &LaurentPolynomial, factor: i64) -> LaurentPolynomial {
+        if factor == 0 {
+            return self.zero();
+        }
+        self.map(a, |own| Rationals.times_integer(own, factor))
+    }
+
+    fn divide(&self, a: &LaurentPolynomial, divisor: &LaurentPolynomial) -> Option<LaurentPolynomial> {
+        match divisor.as_single_term() {
+            Some(term) => Some(self.multiply(a, &self.power_of_term(term, &Rational::from(-1))?)),
+            None => self.divide_exactly(a, divisor),
+        }
+    }
+
+    fn over_integer(&self, a: &LaurentPolynomial, divisor: u64) -> Option<LaurentPolynomial> {
+        let inverse = Rationals.over_integer(&Rational::from(1), divisor)?;
+        Some(self.map(a, |factor| Rationals.multiply(factor, &inverse)))
+    }
+
+    /// Of numbers only, where the value is a fraction; of single terms the square root.
+    fn value(&self, function: Function, at: &LaurentPolynomial) -> Option<LaurentPolynomial> {
+        if function == Function::Sqrt {
+            return self.power(at, &Rational::new(1, 2)?);
+        }
+        self.rational(&Rationals.value(function, &at.to_constant()?)?)
+    }
+
+    fn power(&self, a: &LaurentPolynomial, exponent: &Rational) -> Option<LaurentPolynomial> {
+        if let Some(term) = a.as_single_term() {
+            return self.power_of_term(term, exponent);
+        }
+        if a.is_zero() {
+            return self.rational(&Rationals.power(&Rational::from(0), exponent)?);
+        }
+        // The number of terms doubles as a rule until the limit is reached.
+        let (one, times) = (self.rational(&Rational::from(1))?, exponent.to_natural()?);
+        let product = |power: LaurentPolynomial, _| {
+            let next = self.multiply(&power, a);
+            if next.is_beyond_limit() { Err(next) } else { Ok(next) }
+        };
+        Some(
+            (0..times.min(u64::try_from(MOST_TERMS).ok()?))
+                .try_fold(one, product)
+                .unwrap_or_else(|beyond| beyond),
+        )
+    }
+
+    fn pi(&self) -> Option<LaurentPolynomial> {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring() -> LaurentPolynomials {
+        LaurentPolynomials::new(["a", "b", "w"].map(str::to_owned).to_vec())
+    }
+
+    fn rational(text: &str) -> Rational {
+        text.parse().unwrap()
+    }
+
+    /// 3b/(8w²) − 5a²/12 + 2.
+    fn sample(ring: &LaurentPolynomials) -> LaurentPolynomial {
+        let term =
+            |powers: [i64; 3], factor| ring.term(powers.map(|power| 2 * power).into(), rational(factor));
+        let sum = ring.add(&term([0, 1, -2], "3/8"), &term([2, 0, 0], "-5/12"));
+        ring.add(&sum, &term([0, 0, 0], "2"))
+    }
+
+    #[test]
+    fn arithmetic_keeps_the_ring_laws() {
+        let ring = ring();
+        let (x, y) = (sample(&ring), ring.subtract(&ring.letter(0), &ring.letter(2)));
+        let z = ring.divide(&ring.letter(1), &ring.letter(2)).unwrap();
+        let sum = ring.add(&y, &z);
+        let products = ring.add(&ring.multiply(&x, &y), &ring.multiply(&x, &z));
+        assert_eq!(ring.multiply(&x, &sum), products);
+        assert!(ring.subtract(&x, &x).is_zero());
+        assert_eq!(ring.divide(&products, &sum), Some(x.clone()));
+        assert_eq!(ring.divide(&ring.add(&products, &ring.letter(0)), &sum), None, "a rest is left");
+        assert_eq!(ring.divide(&x, &ring.zero()), None);
+    }
+
+    #[test]
+    fn a_value_is_the_same_before_and_after_an_operation() {
+        let ring = ring();
+        // a = 4, b = 1/9, w = 25.
+        let at = ["2", "1/3", "5"].map(rational);
+        let power =
+            |place: usize, half_power: i64| at[place].integer_power(isize::try_from(half_power).unwrap());
+        let value = |polynomial: &LaurentPolynomial| polynomial.value(power).unwrap();
+        // (3/8)(1/9)/625 − (5/12)·16 + 2 by hand.
+        assert_eq!(value(&sample(&ring)), rational("-23333/5000"));
+        let square = ring.multiply(&sample(&ring), &sample(&ring));
+        assert_eq!(value(&square), value(&sample(&ring)) * value(&sample(&ring)));
+    }
+
+    #[test]
+    fn roots_are_those_of_single_terms() {
+        let ring = ring();
+        let half = rational("1/2");
+        let quotient = ring.divide(&ring.times_integer(&ring.letter(0), 4), &ring.letter(1)).unwrap();
+        let root = ring.power(&quotient, &half).unwrap();
+        assert_eq!(root.to_string(), "2*sqrt(a)/sqrt(b)");
+        assert_eq!(ring.multiply(&root, &root), quotient);
+        assert_eq!(ring.power(&root, &half), None, "a fourth root");
+        assert_eq!(ring.power(&ring.times_integer(&ring.letter(0), 2), &half), None, "√2 is no fraction");
+        assert_eq!(ring.power(&ring.add(&ring.letter(0), &ring.letter(1)), &half), None);
+    }
+
+    #[test]
+    fn what_grows_beyond_the_limit_stays_unknown() {
+        let ring = ring();
+        let sum = ring.add(&ring.add(&ring.letter(0), &ring.letter(1)), &ring.letter(2));
+        let beyond = ring.power(&sum, &rational("1000")).unwrap();
+        assert!(beyond.is_beyond_limit() && !beyond.is_zero());
+        assert!(ring.add(&beyond, &sum).is_beyond_limit() && ring.multiply(&sum, &beyond).is_beyond_limit());
+        let large = ring.power(&ring.letter(0), &rational("700000")).unwrap();
+        assert!(!large.is_beyond_limit() && ring.multiply(&large, &large).is_beyond_limit());
+    }
+}

@@ -1,0 +1,159 @@
+//! Sums of whole powers of π, also negative ones, as a ring: π is taken as independent of the numbers before it.
+
+use std::collections::BTreeMap;
+
+use super::{Function, Rational, Ring};
+
+/// All Σ cₚπᵖ over a field of numbers cₚ. Only single terms have an inverse.
+#[derive(Clone, Debug)]
+pub struct PiPowers<F> {
+    pub numbers: F,
+}
+
+/// cₚ by p, none of them zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PiPolynomial<E> {
+    terms: BTreeMap<i32, E>,
+}
+
+impl<E> PiPolynomial<E> {
+    /// The powers of π with what stands before them.
+    pub fn terms(&self) -> impl Iterator<Item = (i32, &E)> {
+        self.terms.iter().map(|(&power, number)| (power, number))
+    }
+}
+
+impl<F: Ring> PiPowers<F> {
+    /// c·πᵖ.
+    pub fn term(&self, power: i32, number: F::Element) -> PiPolynomial<F::Element> {
+        let mut sum = self.zero();
+        self.add_term(&mut sum, power, number);
+        sum
+    }
+
+    fn add_term(&self, sum: &mut PiPolynomial<F::Element>, power: i32, number: F::Element) {
+        let total = match sum.terms.remove(&power) {
+            Some(present) => self.numbers.add(&present, &number),
+            None => number,
+        };
+        if !self.numbers.is_zero(&total) {
+            sum.terms.insert(power, total);
+        }
+    }
+
+    fn map(
+        a: &PiPolynomial<F::Element>,
+        f: impl Fn(&F::Element) -> Option<F::Element>,
+    ) -> Option<PiPolynomial<F::Element>> {
+        let terms = a.terms.iter().map(|(&power, number)| Some((power, f(number)?)));
+        Some(PiPolynomial { terms: terms.collect::<Option<_>>()? })
+    }
+
+    /// The number, when no power of π is left.
+    fn as_number(&self, a: &PiPolynomial<F::Element>) -> Option<F::Element> {
+        if a.terms.is_empty() {
+            return Some(self.numbers.zero());
+        }
+        a.terms.get(&0).filter(|_| a.terms.len() == 1).cloned()
+    }
+}
+
+impl<F: Ring> Ring for PiPowers<F> {
+    type Element = PiPolynomial<F::Element>;
+
+    fn zero(&self) -> Self::Element {
+        PiPolynomial { terms: BTreeMap::new() }
+    }
+
+    fn is_zero(&self, a: &Self::Element) -> bool {
+        a.terms.is_empty()
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Self::Element> {
+        self.numbers.rational(value).map(|number| self.term(0, number))
+    }
+
+    fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        let mut sum = a.clone();
+        for (power, number) in b.terms() {
+            self.add_term(&mut sum, power, number.clone());
+        }
+        sum
+    }
+
+    fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        self.add(a, &self.negate(b))
+    }
+
+    fn negate(&self, a: &Self::Element) -> Self::Element {
+        let terms = a.terms.iter().map(|(&power, number)| (power, self.numbers.negate(number)));
+        PiPolynomial { terms: terms.collect() }
+    }
+
+    fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        let mut sum = self.zero();
+        for (p, x) in a.terms() {
+            for (q, y) in b.terms() {
+                self.add_term(&mut sum, p + q, self.numbers.multiply(x, y));
+            }
+        }
+        sum
+    }
+
+    fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element {
+        let times = |number: &F::Element| Some(self.numbers.times_integer(number, factor));
+        if factor == 0 { self.zero() } else { Self::map(a, times).unwrap_or_else(|| self.zero()) }
+    }
+
+    fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
+        let mut terms = divisor.terms();
+        let ((shift, number), None) = (terms.next()?, terms.next()) else { return None };
+        let quotient = Self::map(a, |x| self.numbers.divide(x, number))?;
+        Some(PiPolynomial { terms: quotient.terms.into_iter().map(|(p, x)| (p - shift, x)).collect() })
+    }
+
+    fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {
+        Self::map(a, |number| self.numbers.over_integer(number, divisor))
+    }
+
+    fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
+        self.numbers.value(function, &self.as_number(at)?).map(|number| self.term(0, number))
+    }
+
+    fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element> {
+        self.numbers.power(&self.as_number(a)?, exponent).map(|number| self.term(0, number))
+    }
+
+    fn pi(&self) -> Option<Self::Element> {
+        self.numbers.rational(&Rational::from(1)).map(|one| self.term(1, one))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::Rationals;
+
+    const RING: PiPowers<Rationals> = PiPowers { numbers: Rationals };
+
+    fn sum(terms: &[(i32, i64)]) -> PiPolynomial<Rational> {
+        let each = terms.iter().map(|&(power, number)| RING.term(power, Rational::from(number)));
+        each.fold(RING.zero(), |sum, term| RING.add(&sum, &term))
+    }
+
+    #[test]
+    fn products_add_powers_and_terms_cancel() {
+        let (a, b) = (sum(&[(-1, 2), (0, 3)]), sum(&[(-1, 2), (0, -3)]));
+        assert_eq!(RING.multiply(&a, &b), sum(&[(-2, 4), (0, -9)]));
+        assert!(RING.is_zero(&RING.subtract(&a, &a)));
+        assert!(RING.is_zero(&RING.times_integer(&a, 0)));
+    }
+
+    #[test]
+    fn single_terms_divide_and_sums_do_not() {
+        let a = sum(&[(-1, 2), (1, 6)]);
+        assert_eq!(RING.divide(&a, &sum(&[(1, 2)])), Some(sum(&[(-2, 1), (0, 3)])));
+        assert_eq!(RING.divide(&a, &a), None);
+        assert_eq!(RING.divide(&a, &RING.zero()), None);
+    }
+}

@@ -1,0 +1,323 @@
+//! Arithmetic modulo several primes at once, one for each lane of a vector unit.
+
+use super::{Function, PrimeField, Rational, Ring};
+use libration_kernels::dispatch::{Kernel, dispatch_slices};
+
+/// How many primes there are: as many products of 32 bits as the widest registers hold.
+pub(crate) const LANES: usize = 8;
+
+/// A number for each prime.
+pub type Residues = [u32; LANES];
+
+/// Sums of products of residues before they are reduced.
+pub(super) type Sums = [u64; LANES];
+
+/// How many products may be added to a folded sum.
+pub(super) const PRODUCTS: usize = 8;
+
+/// The integers modulo each of eight primes below 2³⁰, as Montgomery residues: a ring in which a number without inverse modulo one of
+/// the primes has none.
+#[derive(Clone, Debug)]
+pub struct PrimeFields {
+    lanes: Lanes,
+    /// 1/n for small n.
+    inverses: Vec<Residues>,
+}
+
+/// The fields, constant by constant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lanes {
+    primes: Residues,
+    negative_inverses: Residues,
+    units: Residues,
+    radices_squared: Residues,
+}
+
+/// How many inverses of small integers are kept.
+const KEPT_INVERSES: usize = 512;
+
+/// One number for each lane, always compiled into its caller, and so for the same instruction set.
+#[inline(always)]
+fn each<T: Copy + Default>(mut number: impl FnMut(usize) -> T) -> [T; LANES] {
+    let mut all = [T::default(); LANES];
+    for (lane, one) in all.iter_mut().enumerate() {
+        *one = number(lane);
+    }
+    all
+}
+
+impl Lanes {
+    fn new(primes: Residues) -> Self {
+        let fields = primes.map(PrimeField::new);
+        Self {
+            primes,
+            negative_inverses: fields.map(|field| field.negative_inverse()),
+            units: fields.map(|field| field.unit()),
+            radices_squared: fields.map(|field| field.radix_squared()),
+        }
+    }
+
+    #[inline(always)]
+    fn field(&self, lane: usize) -> PrimeField {
+        PrimeField::from_constants(
+            self.primes[lane],
+            self.negative_inverses[lane],
+            self.units[lane],
+            self.radices_squared[lane],
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn product(&self, a: &Residues, b: &Residues) -> Residues {
+        each(|lane| self.field(lane).product(a[lane], b[lane]))
+    }
+
+    #[inline(always)]
+    fn sum(&self, a: &Residues, b: &Residues) -> Residues {
+        each(|lane| self.field(lane).sum(a[lane], b[lane]))
+    }
+
+    #[inline(always)]
+    fn difference(&self, a: &Residues, b: &Residues) -> Residues {
+        each(|lane| self.field(lane).difference(a[lane], b[lane]))
+    }
+
+    /// Room for [`PRODUCTS`] more.
+    #[inline(always)]
+    pub(super) fn folded(&self, sums: &Sums) -> Sums {
+        each(|lane| self.field(lane).folded(sums[lane]))
+    }
+
+    /// A sum to which up to [`PRODUCTS`] were added, as residues.
+    #[inline(always)]
+    pub(super) fn settled(&self, sums: &Sums) -> Residues {
+        each(|lane| {
+            let field = self.field(lane);
+            field.reduced(field.folded(sums[lane]))
+        })
+    }
+}
+
+/// `sums + a·b`.
+#[inline(always)]
+pub(super) fn accumulated(sums: &Sums, a: &Residues, b: &Residues) -> Sums {
+    each(|lane| sums[lane] + u64::from(a[lane]) * u64::from(b[lane]))
+}
+
+impl PrimeFields {
+    pub(crate) fn new(primes: Residues) -> Self {
+        let lanes = Lanes::new(primes);
+        Self { lanes, inverses: small_inverses(&lanes) }
+    }
+
+    pub(super) fn lanes(&self) -> &Lanes {
+        &self.lanes
+    }
+
+    pub fn primes(&self) -> Residues {
+        self.lanes.primes
+    }
+
+    pub(crate) fn unit(&self) -> Residues {
+        self.lanes.units
+    }
+
+    /// A number modulo each prime.
+    pub fn in_each(&self, number: impl Fn(&PrimeField) -> Option<u32>) -> Option<Residues> {
+        let mut all = [0; LANES];
+        for (lane, one) in all.iter_mut().enumerate() {
+            *one = number(&self.lanes.field(lane))?;
+        }
+        Some(all)
+    }
+
+    pub(crate) fn integer(&self, value: u64) -> Residues {
+        each(|lane| self.lanes.field(lane).residue(value))
+    }
+
+    /// `None` where it is zero modulo one of the primes.
+    pub(crate) fn inverse(&self, a: &Residues) -> Option<Residues> {
+        inverse(&self.lanes, a)
+    }
+}
+
+fn inverse(lanes: &Lanes, a: &Residues) -> Option<Residues> {
+    a.iter().all(|&a| a != 0).then(|| {
+        let (mut result, mut square) = (lanes.units, *a);
+        let exponents = lanes.primes.map(|prime| prime - 2);
+        for bit in 0..30 {
+            let longer = lanes.product(&result, &square);
+            result = each(|lane| if exponents[lane] >> bit & 1 == 1 { longer[lane] } else { result[lane] });
+            square = lanes.product(&square, &square);
+        }
+        result
+    })
+}
+
+/// 1/0 = 0, 1/1, 1/2, …: all from the inverse of one factorial.
+fn small_inverses(lanes: &Lanes) -> Vec<Residues> {
+    let mut integers = vec![[0; LANES]];
+    let mut factorials = vec![lanes.units];
+    for n in 1..KEPT_INVERSES {
+        integers.push(lanes.sum(&integers[n - 1], &lanes.units));
+        factorials.push(lanes.product(&factorials[n - 1], &integers[n]));
+    }
+    let last = &factorials[KEPT_INVERSES - 1];
+    let mut over_factorial = inverse(lanes, last).expect("the primes are above all small integers");
+    let mut inverses = vec![[0; LANES]; KEPT_INVERSES];
+    for n in (1..KEPT_INVERSES).rev() {
+        inverses[n] = lanes.product(&over_factorial, &factorials[n - 1]);
+        over_factorial = lanes.product(&over_factorial, &integers[n]);
+    }
+    inverses
+}
+
+impl Ring for PrimeFields {
+    type Element = Residues;
+
+    fn zero(&self) -> Residues {
+        [0; LANES]
+    }
+
+    fn is_zero(&self, a: &Residues) -> bool {
+        *a == [0; LANES]
+    }
+
+    /// `None` when one of the primes divides the denominator.
+    fn rational(&self, value: &Rational) -> Option<Residues> {
+        self.in_each(|field| field.fraction(value))
+    }
+
+    fn add(&self, a: &Residues, b: &Residues) -> Residues {
+        self.lanes.sum(a, b)
+    }
+
+    fn subtract(&self, a: &Residues, b: &Residues) -> Residues {
+        self.lanes.difference(a, b)
+    }
+
+    fn negate(&self, a: &Residues) -> Residues {
+        self.lanes.difference(&[0; LANES], a)
+    }
+
+    fn multiply(&self, a: &Residues, b: &Residues) -> Residues {
+        self.lanes.product(a, b)
+    }
+
+    fn times_integer(&self, a: &Residues, factor: i64) -> Residues {
+        let magnitude = match u32::try_from(factor.unsigned_abs()) {
+            Ok(word) => self.lanes.product(&[word; LANES], &self.lanes.radices_squared),
+            Err(_) => self.integer(factor.unsigned_abs()),
+        };
+        let product = self.lanes.product(a, &magnitude);
+        if factor < 0 { self.negate(&product) } else { product }
+    }
+
+    fn divide(&self, a: &Residues, divisor: &Residues) -> Option<Residues> {
+        Some(self.lanes.product(a, &self.inverse(divisor)?))
+    }
+
+    fn over_integer(&self, a: &Residues, divisor: u64) -> Option<Residues> {
+        let kept = usize::try_from(divisor).ok().filter(|&n| n > 0).and_then(|n| self.inverses.get(n));
+        match kept {
+            Some(inverse) => Some(self.lanes.product(a, inverse)),
+            None => self.divide(a, &self.integer(divisor)),
+        }
+    }
+
+    fn value(&self, _: Function, _: &Residues) -> Option<Residues> {
+        None
+    }
+
+    fn power(&self, _: &Residues, _: &Rational) -> Option<Residues> {
+        None
+    }
+
+    fn pi(&self) -> Option<Residues> {
+        None
+    }
+
+    fn convolution(&self, a: &[Residues], b: &[Residues]) -> Residues {
+        dispatch_slices(Convolution { lanes: &self.lanes, a, b })
+    }
+}
+
+struct Convolution<'a> {
+    lanes: &'a Lanes,
+    a: &'a [Residues],
+    b: &'a [Residues],
+}
+
+impl Kernel for Convolution<'_> {
+    type Output = Residues;
+
+    #[inline(always)]
+    fn run(self) -> Residues {
+        let mut sums = [0; LANES];
+        for (a, b) in self.a.chunks(PRODUCTS).zip(self.b.rchunks(PRODUCTS)) {
+            sums = self.lanes.folded(&sums);
+            for (a, b) in a.iter().zip(b.iter().rev()) {
+                sums = accumulated(&sums, a, b);
+            }
+        }
+        self.lanes.settled(&sums)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::primes_with_roots;
+    use super::*;
+
+    fn fields() -> PrimeFields {
+        let mut primes = primes_with_roots(16);
+        PrimeFields::new(std::array::from_fn(|_| primes.next().unwrap()))
+    }
+
+    #[test]
+    fn each_lane_is_a_field_of_its_own() {
+        let fields = fields();
+        let (a, b) = (fields.integer(1 << 40), fields.integer(12_345_678_901));
+        let alone = |operation: fn(&PrimeField, u32, u32) -> u32| {
+            std::array::from_fn(|lane| operation(&PrimeField::new(fields.primes()[lane]), a[lane], b[lane]))
+        };
+        assert_eq!(fields.multiply(&a, &b), alone(PrimeField::product));
+        assert_eq!(fields.add(&a, &b), alone(PrimeField::sum));
+        assert_eq!(fields.subtract(&a, &b), alone(PrimeField::difference));
+        assert_eq!(fields.multiply(&fields.inverse(&a).unwrap(), &a), fields.unit());
+        assert_eq!(fields.times_integer(&a, -(1 << 40)), fields.negate(&fields.multiply(&a, &a)));
+        // A number that is zero modulo one of the primes only.
+        let one_zero = fields.integer(u64::from(fields.primes()[3]));
+        assert!(one_zero[3] == 0 && !fields.is_zero(&one_zero));
+        assert_eq!(fields.inverse(&one_zero), None);
+    }
+
+    #[test]
+    fn long_convolutions_do_not_overflow() {
+        let fields = fields();
+        let largest = fields.primes().map(|prime| prime - 1);
+        for length in [0, 1, 7, 8, 9, 1000] {
+            let sum = fields.convolution(&vec![largest; length], &vec![largest; length]);
+            let expected =
+                fields.times_integer(&fields.multiply(&largest, &largest), i64::try_from(length).unwrap());
+            assert_eq!(sum, expected, "{length}");
+        }
+        let numbers: Vec<Residues> = (0..20).map(|n| fields.integer(n * n + 1)).collect();
+        let direct = |n: usize| fields.multiply(&numbers[n], &numbers[18 - n]);
+        let expected = (0..19).fold(fields.zero(), |sum, n| fields.add(&sum, &direct(n)));
+        assert_eq!(fields.convolution(&numbers[..19], &numbers[..19]), expected);
+    }
+
+    #[test]
+    fn fractions_are_quotients() {
+        let fields = fields();
+        let seventh = fields.rational(&Rational::new(-3, 7).unwrap()).unwrap();
+        assert_eq!(fields.times_integer(&seventh, -7), fields.integer(3));
+        for divisor in [3_i64, 511, 512, 100_003] {
+            let quotient = fields.over_integer(&seventh, divisor.unsigned_abs());
+            assert_eq!(quotient, fields.rational(&Rational::new(-3, 7 * divisor).unwrap()));
+        }
+        let prime = i64::from(fields.primes()[5]);
+        assert_eq!(fields.rational(&Rational::new(1, prime).unwrap()), None);
+    }
+}

@@ -1,0 +1,60 @@
+//! Primes of 30 bits whose fields have the roots of unity that values on a circle need.
+
+/// Primes between 2²⁹ and 2³⁰ of the form c·2ᵏ + 1, in descending order: they have roots of unity of order 2ᵏ.
+pub fn primes_with_roots(k: u32) -> impl Iterator<Item = u32> {
+    let step = 1_u32 << k.min(29);
+    let largest = ((1_u32 << 30) / step - 1) * step + 1;
+    std::iter::successors(Some(largest), move |candidate| candidate.checked_sub(step))
+        .take_while(|&candidate| candidate > 1 << 29)
+        .filter(|&candidate| is_prime(candidate))
+}
+
+/// Miller and Rabin's test, with the bases that decide below 3.2·10⁹.
+///
+/// Reference: G. Jaeschke, Math. Comp. 61, 915 (1993), doi:10.1090/S0025-5718-1993-1192971-8.
+pub(super) fn is_prime(n: u32) -> bool {
+    const BASES: [u32; 4] = [2, 3, 5, 7];
+    if let Some(&small) = BASES.iter().find(|&&base| n.is_multiple_of(base)) {
+        return n == small;
+    }
+    let multiply =
+        |a: u32, b: u32| u32::try_from(u64::from(a) * u64::from(b) % u64::from(n)).expect("it is below n");
+    let raise = |base: u32, exponent: u32| {
+        let bits = (0..u32::BITS - exponent.leading_zeros()).rev();
+        bits.fold(1, |power, bit| {
+            let square = multiply(power, power);
+            if exponent >> bit & 1 == 1 { multiply(square, base) } else { square }
+        })
+    };
+    let passes = |base: u32, twos: u32| {
+        let mut power = raise(base, (n - 1) >> twos);
+        power == 1
+            || (0..twos).any(|_| {
+                let found = power == n - 1;
+                power = multiply(power, power);
+                found
+            })
+    };
+    n > 1 && BASES.iter().all(|&base| passes(base, (n - 1).trailing_zeros()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_primes_are_told_from_composites() {
+        let primes: Vec<u32> = (0..60).filter(|&n| is_prime(n)).collect();
+        assert_eq!(primes, [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59]);
+        // The least strong pseudoprime to the first three bases, and 2³¹ − 1.
+        assert!(!is_prime(25_326_001));
+        assert!(is_prime((1 << 31) - 1));
+    }
+
+    #[test]
+    fn primes_for_the_longest_series_are_plenty() {
+        for k in [3, 9, 11, 14] {
+            assert!(primes_with_roots(k).take(3000).all(|p| p % (1 << k) == 1 && p >> 29 == 1), "{k}");
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! Exact fractions: the coefficients of series and of leading errors.
+
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+use std::str::FromStr;
+
+use dashu_base::{Approximation, BitTest, Sign};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+/// An exact fraction of integers of any size, always in lowest terms with a positive denominator.
+///
+/// # Examples
+/// ```
+/// use libration::algebra::Rational;
+/// let slope: Rational = "1/16".parse()?;
+/// assert_eq!((slope.clone() * slope).to_string(), "1/256");
+/// # Ok::<(), libration::algebra::NotARational>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Rational(pub(super) RBig);
+
+impl Rational {
+    /// `numerator / denominator` in lowest terms; `None` when the denominator is zero.
+    #[must_use]
+    pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
+        let denominator = IBig::from(denominator);
+        if denominator.is_zero() {
+            return None;
+        }
+        Some(Self(RBig::from_parts_signed(IBig::from(numerator), denominator)))
+    }
+
+    /// The quotient; `None` when the divisor is zero.
+    #[must_use]
+    pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        (!divisor.is_zero()).then(|| Self(&self.0 / &divisor.0))
+    }
+
+    /// Whether this is zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+
+    /// The numerator in decimal digits, with its sign.
+    #[must_use]
+    pub fn numerator(&self) -> String {
+        self.0.numerator().to_string()
+    }
+
+    /// The denominator in decimal digits, positive.
+    #[must_use]
+    pub fn denominator(&self) -> String {
+        self.0.denominator().to_string()
+    }
+
+    /// The nearest `f64`, ties to even; infinite beyond the largest.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.0.to_f64().value()
+    }
+
+    /// Whether double precision holds it as it is.
+    #[doc(hidden)]
+    pub fn is_double(&self) -> bool {
+        matches!(self.0.to_f64(), Approximation::Exact(_))
+    }
+
+    /// `numerator / denominator`, the latter not zero.
+    #[doc(hidden)]
+    pub fn from_parts(numerator: IBig, denominator: UBig) -> Self {
+        Self(RBig::from_parts(numerator, denominator))
+    }
+
+    /// |a|.
+    #[must_use]
+    pub fn magnitude(&self) -> Self {
+        if self.is_negative() { self.clone().neg() } else { self.clone() }
+    }
+
+    /// Whether this is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.parts().0.sign() == Sign::Negative
+    }
+
+    /// Bits of the numerator or the denominator, whichever is longer.
+    #[doc(hidden)]
+    pub fn bits(&self) -> usize {
+        self.parts().0.bit_len().max(self.parts().1.bit_len())
+    }
+
+    /// Whether this is a whole number.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        self.parts().1.is_one()
+    }
+
+    /// The number as a natural one, when it is that and fits.
+    #[must_use]
+    pub fn to_natural(&self) -> Option<u64> {
+        self.is_integer().then(|| u64::try_from(self.parts().0).ok()).flatten()
+    }
+
+    /// The root, when it is a fraction.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        self.root(2)
+    }
+
+    /// The n-th root, when it is a fraction; not negative for even n.
+    pub(super) fn root(&self, n: usize) -> Option<Self> {
+        let exact = |whole: &UBig| Some(whole.nth_root(n)).filter(|root| root.pow(n) == *whole);
+        let (numerator, denominator) = self.parts();
+        let (sign, magnitude) = numerator.clone().into_parts();
+        if n == 0 || (sign == Sign::Negative && n.is_multiple_of(2)) {
+            return None;
+        }
+        Some(Self::from_parts(sign * IBig::from(exact(&magnitude)?), exact(denominator)?))
+    }
+
+    /// The fraction of least denominator strictly between two others.
+    #[doc(hidden)]
+    pub fn simplest_between(low: &Self, high: &Self) -> Self {
+        Self(RBig::simplest_in(low.0.clone(), high.0.clone()))
+    }
+
+    /// A fraction of few digits, smaller by at most 1/1024 of this positive one.
+    #[doc(hidden)]
+    pub fn coarsened(&self) -> Self {
+        let below = Self(&self.0 * RBig::from_parts(1023.into(), 1024_u32.into()));
+        Self::simplest_between(&below, self)
+    }
+
+    /// aⁿ; `None` for a negative power of zero, or more bits than 2¹⁶.
+    #[must_use]
+    pub fn integer_power(&self, n: isize) -> Option<Self> {
+        const BITS: usize = 1 << 16;
+        let (numerator, denominator) = self.parts();
+        let size = numerator.bit_len().max(denominator.bit_len());
+        if (n < 0 && self.is_zero()) || (size > 1 && size.saturating_mul(n.unsigned_abs()) > BITS) {
+            return None;
+        }
+        let power = Self::from_parts(numerator.pow(n.unsigned_abs()), denominator.pow(n.unsigned_abs()));
+        if n < 0 { Self::from(1).checked_div(&power) } else { Some(power) }
+    }
+
+    /// The fraction over 2ⁿ.
+    #[must_use]
+    pub fn divided_by_power_of_two(&self, exponent: usize) -> Self {
+        Self(&self.0 / RBig::from(UBig::ONE << exponent))
+    }
+
+    /// Numerator and denominator modulo a prime, both between 0 and p − 1.
+    pub(crate) fn residues(&self, prime: u32) -> (u32, u32) {
+        let (numerator, denominator) = self.parts();
+        let (sign, magnitude) = numerator.clone().into_parts();
+        let residue = magnitude % prime;
+        let negative = sign == Sign::Negative && residue > 0;
+        (if negative { prime - residue } else { residue }, denominator % prime)
+    }
+
+    pub(crate) fn parts(&self) -> (&IBig, &UBig) {
+        (self.0.numerator(), self.0.denominator())
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(integer: i64) -> Self {
+        Self(RBig::from(integer))
+    }
+}
+
+impl Add for Rational {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for Rational {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Mul for Rational {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Neg for Rational {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+/// As `-23/737280`, an integer without its denominator.
+impl fmt::Display for Rational {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(formatter)
+    }
+}
+
+/// Reads what [`Display`](fmt::Display) writes: an integer, or two of them about a slash.
+impl FromStr for Rational {
+    type Err = NotARational;
+
+    fn from_str(text: &str) -> Result<Self, NotARational> {
+        let refusal = || NotARational { text: text.to_owned() };
+        let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
+        let numerator = IBig::from_str_radix(numerator.trim(), 10).map_err(|_| refusal())?;
+        let denominator = UBig::from_str_radix(denominator.trim(), 10).map_err(|_| refusal())?;
+        if denominator.is_zero() {
+            return Err(refusal());
+        }
+        Ok(Self::from_parts(numerator, denominator))
+    }
+}
+
+/// A text that is not a fraction of two decimal integers.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{text}` is not a fraction: give an integer such as 7, or two such as -23/737280")]
+pub struct NotARational {
+    /// What was given.
+    pub text: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rational(text: &str) -> Rational {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn fractions_are_read_reduced_and_written_back() {
+        for (text, written) in [("-23/737280", "-23/737280"), ("6/4", "3/2"), ("-8/4", "-2"), ("0/7", "0")] {
+            assert_eq!(rational(text).to_string(), written);
+        }
+        assert_eq!(rational("-46/10").numerator(), "-23");
+        assert_eq!(rational("-46/10").denominator(), "5");
+        assert_eq!(Rational::new(3, -6), Rational::new(-1, 2));
+    }
+
+    #[test]
+    fn texts_that_are_no_fractions_are_refused() {
+        for text in ["", "/", "1/0", "1/-2", "1.5", "a/2", "1/2/3"] {
+            assert!(text.parse::<Rational>().is_err(), "{text}");
+        }
+        assert_eq!(Rational::new(1, 0), None);
+        assert_eq!(rational("1/2").checked_div(&rational("0")), None);
+    }
+
+    #[test]
+    fn arithmetic_keeps_the_field_laws() {
+        let (a, b, c) = (rational("3/7"), rational("-5/11"), rational("22/9"));
+        assert_eq!(a.clone() * (b.clone() + c.clone()), a.clone() * b.clone() + a.clone() * c);
+        assert_eq!((a.clone() - b.clone()) + b.clone(), a);
+        assert_eq!(a.checked_div(&b).unwrap() * b, a);
+        assert_eq!(a.clone() + -a, Rational::from(0));
+    }
+
+    #[test]
+    fn conversion_rounds_to_nearest_even() {
+        assert_eq!(rational("1/3").to_f64().to_bits(), (1.0_f64 / 3.0).to_bits());
+        // Halfway between 1 and its successor, then just above halfway.
+        assert_eq!(rational("9007199254740993/9007199254740992").to_f64().to_bits(), 1.0_f64.to_bits());
+        assert_eq!(
+            rational("90071992547409930001/90071992547409920000").to_f64().to_bits(),
+            1.0_f64.next_up().to_bits()
+        );
+    }
+
+    #[test]
+    fn signs_and_whole_numbers_are_told() {
+        for (text, negative, whole) in [
+            ("-7/3", true, false),
+            ("-4/2", true, true),
+            ("0", false, true),
+            ("1/2", false, false),
+            ("6/3", false, true),
+        ] {
+            assert_eq!(
+                (rational(text).is_negative(), rational(text).is_integer()),
+                (negative, whole),
+                "{text}"
+            );
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Fractions from their residues modulo many primes.
+
+use std::collections::BTreeMap;
+
+use super::expected_denominators::{Common, Growth};
+use super::mixed_radix::MixedRadix;
+use super::{LANES, PrimeFields, Rational, Residues};
+
+/// A computation that can be done modulo any prime but a few bad ones.
+pub trait Images {
+    /// Why it may end without an answer.
+    type Error;
+
+    /// The numbers wanted, as residues of `fields`; `None` when one of the primes is bad.
+    fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, Self::Error>;
+
+    /// Where each of the numbers stands; asked after the first image.
+    fn places(&self) -> Vec<Place>;
+
+    /// Asked while fractions are put together from so many primes.
+    fn go_on(&mut self, _primes: usize) -> Result<(), Self::Error> {
+        Ok(())
+    }
+}
+
+/// Numbers of one order and family have similar denominators, which grow from order to order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    pub order: usize,
+    pub family: usize,
+}
+
+/// A computation that has come to an early end.
+#[derive(Debug)]
+pub struct Stopped<E> {
+    pub error: E,
+    /// The numbers of the lowest orders, those of higher ones being zero, and the highest of these orders, if one was certain.
+    pub known: Option<(Vec<Rational>, usize)>,
+}
+
+/// The numbers whose images are given: more primes are taken until the fractions found agree with fresh ones.
+///
+/// This is not a proof: a wrong answer would have to agree with five primes of 30 bits that had no part in it.
+pub fn reconstruct<I: Images>(
+    images: &mut I,
+    mut primes: impl Iterator<Item = u32>,
+) -> Result<Option<Vec<Rational>>, Stopped<I::Error>> {
+    let mut fractions: Option<Fractions> = None;
+    while let Some(fields) = next_fields(&mut primes) {
+        let image = match images.image(&fields) {
+            Ok(Some(image)) => image,
+            Ok(None) => continue,
+            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+        };
+        let found = fractions.get_or_insert_with(|| Fractions::new(&images.places()));
+        found.push(&fields, &image);
+        match found.advance(images) {
+            Ok(true) => return Ok(fractions.map(|found| found.numbers)),
+            Ok(false) => {}
+            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+        }
+    }
+    Ok(None)
+}
+
+fn next_fields(primes: &mut impl Iterator<Item = u32>) -> Option<PrimeFields> {
+    let mut next = [0; LANES];
+    for prime in &mut next {
+        *prime = primes.next()?;
+    }
+    Some(PrimeFields::new(next))
+}
+
+/// The images so far, and the fractions that they suffice to tell, one order after the other.
+#[derive(Debug)]
+struct Fractions {
+    radix: MixedRadix,
+    /// For each number its residues, or nothing while they are all zero.
+    residues: Vec<Option<Vec<Residues>>>,
+    steps: Vec<(Place, Vec<usize>)>,
+    /// How many steps are done.
+    done: usize,
+    numbers: Vec<Rational>,
+    /// The denominators of each family.
+    denominators: BTreeMap<usize, Growth>,
+}
+
+impl Fractions {
+    fn new(places: &[Place]) -> Self {
+        let mut steps: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
+        for (at, &place) in places.iter().enumerate() {
+            steps.entry(place).or_default().push(at);
+        }
+        Self {
+            radix: MixedRadix::default(),
+            residues: vec![None; places.len()],
+            steps: steps.into_iter().collect(),
+            done: 0,
+            numbers: vec![Rational::from(0); places.len()],
+            denominators: BTreeMap::new(),
+        }
+    }
+
+    fn push(&mut self, fields: &PrimeFields, image: &[Residues]) {
+        let groups = self.radix.len() / LANES;
+        for (list, residue) in self.residues.iter_mut().zip(image) {
+            if list.is_some() || *residue != [0; LANES] {
+                list.get_or_insert_with(|| vec![[0; LANES]; groups]).push(*residue);
+            }
+        }
+        fields.primes().into_iter().for_each(|prime| self.radix.push(prime));
+    }
+
+    /// Goes on as far as the primes suffice; whether all is done.
+    fn advance<I: Images>(&mut self, images: &mut I) -> Result<bool, I::Error> {
+        while self.done < self.steps.len() {
+            images.go_on(self.radix.len())?;
+            if self.solve_next().is_none() {
+                return Ok(false);
+            }
+            self.done += 1;
+        }
+        Ok(true)
+    }
+
+    /// The numbers of the next step; `None` when they need more primes.
+    fn solve_next(&mut self) -> Option<()> {
+        let (place, wanted) = &self.steps[self.done];
+        let present: Vec<usize> = wanted.iter().copied().filter(|&at| self.residues[at].is_some()).collect();
+        if present.is_empty() {
+            return Some(());
+        }
+        let growth = self.denominators.entry(place.family).or_default();
+        let mut common = Common::new(&self.radix, growth.expected());
+        for some in present.chunks(LANES) {
+            let some: Vec<(usize, &[Residues])> =
+                some.iter().filter_map(|&at| Some((at, self.residues[at].as_deref()?))).collect();
+            let lists: Vec<&[Residues]> = some.iter().map(|&(_, list)| list).collect();
+            for ((at, _), fraction) in some.iter().zip(common.fractions(&lists)?) {
+                self.numbers[*at] = fraction;
+            }
+        }
+        growth.push(common.least());
+        Some(())
+    }
+
+    /// The numbers that are certain, and the highest order of which all are.
+    fn of_low_orders(self) -> Option<(Vec<Rational>, usize)> {
+        let complete = match self.steps.get(self.done) {
+            Some((place, _)) => place.order.checked_sub(1)?,
+            None => self.steps.last()?.0.order,
+        };
+        let mut numbers = self.numbers;
+        for (place, at) in self.steps.iter().flat_map(|(place, all)| all.iter().map(move |&at| (place, at))) {
+            if place.order > complete {
+                numbers[at] = Rational::from(0);
+            }
+        }
+        Some((numbers, complete))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Ring;
+    use super::super::primes_with_roots;
+    use super::*;
+
+    struct Known(Vec<Rational>, usize);
+
+    impl Images for Known {
+        type Error = ();
+
+        fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, ()> {
+            self.1 += LANES;
+            Ok(self.0.iter().map(|number| fields.rational(number)).collect())
+        }
+
+        fn places(&self) -> Vec<Place> {
+            vec![Place::default(); self.0.len()]
+        }
+    }
+
+    #[test]
+    fn fractions_of_any_size_come_back() {
+        let power = |base: i64, n: isize| Rational::new(base, 7).unwrap().integer_power(n).unwrap();
+        let numbers =
+            vec![Rational::from(0), power(-3, 5), power(22, 300), power(5, -211), Rational::from(-1)];
+        let mut known = Known(numbers.clone(), 0);
+        let found = reconstruct(&mut known, primes_with_roots(12)).unwrap().unwrap();
+        assert_eq!(found, numbers);
+        // 300·(log₂ 22 + log₂ 7) bits are 2180, 48 are spare: 75 primes, five that confirm, in groups of eight. Over the
+        // common denominator 7³⁰⁰ the number 5⁻²¹¹ needs only as much again as 490 bits.
+        assert!(known.1 >= 80 && known.1 <= 104, "{}", known.1);
+    }
+
+    /// The powers of 22/7 with the exponent for their order, broken off after so many primes.
+    struct BrokenOff(Vec<Rational>, usize);
+
+    impl Images for BrokenOff {
+        type Error = ();
+
+        fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, ()> {
+            self.1 = self.1.checked_sub(LANES).ok_or(())?;
+            Ok(self.0.iter().map(|number| fields.rational(number)).collect())
+        }
+
+        fn places(&self) -> Vec<Place> {
+            (0..self.0.len()).map(|order| Place { order, family: 0 }).collect()
+        }
+    }
+
+    #[test]
+    fn low_orders_are_certain_before_high_ones() {
+        let power = |n: isize| Rational::new(22, 7).unwrap().integer_power(n).unwrap();
+        let numbers: Vec<Rational> = (0..300).map(power).collect();
+        let mut before = 0;
+        for primes in [8, 16, 24, 40] {
+            let stopped =
+                reconstruct(&mut BrokenOff(numbers.clone(), primes), primes_with_roots(12)).unwrap_err();
+            let (known, complete) = stopped.known.unwrap();
+            assert_eq!(known[..=complete], numbers[..=complete]);
+            assert!(known[complete + 1..].iter().all(Rational::is_zero));
+            // Over the denominators that are expected a power has 4.5 bits an order, a prime 30 bits, and five primes confirm.
+            assert!(
+                complete > before && 9 * complete > 58 * (primes - 6) && 9 * complete < 60 * (primes - 4),
+                "{primes}: {complete}"
+            );
+            before = complete;
+        }
+        let stopped = reconstruct(&mut BrokenOff(numbers, 1), primes_with_roots(12)).unwrap_err();
+        assert!(stopped.known.is_none());
+    }
+
+    #[test]
+    fn primes_in_a_denominator_are_passed_over() {
+        let first = primes_with_roots(12).next().unwrap();
+        let number = Rational::new(1, i64::from(first)).unwrap();
+        let found = reconstruct(&mut Known(vec![number.clone()], 0), primes_with_roots(12)).unwrap();
+        assert_eq!(found, Some(vec![number]));
+    }
+}

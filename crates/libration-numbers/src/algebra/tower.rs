@@ -1,0 +1,258 @@
+//! A tower of square roots over the fractions, as high as it has to be.
+
+use super::{Function, Rational, Rationals, Ring};
+
+/// All sums of products of square roots, each of which is that of an element of the field below it.
+///
+/// An element has 2ʰ fractions, where h is the number of roots: first those without the last root, then those with it.
+#[derive(Clone, Debug, Default)]
+pub struct Tower {
+    /// s₁, s₂, …, each as an element of the field of the roots before it.
+    squares: Vec<Vec<Rational>>,
+}
+
+impl Tower {
+    /// Takes the square root of an element in, unless it is there already; the root, and the tower may have become higher by one.
+    /// `None` for a negative number.
+    pub fn adjoin_root(&mut self, square: &[Rational]) -> Option<Vec<Rational>> {
+        let square = self.lifted(square);
+        if let Some(root) = self.root_of(&square) {
+            return Some(root);
+        }
+        if self.number(&square) < 0.0 {
+            return None;
+        }
+        let mut root = vec![Rational::from(0); 2 * square.len()];
+        root[square.len()] = Rational::from(1);
+        self.squares.push(square);
+        Some(root)
+    }
+
+    /// An element of a field further down.
+    pub fn lifted(&self, element: &[Rational]) -> Vec<Rational> {
+        let mut lifted = element.to_vec();
+        lifted.resize(1 << self.squares.len(), Rational::from(0));
+        lifted
+    }
+
+    /// The element as a number. Terms of both signs cancel as they do in `f64`.
+    pub fn number(&self, element: &[Rational]) -> f64 {
+        let height = element.len().trailing_zeros() as usize;
+        match height.checked_sub(1) {
+            None => element[0].to_f64(),
+            Some(below) => {
+                let (plain, root) = element.split_at(element.len() / 2);
+                if root.iter().all(Rational::is_zero) {
+                    return self.number(plain);
+                }
+                self.number(plain) + self.number(root) * self.number(&self.squares[below]).sqrt()
+            }
+        }
+    }
+
+    /// As a formula.
+    pub fn text(&self, element: &[Rational]) -> String {
+        let height = element.len().trailing_zeros() as usize;
+        let radicands: Vec<String> = self.squares[..height].iter().map(|square| self.text(square)).collect();
+        let mut text = String::new();
+        for (number, coefficient) in element.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+            let inside = radicands.iter().enumerate().filter(|(level, _)| number >> level & 1 == 1);
+            let roots: Vec<String> = inside.map(|(_, radicand)| format!("sqrt({radicand})")).collect();
+            let size = coefficient.magnitude();
+            let factor = (size != Rational::from(1) || roots.is_empty()).then(|| size.to_string());
+            let product = factor.into_iter().chain(roots).collect::<Vec<_>>().join("*");
+            text = match (text.is_empty(), coefficient.is_negative()) {
+                (true, false) => product,
+                (true, true) => format!("-{product}"),
+                (false, false) => format!("{text} + {product}"),
+                (false, true) => format!("{text} - {product}"),
+            };
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    /// An element of the field whose square this one is, positive.
+    fn root_of(&self, element: &[Rational]) -> Option<Vec<Rational>> {
+        let root = self.any_root_of(element)?;
+        Some(if self.number(&root) < 0.0 { self.negate(&root) } else { root })
+    }
+
+    /// With x² + s·y² = a and 2xy = b for the root x + y√s of a + b√s: x² is one of (a ± √(a² − s·b²))/2.
+    fn any_root_of(&self, element: &[Rational]) -> Option<Vec<Rational>> {
+        if element.len() == 1 {
+            return element[0].square_root().map(|root| vec![root]);
+        }
+        let (a, b) = element.split_at(element.len() / 2);
+        let square = &self.squares[a.len().trailing_zeros() as usize];
+        let nothing = vec![Rational::from(0); a.len()];
+        if self.is_zero_slice(b) {
+            if let Some(root) = self.any_root_of(a) {
+                return Some([root, nothing].concat());
+            }
+            let root = self.any_root_of(&self.product(a, &self.inverse(square)?))?;
+            return Some([nothing, root].concat());
+        }
+        let norm = self.difference(&self.product(a, a), &self.product(square, &self.product(b, b)));
+        let of_norm = self.any_root_of(&norm)?;
+        let half =
+            |x: Vec<Rational>| self.scaled(&x, &Rational::new(1, 2).unwrap_or_else(|| Rational::from(0)));
+        let candidates = [half(self.sum(a, &of_norm)), half(self.difference(a, &of_norm))];
+        candidates.iter().find_map(|candidate| {
+            let x = self.any_root_of(candidate)?;
+            let y = self.product(b, &self.inverse(&self.scaled(&x, &Rational::from(2)))?);
+            Some([x, y].concat())
+        })
+    }
+
+    fn is_zero_slice(&self, a: &[Rational]) -> bool {
+        a.iter().all(Rational::is_zero)
+    }
+
+    fn sum(&self, a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+        a.iter().zip(b).map(|(a, b)| Rationals.add(a, b)).collect()
+    }
+
+    fn difference(&self, a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+        a.iter().zip(b).map(|(a, b)| Rationals.subtract(a, b)).collect()
+    }
+
+    fn scaled(&self, a: &[Rational], factor: &Rational) -> Vec<Rational> {
+        a.iter().map(|a| Rationals.multiply(a, factor)).collect()
+    }
+
+    fn product(&self, a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+        if self.is_zero_slice(a) || self.is_zero_slice(b) {
+            return vec![Rational::from(0); a.len()];
+        }
+        if a.len() == 1 {
+            return vec![Rationals.multiply(&a[0], &b[0])];
+        }
+        let half = a.len() / 2;
+        let ((a, c), (b, d)) = (a.split_at(half), b.split_at(half));
+        let square = &self.squares[half.trailing_zeros() as usize];
+        let plain = self.sum(&self.product(a, b), &self.product(&self.product(c, d), square));
+        [plain, self.sum(&self.product(a, d), &self.product(c, b))].concat()
+    }
+
+    /// By the conjugate, whose product with it lies in the field below.
+    fn inverse(&self, a: &[Rational]) -> Option<Vec<Rational>> {
+        if a.len() == 1 {
+            return Rational::from(1).checked_div(&a[0]).map(|it| vec![it]);
+        }
+        let (plain, root) = a.split_at(a.len() / 2);
+        let square = &self.squares[plain.len().trailing_zeros() as usize];
+        let norm =
+            self.difference(&self.product(plain, plain), &self.product(square, &self.product(root, root)));
+        let inverse = self.inverse(&norm)?;
+        let minus: Vec<Rational> = root.iter().map(|x| Rationals.negate(x)).collect();
+        Some([self.product(plain, &inverse), self.product(&minus, &inverse)].concat())
+    }
+
+    /// The fraction that it is.
+    fn to_rational<'a>(&self, a: &'a [Rational]) -> Option<&'a Rational> {
+        self.is_zero_slice(&a[1..]).then_some(&a[0])
+    }
+}
+
+impl Ring for Tower {
+    type Element = Vec<Rational>;
+
+    fn zero(&self) -> Self::Element {
+        self.lifted(&[Rational::from(0)])
+    }
+
+    fn is_zero(&self, a: &Self::Element) -> bool {
+        self.is_zero_slice(a)
+    }
+
+    fn rational(&self, value: &Rational) -> Option<Self::Element> {
+        Some(self.lifted(std::slice::from_ref(value)))
+    }
+
+    fn add(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        self.sum(a, b)
+    }
+
+    fn subtract(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        self.difference(a, b)
+    }
+
+    fn negate(&self, a: &Self::Element) -> Self::Element {
+        a.iter().map(|a| Rationals.negate(a)).collect()
+    }
+
+    fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
+        self.product(a, b)
+    }
+
+    fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element {
+        self.scaled(a, &Rational::from(factor))
+    }
+
+    fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
+        Some(self.product(a, &self.inverse(divisor)?))
+    }
+
+    fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {
+        a.iter().map(|a| Rationals.over_integer(a, divisor)).collect()
+    }
+
+    fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
+        if function == Function::Sqrt {
+            return self.root_of(at);
+        }
+        Rationals.value(function, self.to_rational(at)?).and_then(|value| self.rational(&value))
+    }
+
+    fn power(&self, a: &Self::Element, exponent: &Rational) -> Option<Self::Element> {
+        Rationals.power(self.to_rational(a)?, exponent).and_then(|value| self.rational(&value))
+    }
+
+    fn pi(&self) -> Option<Self::Element> {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tower_of(squares: &[i64]) -> Tower {
+        let mut tower = Tower::default();
+        for square in squares {
+            tower.adjoin_root(&[Rational::from(*square)]).unwrap();
+        }
+        tower
+    }
+
+    #[test]
+    fn roots_that_are_there_are_found() {
+        let mut tower = tower_of(&[2]);
+        let two = |sign: i64| vec![Rational::from(2), Rational::from(sign)];
+        // √(2 − √2)·√(2 + √2) = √2, so that one root brings the other.
+        let lower = tower.adjoin_root(&two(-1)).unwrap();
+        let upper = tower.adjoin_root(&tower.lifted(&two(1))).unwrap();
+        assert_eq!(tower.zero().len(), 4);
+        assert!((tower.number(&upper) - (2.0 + 2.0_f64.sqrt()).sqrt()).abs() < 1e-15);
+        assert_eq!(tower.text(&tower.multiply(&lower, &upper)), "sqrt(2)");
+        assert_eq!(tower.adjoin_root(&tower.rational(&Rational::from(-1)).unwrap()), None);
+    }
+
+    #[test]
+    fn quotients_undo_products() {
+        let tower = tower_of(&[2, 3, 5]);
+        let element = |seed: i64| -> Vec<Rational> {
+            (0..8).map(|n| Rational::new((n * n + seed) % 7 - 3, 1 + n).unwrap()).collect()
+        };
+        let (a, b) = (element(1), element(4));
+        assert_eq!(tower.divide(&tower.multiply(&a, &b), &b), Some(a));
+        assert_eq!(tower.divide(&b, &tower.zero()), None);
+    }
+
+    #[test]
+    fn a_square_is_no_further_root() {
+        let mut tower = tower_of(&[3]);
+        let root = tower.adjoin_root(&[Rational::new(3, 4).unwrap()]).unwrap();
+        assert_eq!((root.len(), tower.text(&root).as_str()), (2, "1/2*sqrt(3)"));
+    }
+}

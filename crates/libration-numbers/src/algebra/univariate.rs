@@ -1,0 +1,96 @@
+//! Polynomials in one variable with fractions for coefficients, constant term first.
+
+use super::{Rational, Rationals, Ring};
+
+/// Without leading zeros.
+pub fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
+    while polynomial.last().is_some_and(Rational::is_zero) {
+        polynomial.pop();
+    }
+    polynomial
+}
+
+/// Quotient and remainder; `None` for a division by zero.
+pub fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<Rational>, Vec<Rational>)> {
+    let leading = by.last()?;
+    let mut rest = polynomial.to_vec();
+    let mut quotient = vec![];
+    while rest.len() >= by.len() {
+        let factor = rest.last()?.checked_div(leading)?;
+        let shift = rest.len() - by.len();
+        for (place, coefficient) in rest[shift..].iter_mut().zip(by) {
+            *place = Rationals.subtract(place, &Rationals.multiply(&factor, coefficient));
+        }
+        quotient.push(factor);
+        rest.pop();
+    }
+    quotient.reverse();
+    Some((quotient, trimmed(rest)))
+}
+
+/// The quotient, when there is no remainder.
+pub fn divided_exactly(polynomial: &[Rational], by: &[Rational]) -> Option<Vec<Rational>> {
+    divided(polynomial, by).filter(|(_, rest)| rest.is_empty()).map(|(quotient, _)| quotient)
+}
+
+fn derivative(polynomial: &[Rational]) -> Vec<Rational> {
+    (1..).zip(&polynomial[1..]).map(|(n, c)| Rationals.times_integer(c, n)).collect()
+}
+
+/// The common divisor of highest degree, with a leading coefficient of one.
+fn common_divisor(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    let (mut a, mut b) = (a.to_vec(), b.to_vec());
+    while let Some((_, rest)) = divided(&a, &b) {
+        (a, b) = (b, rest);
+    }
+    let leading = a.last().cloned().unwrap_or_else(|| Rational::from(1));
+    a.iter().filter_map(|c| c.checked_div(&leading)).collect()
+}
+
+/// The factors whose roots are simple, each with how many times it stands in the polynomial (Yun's algorithm).
+pub fn square_free_factors(polynomial: &[Rational]) -> Vec<(Vec<Rational>, usize)> {
+    let (mut factors, mut multiplicity) = (vec![], 1);
+    if polynomial.len() < 2 {
+        return factors;
+    }
+    let mut rest = common_divisor(polynomial, &derivative(polynomial));
+    let mut simple = divided_exactly(polynomial, &rest).unwrap_or_default();
+    while simple.len() > 1 {
+        let again = common_divisor(&simple, &rest);
+        let factor = divided_exactly(&simple, &again).unwrap_or_default();
+        if factor.len() > 1 {
+            factors.push((factor, multiplicity));
+        }
+        rest = divided_exactly(&rest, &again).unwrap_or_default();
+        simple = again;
+        multiplicity += 1;
+    }
+    factors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polynomial(coefficients: &[i64]) -> Vec<Rational> {
+        coefficients.iter().copied().map(Rational::from).collect()
+    }
+
+    #[test]
+    fn factors_are_found_with_their_multiplicity() {
+        // (x − 1)³(x² + 2)²(x + 5) by its factors.
+        let factors = [(vec![-1, 1], 3), (vec![2, 0, 1], 2), (vec![5, 1], 1)];
+        let product = factors.iter().fold(polynomial(&[1]), |product, (factor, times)| {
+            (0..*times).fold(product, |product, _| {
+                let factor = polynomial(factor);
+                let length = product.len() + factor.len() - 1;
+                Rationals.series_product(&product, &factor, length)
+            })
+        });
+        let mut found = square_free_factors(&product);
+        found.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+        let expected: Vec<_> = factors.iter().map(|(factor, times)| (polynomial(factor), *times)).collect();
+        assert_eq!(found, expected);
+        assert!(square_free_factors(&polynomial(&[3])).is_empty());
+    }
+}

@@ -1,0 +1,342 @@
+//! Equations of motion from text, solved for the accelerations, or for the rates of change where they are of the first order.
+
+mod error;
+mod indexed;
+mod order;
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::str::FromStr;
+
+use super::lexer::Token;
+use super::parser::Parser;
+use super::simplify::{difference, negative, quotient, sum};
+use super::{Expression, Symbol};
+
+pub use error::{EquationError, NotSecondOrder};
+use indexed::{Written, expanded};
+pub use order::Order;
+use order::own_derivatives;
+
+/// Equations of motion, one for each variable, solved for its highest derivative: the acceleration, or the rate of change of a
+/// variable whose equation is of the first order.
+///
+/// A variable is what has two primes, or one prime in an equation without two; t is the time; all other names are parameters. With an index
+/// and its range one equation stands for many, whose variables are x1, x2, …; what lies outside the range is zero, or what is said of it.
+///
+/// # Examples
+/// ```
+/// use libration::expression::Equation;
+/// let equation: Equation = "m x'' + k x = 0".parse()?;
+/// assert_eq!(equation.accelerations()[0].to_string(), "-k*x/m");
+/// let equation = equation.with(&[("m", "2".parse()?), ("k", "0.5".parse()?)])?;
+/// assert_eq!(equation.to_string(), "2*x'' + 0.5*x = 0");
+/// // A motor: the current q drives the mass, whose velocity induces a voltage.
+/// let motor: Equation = "m x'' = k q; L q' + R q = -k x'".parse()?;
+/// assert_eq!(motor.derivatives()[1].to_string(), "(-R*q - k*x')/L");
+/// let chain: Equation = "x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..3; x[4] = sin(t)".parse()?;
+/// assert_eq!(chain.to_string(), "x1'' = x2 - 2*x1; x2'' = x3 - 2*x2 + x1; x3'' = sin(t) - 2*x3 + x2");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Equation {
+    variables: Vec<String>,
+    orders: Vec<Order>,
+    written: Vec<Sides>,
+    derivatives: Vec<Expression>,
+}
+
+/// What stands left and right of an equals sign.
+type Sides = (Expression, Expression);
+
+impl Equation {
+    /// The equations that give each variable its acceleration.
+    #[doc(hidden)]
+    pub fn of_accelerations(variables: Vec<String>, accelerations: Vec<Expression>) -> Self {
+        let orders = vec![Order::Second; variables.len()];
+        Self::of_derivatives(variables, orders, accelerations)
+    }
+
+    /// The equations that give each variable its highest derivative.
+    #[doc(hidden)]
+    pub fn of_derivatives(variables: Vec<String>, orders: Vec<Order>, derivatives: Vec<Expression>) -> Self {
+        let own = |(name, order): (&String, &Order)| Expression::Symbol(order.derivative_of(name));
+        let written = variables.iter().zip(&orders).map(own).zip(derivatives.iter().cloned()).collect();
+        Self { variables, orders, written, derivatives }
+    }
+
+    /// The names of the variables, in the order of their equations.
+    #[must_use]
+    pub fn variables(&self) -> &[String] {
+        &self.variables
+    }
+
+    /// Of which order the equation of each variable is.
+    #[must_use]
+    pub fn orders(&self) -> &[Order] {
+        &self.orders
+    }
+
+    /// The highest derivative of each variable, as a formula in variables, the first derivatives of those whose equation is of the second
+    /// order, t and parameters.
+    #[must_use]
+    pub fn derivatives(&self) -> &[Expression] {
+        &self.derivatives
+    }
+
+    /// The second derivative of each variable, as a formula in variables, first derivatives, t and parameters. Of equations of the first
+    /// order, which [`Self::refuse_first_order`] keeps out, the rates of change.
+    #[must_use]
+    pub fn accelerations(&self) -> &[Expression] {
+        &self.derivatives
+    }
+
+    /// Refuses equations of the first order, for what only accelerations have.
+    ///
+    /// # Errors
+    /// The first variable whose equation is of the first order.
+    pub fn refuse_first_order(&self) -> Result<(), NotSecondOrder> {
+        let mut pairs = self.variables.iter().zip(&self.orders);
+        match pairs.find(|(_, order)| **order == Order::First) {
+            Some((variable, _)) => Err(NotSecondOrder { variable: variable.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// What multiplies each highest derivative as the equations are written: the masses, in `m x'' + k x = 0`.
+    #[doc(hidden)]
+    pub fn inertias(&self) -> Vec<Expression> {
+        let factor = |((left, right), own): (&Sides, Symbol)| {
+            difference(left.derivative(&own), right.derivative(&own))
+        };
+        self.written.iter().zip(self.own_derivatives()).map(factor).collect()
+    }
+
+    /// What each equation is solved for: `x''`, or `x'` where it is of the first order.
+    #[doc(hidden)]
+    pub fn own_derivatives(&self) -> impl Iterator<Item = Symbol> {
+        self.variables.iter().zip(&self.orders).map(|(name, order)| order.derivative_of(name))
+    }
+
+    /// A formula with the equations in the place of rates of change that are no numbers of a state: those of variables whose equation is
+    /// of the first order.
+    ///
+    /// ```
+    /// use libration::expression::Equation;
+    /// let decay: Equation = "x' = -x/2".parse()?;
+    /// assert_eq!(decay.with_rates(&"x'/x".parse()?).to_string(), "-x/2/x");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_rates(&self, formula: &Expression) -> Expression {
+        let own = self.own_derivatives().zip(&self.derivatives);
+        let rates = own.filter(|(own, _)| own.primes == 1 && formula.contains(own));
+        let rates: Vec<_> = rates.collect();
+        match rates.is_empty() {
+            true => formula.clone(),
+            false => {
+                let put_in =
+                    |formula: Expression, (own, rate): (Symbol, &Expression)| formula.substitute(&own, rate);
+                rates.into_iter().fold(formula.clone(), put_in).simplified()
+            }
+        }
+    }
+
+    /// The names that are neither variables nor the time.
+    #[must_use]
+    pub fn parameters(&self) -> BTreeSet<String> {
+        let sides = self.written.iter().flat_map(|(left, right)| [left, right]);
+        let names = sides.flat_map(Expression::symbols).map(|symbol| symbol.name);
+        names.filter(|name| name != TIME && !self.variables.contains(name)).collect()
+    }
+
+    /// Parameters as the equations name them: ω0 is omega0.
+    ///
+    /// # Errors
+    /// A name that is no parameter.
+    pub fn parameters_called(&self, names: &[&str]) -> Result<Vec<String>, EquationError> {
+        let known = self.parameters();
+        names.iter().map(|name| Ok(parameter(name, &known)?.name)).collect()
+    }
+
+    /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
+    ///
+    /// # Errors
+    /// A name that is no parameter, or is given twice; a value that has symbols in it, or is none, as 1/0; an equation
+    /// whose highest derivative drops out, or that has no value with these.
+    pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
+        let known = self.parameters();
+        let mut written = self.written.clone();
+        for (place, (name, value)) in values.iter().enumerate() {
+            let symbol = parameter(name, &known)?;
+            if values[..place].iter().any(|(earlier, _)| parameter(earlier, &known).as_ref() == Ok(&symbol)) {
+                return Err(EquationError::SetTwice(symbol.name));
+            }
+            if let Some(inside) = value.symbols().pop_first() {
+                return Err(EquationError::NotConstant { name: symbol.name, inside });
+            }
+            if let Some(why) = value.without_value() {
+                return Err(EquationError::ValueWithout { name: symbol.name, why });
+            }
+            for side in written.iter_mut().flat_map(|(left, right)| [left, right]) {
+                *side = side.with_value(&symbol, value);
+            }
+        }
+        refuse_without_value(&written)?;
+        for (sides, (own, order)) in written.iter().zip(self.own_derivatives().zip(&self.orders)) {
+            let (left, right) = sides;
+            if !left.contains(&own) && !right.contains(&own) {
+                return Err(match order {
+                    Order::First => EquationError::DropsOut(own),
+                    Order::Second => EquationError::without_acceleration(left, right),
+                });
+            }
+        }
+        Self::solved(written)
+    }
+
+    /// Solves each equation for its own highest derivative.
+    fn solved(written: Vec<Sides>) -> Result<Self, EquationError> {
+        refuse_without_value(&written)?;
+        let own = own_derivatives(&written)?;
+        if let Some(twice) = own.iter().enumerate().find_map(|(i, it)| own[..i].contains(it).then_some(it)) {
+            return Err(EquationError::SolvedTwice(twice.clone()));
+        }
+        let variables: Vec<String> = own.iter().map(|symbol| symbol.name.clone()).collect();
+        refuse_foreign_derivatives(&written, &variables)?;
+        let pairs = written.iter().zip(&own);
+        let derivatives =
+            pairs.map(|((left, right), symbol)| solve(left, right, symbol)).collect::<Result<_, _>>()?;
+        let orders = own.iter().map(Order::of).collect();
+        let solved = Self { variables, orders, written, derivatives };
+        let derivatives = solved.derivatives.iter().map(|formula| solved.with_rates(formula)).collect();
+        Ok(Self { derivatives, ..solved })
+    }
+
+    /// How equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is;
+    /// `None` for others, and for what is not understood.
+    ///
+    /// ```
+    /// use libration::expression::Equation;
+    /// assert_eq!(Equation::read_as(r"\ddot{x} + x(1 + x^2) = 0").as_deref(), Some("x'' + x*(1 + x^2) = 0"));
+    /// assert_eq!(Equation::read_as("x'' + x = 0"), None);
+    /// ```
+    #[must_use]
+    pub fn read_as(text: &str) -> Option<String> {
+        let (written, is_free) = sides(text).ok()?;
+        let equation = Self::solved(written).ok().filter(|_| is_free)?;
+        Some(equation.to_string())
+    }
+
+    /// The equations in LaTeX, one string each.
+    #[must_use]
+    pub fn to_latex(&self) -> Vec<String> {
+        let one = |(left, right): &Sides| format!("{} = {}", left.to_latex(), right.to_latex());
+        self.written.iter().map(one).collect()
+    }
+}
+
+/// The name of the time.
+const TIME: &str = "t";
+
+/// The parameter of this name, which may be written as in a formula: ω0 is omega0.
+fn parameter(name: &str, known: &BTreeSet<String>) -> Result<Symbol, EquationError> {
+    match name.parse() {
+        Ok(Expression::Symbol(symbol)) if symbol.primes == 0 && known.contains(&symbol.name) => Ok(symbol),
+        _ => Err(EquationError::unknown_parameter(name, known)),
+    }
+}
+
+/// Refuses parts such as 1/0.
+fn refuse_without_value(written: &[Sides]) -> Result<(), EquationError> {
+    let mut sides = written.iter().flat_map(|(left, right)| [left, right]);
+    sides.find_map(Expression::without_value).map_or(Ok(()), |missing| Err(missing.into()))
+}
+
+/// Refuses derivatives of what is no variable.
+fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result<(), EquationError> {
+    let sides = written.iter().flat_map(|(left, right)| [left, right]);
+    let mut symbols = sides.flat_map(Expression::symbols);
+    match symbols.find(|symbol| symbol.primes > 0 && !variables.contains(&symbol.name)) {
+        Some(foreign) => Err(EquationError::ForeignDerivative(foreign)),
+        None => Ok(()),
+    }
+}
+
+/// Solves left = right, of the form a·x″ + b = 0, for x″, or x′ in its place.
+fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expression, EquationError> {
+    if *left == Expression::Symbol(own.clone()) && !right.contains(own) {
+        return Ok(right.simplified());
+    }
+    let form = difference(left.simplified(), right.simplified());
+    let factor = form.derivative(own);
+    if factor.contains(own) {
+        return Err(EquationError::NotLinear(own.clone()));
+    }
+    if factor.vanishes() {
+        return Err(EquationError::DropsOut(own.clone()));
+    }
+    let rest = form.substitute(own, &Expression::from(0)).simplified();
+    Ok(quotient(opposite(rest), factor))
+}
+
+/// −a, with the sign taken into sums.
+fn opposite(a: Expression) -> Expression {
+    match a {
+        Expression::Add(a, b) => difference(opposite(*a), *b),
+        Expression::Subtract(a, b) => sum(opposite(*a), *b),
+        _ => negative(a),
+    }
+}
+
+/// Reads one equation, or several with `;` between them.
+///
+/// # Errors
+/// Text that is no formula; no `=`, or two; an equation that is for none or for several derivatives, or not linear in its own;
+/// derivatives of the third order; parts that have no value, as 1/0.
+impl FromStr for Equation {
+    type Err = EquationError;
+
+    fn from_str(text: &str) -> Result<Self, EquationError> {
+        Self::solved(sides(text)?.0)
+    }
+}
+
+/// The sides of each equation, and whether they are written more freely than they are written back.
+fn sides(text: &str) -> Result<(Vec<Sides>, bool), EquationError> {
+    let mut parser = Parser::new(text)?;
+    let mut written = Vec::new();
+    loop {
+        let sides = one_equation(&mut parser)?;
+        written.push(Written { sides, range: parser.take_range() });
+        let more = parser.take(';');
+        match parser.peek() {
+            Token::End => return Ok((expanded(written)?, parser.is_free())),
+            _ if more => {}
+            Token::Sign('=') => return Err(EquationError::SecondEqualsSign),
+            _ => return Err(parser.unexpected().into()),
+        }
+    }
+}
+
+fn one_equation(parser: &mut Parser) -> Result<Sides, EquationError> {
+    let left = parser.formula()?;
+    if parser.take('=') {
+        return Ok((left, parser.formula()?));
+    }
+    match parser.peek() {
+        Token::End | Token::Sign(';') => Err(EquationError::without_equals_sign(&left)),
+        _ => Err(parser.unexpected().into()),
+    }
+}
+
+/// As it was understood; several with `;` between them.
+impl fmt::Display for Equation {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, (left, right)) in self.written.iter().enumerate() {
+            let separator = if place == 0 { "" } else { "; " };
+            write!(formatter, "{separator}{left} = {right}")?;
+        }
+        Ok(())
+    }
+}

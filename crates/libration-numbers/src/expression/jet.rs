@@ -1,0 +1,289 @@
+//! A tape evaluated on power series, one power of the variable after the other.
+
+use super::instruction::{Evaluator, Instruction, Value, Weighted};
+use super::tape::{Operation, Tape};
+use crate::algebra::{Rational, Ring};
+
+/// Why a formula has no series: an operation has no value in the ring, or is not analytic where it is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoSeries {
+    /// The operation on the tape.
+    pub(crate) place: usize,
+}
+
+/// The first coefficients of every result on a tape.
+#[derive(Debug)]
+pub struct Jet<'a, R: Ring> {
+    ring: &'a R,
+    tape: &'a Tape,
+    places: Vec<Series<R::Element>>,
+}
+
+/// The coefficients of one result, and n times them where a later operation needs that.
+#[derive(Clone, Debug)]
+struct Series<E> {
+    plain: Vec<E>,
+    weighted: Vec<E>,
+}
+
+impl<'a, R: Ring> Jet<'a, R> {
+    /// The values at the inputs' zeroth coefficients.
+    pub fn new(ring: &'a R, tape: &'a Tape, inputs: &[R::Element]) -> Result<Self, NoSeries> {
+        let mut jet = Self::empty(ring, tape);
+        jet.restart(inputs)?;
+        Ok(jet)
+    }
+
+    /// Begins again with other zeroth coefficients, in the memory it has.
+    pub fn restart(&mut self, inputs: &[R::Element]) -> Result<(), NoSeries> {
+        for place in 0..self.places.len() {
+            let keep = usize::from(self.tape.is_constant(place));
+            self.places[place].plain.truncate(keep);
+            self.places[place].weighted.truncate(keep);
+            if self.places[place].plain.is_empty() {
+                let value = self.value(place, inputs).ok_or(NoSeries { place })?;
+                self.push(place, value);
+            }
+        }
+        Ok(())
+    }
+
+    /// The jet whose zeroth coefficients were found elsewhere, one for each place of the tape.
+    pub fn with_values(ring: &'a R, tape: &'a Tape, values: Vec<R::Element>) -> Self {
+        let mut jet = Self::empty(ring, tape);
+        for (place, value) in values.into_iter().enumerate() {
+            jet.push(place, value);
+        }
+        jet
+    }
+
+    fn empty(ring: &'a R, tape: &'a Tape) -> Self {
+        let none = Series { plain: vec![], weighted: vec![] };
+        Self { ring, tape, places: vec![none; tape.operations().len()] }
+    }
+
+    /// The coefficients of a formula, by its number.
+    pub fn result(&self, formula: usize) -> &[R::Element] {
+        &self.places[self.tape.results()[formula]].plain
+    }
+
+    /// The coefficients of a place on the tape.
+    pub fn series(&self, place: usize) -> &[R::Element] {
+        &self.places[place].plain
+    }
+
+    /// The zeroth coefficients of all places.
+    pub fn values(&self) -> impl Iterator<Item = &R::Element> {
+        self.places.iter().map(|series| &series.plain[0])
+    }
+
+    /// Appends the next coefficient of every place, given those of the inputs.
+    pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), NoSeries> {
+        for place in 0..self.places.len() {
+            let value = self.coefficient(place, inputs).ok_or(NoSeries { place })?;
+            self.push(place, value);
+        }
+        Ok(())
+    }
+
+    /// Takes the last coefficients back.
+    pub fn shorten(&mut self) {
+        for series in &mut self.places {
+            series.plain.pop();
+            series.weighted.pop();
+        }
+    }
+
+    /// How the coefficients of all places change with those of one input, from the first on, where they are linear.
+    pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, NoSeries> {
+        let values = self.values().cloned().collect();
+        let mut jet = Self::with_values(self.ring, self.tape, values);
+        let one = self.ring.rational(&1.into()).ok_or(NoSeries { place: 0 })?;
+        let seed = |n: usize| if n == input { one.clone() } else { self.ring.zero() };
+        jet.extend(&(0..self.tape.inputs()).map(seed).collect::<Vec<_>>())?;
+        Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())
+    }
+
+    /// Adds to the last coefficient of an input, and what follows from that to every place.
+    pub fn amend(&mut self, gains: &[R::Element], change: &R::Element) {
+        if self.ring.is_zero(change) {
+            return;
+        }
+        for (place, gain) in gains.iter().enumerate().filter(|(_, gain)| !self.ring.is_zero(gain)) {
+            let last = self.places[place].plain.pop().expect("a jet has its zeroth coefficients");
+            self.places[place].weighted.pop();
+            let amended = self.ring.add(&last, &self.ring.multiply(gain, change));
+            self.push(place, amended);
+        }
+    }
+
+    fn push(&mut self, place: usize, value: R::Element) {
+        let series = &mut self.places[place];
+        if self.tape.is_weighted(place) {
+            let order = i64::try_from(series.plain.len()).unwrap_or(i64::MAX);
+            series.weighted.push(self.ring.times_integer(&value, order));
+        }
+        series.plain.push(value);
+    }
+
+    fn value(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
+        match self.tape.operations()[place] {
+            Operation::Input(number) => inputs.get(number).cloned(),
+            Operation::Number(ref value) => self.ring.rational(value),
+            Operation::Pi => self.ring.pi(),
+            ref other => Value::new(other, plain, |exponent| exponent)?.evaluate(self),
+        }
+    }
+
+    /// The next coefficient, those of the operands being known.
+    fn coefficient(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
+        if self.tape.is_constant(place) {
+            return Some(self.ring.zero());
+        }
+        let operation = &self.tape.operations()[place];
+        if let Operation::Input(number) = *operation {
+            return inputs.get(number).cloned();
+        }
+        let rows =
+            |place: usize| Weighted { plain: plain(place), weighted: SeriesRow { place, weighted: true } };
+        let degree = |place: usize| if self.tape.is_constant(place) { 0 } else { usize::MAX };
+        let instruction = Instruction::new(operation, place, rows, |_| None, degree, |exponent| exponent)?;
+        instruction.evaluate(self, self.places[place].plain.len()).map(|(_, value)| value)
+    }
+}
+
+/// The coefficients of one result, plain or weighted.
+#[derive(Clone, Copy, Debug)]
+struct SeriesRow {
+    place: usize,
+    weighted: bool,
+}
+
+fn plain(place: usize) -> SeriesRow {
+    SeriesRow { place, weighted: false }
+}
+
+impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
+    type Ring = R;
+
+    fn ring(&self) -> &R {
+        self.ring
+    }
+
+    fn row(&self, SeriesRow { place, weighted }: SeriesRow) -> &[R::Element] {
+        let series = &self.places[place];
+        if weighted { &series.weighted } else { &series.plain }
+    }
+
+    fn exponent(&self, exponent: &&Rational) -> Option<R::Element> {
+        self.ring.rational(exponent)
+    }
+
+    fn power(&self, base: &R::Element, exponent: &&Rational) -> Option<R::Element> {
+        self.ring.power(base, exponent)
+    }
+
+    fn begins_beyond(&self, exponent: &&Rational, n: usize) -> bool {
+        let begins = exponent.to_natural();
+        begins.is_some_and(|begins| u64::try_from(n).is_ok_and(|n| n < begins))
+    }
+
+    /// A whole power of what begins with zero begins beyond that power; other powers have no series there.
+    fn over_base(&self, value: &R::Element, base: &R::Element, begins_later: bool) -> Option<R::Element> {
+        if self.ring.is_zero(base) {
+            return begins_later.then(|| self.ring.zero());
+        }
+        self.ring.divide(value, base)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Expression, Function, Symbol};
+    use super::*;
+    use crate::algebra::Rationals;
+
+    fn x() -> Expression {
+        Expression::Symbol(Symbol { name: "x".to_owned(), primes: 0 })
+    }
+
+    fn call(function: Function, of: Expression) -> Expression {
+        Expression::Call(function, Box::new(of))
+    }
+
+    fn number(value: &str) -> Box<Expression> {
+        Box::new(Expression::Number(value.parse().unwrap()))
+    }
+
+    /// The Taylor coefficients of a formula of x at a place.
+    fn taylor(formula: &Expression, at: i64, length: usize) -> Vec<String> {
+        let tape = Tape::new(&[formula], &[Symbol { name: "x".to_owned(), primes: 0 }]).unwrap();
+        let mut jet = Jet::new(&Rationals, &tape, &[Rational::from(at)]).unwrap();
+        for n in 1..length {
+            jet.extend(&[Rational::from(i64::from(n == 1))]).unwrap();
+        }
+        jet.result(0).iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn elementary_functions_have_their_taylor_series() {
+        let known: [(Function, i64, [&str; 6]); 13] = [
+            (Function::Sin, 0, ["0", "1", "0", "-1/6", "0", "1/120"]),
+            (Function::Cos, 0, ["1", "0", "-1/2", "0", "1/24", "0"]),
+            (Function::Tan, 0, ["0", "1", "0", "1/3", "0", "2/15"]),
+            (Function::Asin, 0, ["0", "1", "0", "1/6", "0", "3/40"]),
+            (Function::Atan, 0, ["0", "1", "0", "-1/3", "0", "1/5"]),
+            (Function::Sinh, 0, ["0", "1", "0", "1/6", "0", "1/120"]),
+            (Function::Cosh, 0, ["1", "0", "1/2", "0", "1/24", "0"]),
+            (Function::Tanh, 0, ["0", "1", "0", "-1/3", "0", "2/15"]),
+            (Function::Exp, 0, ["1", "1", "1/2", "1/6", "1/24", "1/120"]),
+            (Function::Ln, 1, ["0", "1", "-1/2", "1/3", "-1/4", "1/5"]),
+            (Function::Sqrt, 4, ["2", "1/4", "-1/64", "1/512", "-5/16384", "7/131072"]),
+            (Function::Abs, -3, ["3", "-1", "0", "0", "0", "0"]),
+            (Function::Sign, -3, ["-1", "0", "0", "0", "0", "0"]),
+        ];
+        for (function, at, coefficients) in known {
+            assert_eq!(taylor(&call(function, x()), at, 6), coefficients, "{function:?}");
+        }
+    }
+
+    #[test]
+    fn powers_and_quotients_agree_with_the_binomial_series() {
+        let one_plus = || Box::new(Expression::Add(number("1"), Box::new(x())));
+        let power = |exponent: &str| Expression::Power(one_plus(), number(exponent));
+        assert_eq!(taylor(&power("-1"), 0, 5), ["1", "-1", "1", "-1", "1"]);
+        assert_eq!(taylor(&power("5"), 0, 7), ["1", "5", "10", "10", "5", "1", "0"]);
+        assert_eq!(taylor(&power("-3/2"), 0, 4), ["1", "-3/2", "15/8", "-35/16"]);
+        let quotient = Expression::Divide(Box::new(x()), one_plus());
+        assert_eq!(taylor(&quotient, 1, 4), ["1/2", "1/4", "-1/8", "1/16"]);
+        // (1 + x)ˣ at zero, by exponential and logarithm.
+        let tower = Expression::Power(one_plus(), Box::new(x()));
+        assert_eq!(taylor(&tower, 0, 5), ["1", "0", "1", "-1/2", "5/6"]);
+    }
+
+    #[test]
+    fn amending_a_coefficient_is_the_same_as_knowing_it_before() {
+        let formula = Expression::Multiply(
+            Box::new(call(Function::Sin, x())),
+            Box::new(Expression::Divide(
+                Box::new(call(Function::Exp, x())),
+                Box::new(Expression::Power(
+                    Box::new(Expression::Add(number("3"), Box::new(x()))),
+                    number("2"),
+                )),
+            )),
+        );
+        let tape = Tape::new(&[&formula], &[Symbol { name: "x".to_owned(), primes: 0 }]).unwrap();
+        let zero = [Rational::from(0)];
+        let mut known = Jet::new(&Rationals, &tape, &zero).unwrap();
+        let mut amended = Jet::new(&Rationals, &tape, &zero).unwrap();
+        let gains = amended.gains(0).unwrap();
+        for n in 1..8 {
+            let value = Rational::new(n * n - 5, n).unwrap();
+            known.extend(std::slice::from_ref(&value)).unwrap();
+            amended.extend(&zero).unwrap();
+            amended.amend(&gains, &value);
+        }
+        assert_eq!(known.result(0), amended.result(0));
+    }
+}

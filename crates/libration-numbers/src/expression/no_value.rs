@@ -1,0 +1,117 @@
+//! Parts of a formula that have no real value, whatever its symbols stand for.
+
+use super::{Expression, Function, Jet, Tape};
+use crate::algebra::{BigFloat, Domain, Floats};
+use crate::quantity::excerpt;
+
+/// Bits in which constants that are no fractions are evaluated.
+const PRECISION: usize = 256;
+/// A constant nearer to a limit than two to this power is not told from it.
+const NOISE: isize = -128;
+
+/// A part of a formula without a value, such as 1/0 or ln(-1).
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{part}` has no value: {why}")]
+pub struct NoValue {
+    /// The part, shortened.
+    pub part: String,
+    /// The reason.
+    pub why: &'static str,
+}
+
+impl Expression {
+    /// The first part that is proved to have no real value, wherever it is evaluated.
+    #[doc(hidden)]
+    pub fn without_value(&self) -> Option<NoValue> {
+        let inner = self.parts().find_map(Self::without_value);
+        inner.or_else(|| {
+            let why = self.why_without_value()?;
+            Some(NoValue { part: excerpt(&self.to_string()), why })
+        })
+    }
+
+    /// Why this operation has no value, its operands having one.
+    fn why_without_value(&self) -> Option<&'static str> {
+        match self {
+            Self::Divide(_, divisor) if divisor.vanishes() => Some("division by zero"),
+            Self::Power(base, exponent) => {
+                let below_zero = exponent.to_rational().is_some_and(|it| it.is_negative());
+                (below_zero && base.vanishes()).then_some("zero has no negative powers")
+            }
+            Self::Call(function, argument) => {
+                let Domain { low, high, why } = function.domain()?;
+                let value = argument.constant_in_digits()?;
+                let beyond = |bound: i64, sign: i64| {
+                    let past = value.clone() - BigFloat::from_integer(bound, PRECISION);
+                    let past = if sign < 0 { -past } else { past };
+                    past > BigFloat::from_integer(0, PRECISION) && past.exponent() > Some(NOISE)
+                };
+                let at_pole = *function == Function::Ln && argument.vanishes();
+                let outside =
+                    low.is_some_and(|low| beyond(low, -1)) || high.is_some_and(|high| beyond(high, 1));
+                (at_pole || outside).then_some(why)
+            }
+            _ => None,
+        }
+    }
+
+    /// A formula without symbols, to [`PRECISION`] bits.
+    fn constant_in_digits(&self) -> Option<BigFloat> {
+        let tape = Tape::new(&[self], &[]).ok()?;
+        let jet = Jet::new(&Floats { precision: PRECISION }, &tape, &[]).ok()?.result(0).first()?.clone();
+        Some(jet)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(text: &str) -> Option<String> {
+        text.parse::<Expression>().unwrap().without_value().map(|it| it.part)
+    }
+
+    #[test]
+    fn what_has_no_value_anywhere_is_found() {
+        let without = [
+            ("x + 1/0*x", "1/0"),
+            ("x/0", "x/0"),
+            ("0/0", "0/0"),
+            ("sin(2/(y - y))", "2/(y - y)"),
+            ("0^(-1)", "0^(-1)"),
+            ("ln(-1) - x", "ln(-1)"),
+            ("ln(0)", "ln(0)"),
+            ("sqrt(-2)*x", "sqrt(-2)"),
+            ("sqrt(1 - pi)", "sqrt(1 - pi)"),
+            ("asin(1.0000001)", "asin(1.0000001)"),
+            ("acos(-exp(1))", "acos(-exp(1))"),
+        ];
+        for (text, expected) in without {
+            assert_eq!(part(text).as_deref(), Some(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_has_a_value_somewhere_is_left_alone() {
+        for text in [
+            "1/x",
+            "ln(x)",
+            "sqrt(x - 1)",
+            "x^(-1)",
+            "1/(x^2 + 1)",
+            "asin(1)",
+            "acos(-1)",
+            "sqrt(0)",
+            "ln(1e-400)",
+            "exp(1000)",
+            "10^400",
+            "asin(sin(pi/2))",
+            "sqrt(sin(pi))",
+            "1/sin(pi/3)",
+            "x^10001",
+            "atan(10^400)",
+        ] {
+            assert_eq!(part(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The symbols of a formula, and formulas in the place of symbols.
+
+use std::collections::BTreeSet;
+
+use super::{Expression, Symbol};
+
+impl Symbol {
+    /// A name without primes.
+    #[must_use]
+    pub fn plain(name: &str) -> Self {
+        Self { name: name.to_owned(), primes: 0 }
+    }
+
+    /// The name with so many primes.
+    #[must_use]
+    pub fn with_primes(&self, primes: u8) -> Self {
+        Self { name: self.name.clone(), primes }
+    }
+}
+
+impl Expression {
+    /// A symbol without primes.
+    #[must_use]
+    pub fn symbol(name: &str) -> Self {
+        Self::Symbol(Symbol::plain(name))
+    }
+
+    /// All symbols that occur.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        let mut found = BTreeSet::new();
+        self.collect_symbols(&mut found);
+        found
+    }
+
+    fn collect_symbols(&self, found: &mut BTreeSet<Symbol>) {
+        if let Self::Symbol(symbol) = self {
+            found.insert(symbol.clone());
+        }
+        for part in self.parts() {
+            part.collect_symbols(found);
+        }
+    }
+
+    /// Whether a symbol occurs.
+    #[must_use]
+    pub fn contains(&self, symbol: &Symbol) -> bool {
+        matches!(self, Self::Symbol(own) if own == symbol) || self.parts().any(|part| part.contains(symbol))
+    }
+
+    /// The operands, from left to right.
+    #[doc(hidden)]
+    pub fn parts(&self) -> impl Iterator<Item = &Self> {
+        let (first, second) = match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => (None, None),
+            Self::Negate(a) | Self::Call(_, a) => (Some(a), None),
+            Self::Add(a, b)
+            | Self::Subtract(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Power(a, b) => (Some(a), Some(b)),
+        };
+        first.into_iter().chain(second).map(|part| &**part)
+    }
+
+    /// The formula with another in the place of a symbol, not simplified. The symbol's time derivatives are symbols of
+    /// their own.
+    #[must_use]
+    pub fn substitute(&self, symbol: &Symbol, by: &Self) -> Self {
+        match self {
+            Self::Symbol(own) if own == symbol => by.clone(),
+            _ => self.with_parts(|part| part.substitute(symbol, by)),
+        }
+    }
+
+    /// The formula with others in the places of its operands.
+    #[doc(hidden)]
+    pub fn with_parts(&self, mut other: impl FnMut(&Self) -> Self) -> Self {
+        let mut part = |a: &Self| Box::new(other(a));
+        match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => self.clone(),
+            Self::Negate(a) => Self::Negate(part(a)),
+            Self::Add(a, b) => Self::Add(part(a), part(b)),
+            Self::Subtract(a, b) => Self::Subtract(part(a), part(b)),
+            Self::Multiply(a, b) => Self::Multiply(part(a), part(b)),
+            Self::Divide(a, b) => Self::Divide(part(a), part(b)),
+            Self::Power(a, b) => Self::Power(part(a), part(b)),
+            Self::Call(function, a) => Self::Call(*function, part(a)),
+        }
+    }
+}

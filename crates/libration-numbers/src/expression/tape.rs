@@ -1,0 +1,311 @@
+//! A formula as a list of elementary operations, which any ring of coefficients can evaluate.
+
+use std::collections::HashMap;
+
+use super::{Expression, Function, Symbol};
+use crate::algebra::{Divisor, Pair, Rational, Rationals, Ring, Rule, Slope};
+
+/// One operation; operands are places of earlier operations. A place holds the result of its operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// The input of this number.
+    Input(usize),
+    Number(Rational),
+    Pi,
+    Negate(usize),
+    Add(usize, usize),
+    Subtract(usize, usize),
+    Multiply(usize, usize),
+    Divide(usize, usize),
+    /// A power whose exponent is no natural number.
+    Power(usize, Rational),
+    Exp(usize),
+    /// One of a pair of functions, `of` the first operand, whose derivative is `slope` times the other.
+    Paired {
+        function: Function,
+        of: usize,
+        other: usize,
+        slope: Slope,
+    },
+    /// tan or tanh, the square of which stands in the next place.
+    Tangent {
+        function: Function,
+        of: usize,
+    },
+    /// ln, asin, acos, atan: the derivative is that of `of` divided by the value at `divisor`.
+    Inverse {
+        function: Function,
+        of: usize,
+        divisor: usize,
+    },
+    Abs(usize),
+    Sign(usize),
+}
+
+/// Formulas of the same inputs as one list of operations, without repetitions.
+#[derive(Clone, Debug)]
+pub struct Tape {
+    operations: Vec<Operation>,
+    results: Vec<usize>,
+    inputs: usize,
+    /// Places that no input reaches.
+    constant: Vec<bool>,
+    /// Places whose weighted series is asked for.
+    weighted: Vec<bool>,
+}
+
+/// A formula that cannot be put on a tape.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` has no value: give it one, such as {0}=0.1")]
+pub struct WithoutValue(pub String);
+
+impl Tape {
+    /// The tape of some formulas in the given inputs.
+    pub fn new(formulas: &[&Expression], inputs: &[Symbol]) -> Result<Self, WithoutValue> {
+        let mut writer = Writer { inputs, operations: vec![], places: HashMap::new() };
+        let results = formulas.iter().map(|formula| writer.write(formula)).collect::<Result<_, _>>()?;
+        let operations = writer.operations;
+        let constant = constant_places(&operations);
+        let weighted = weighted_places(&operations);
+        Ok(Self { operations, results, inputs: inputs.len(), constant, weighted })
+    }
+
+    pub fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// Where the formulas have their values.
+    pub fn results(&self) -> &[usize] {
+        &self.results
+    }
+
+    /// The places that an operation reads.
+    pub fn operands(&self, place: usize) -> Vec<usize> {
+        self.operations[place].operands().collect()
+    }
+
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    pub fn is_constant(&self, place: usize) -> bool {
+        self.constant[place]
+    }
+
+    pub fn is_weighted(&self, place: usize) -> bool {
+        self.weighted[place]
+    }
+}
+
+impl Operation {
+    /// The places that it reads.
+    pub fn operands(&self) -> impl Iterator<Item = usize> + use<> {
+        let operands = match *self {
+            Self::Input(_) | Self::Number(_) | Self::Pi => [None; 2],
+            Self::Negate(a)
+            | Self::Power(a, _)
+            | Self::Exp(a)
+            | Self::Abs(a)
+            | Self::Sign(a)
+            | Self::Tangent { of: a, .. }
+            | Self::Paired { of: a, .. } => [Some(a), None],
+            Self::Add(a, b)
+            | Self::Subtract(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Inverse { of: a, divisor: b, .. } => [Some(a), Some(b)],
+        };
+        operands.into_iter().flatten()
+    }
+}
+
+fn constant_places(operations: &[Operation]) -> Vec<bool> {
+    let mut constant: Vec<bool> = vec![];
+    for operation in operations {
+        let input = matches!(operation, Operation::Input(_));
+        constant.push(!input && operation.operands().all(|place| constant[place]));
+    }
+    constant
+}
+
+fn weighted_places(operations: &[Operation]) -> Vec<bool> {
+    let mut weighted = vec![false; operations.len()];
+    for (place, operation) in operations.iter().enumerate() {
+        match *operation {
+            Operation::Power(a, _) | Operation::Inverse { of: a, .. } => {
+                weighted[a] = true;
+                weighted[place] = true;
+            }
+            Operation::Exp(a) | Operation::Tangent { of: a, .. } | Operation::Paired { of: a, .. } => {
+                weighted[a] = true;
+            }
+            _ => {}
+        }
+    }
+    weighted
+}
+
+struct Writer<'a> {
+    inputs: &'a [Symbol],
+    operations: Vec<Operation>,
+    places: HashMap<Operation, usize>,
+}
+
+impl Writer<'_> {
+    fn place(&mut self, operation: Operation) -> usize {
+        let operation = self.folded(operation);
+        if let Some(&place) = self.places.get(&operation) {
+            return place;
+        }
+        let place = self.operations.len();
+        self.operations.push(operation.clone());
+        self.places.insert(operation, place);
+        place
+    }
+
+    fn number(&mut self, value: i64) -> usize {
+        self.place(Operation::Number(Rational::from(value)))
+    }
+
+    fn known(&self, place: usize) -> Option<&Rational> {
+        if let Operation::Number(value) = &self.operations[place] { Some(value) } else { None }
+    }
+
+    /// Arithmetic of numbers done at once, and what multiplies or adds nothing left out.
+    fn folded(&self, operation: Operation) -> Operation {
+        let two = |a: usize, b: usize| Some((self.known(a)?, self.known(b)?));
+        let value = match operation {
+            Operation::Negate(a) => self.known(a).map(|a| Rationals.negate(a)),
+            Operation::Add(a, b) => two(a, b).map(|(a, b)| Rationals.add(a, b)),
+            Operation::Subtract(a, b) => two(a, b).map(|(a, b)| Rationals.subtract(a, b)),
+            Operation::Multiply(a, b) => two(a, b).map(|(a, b)| Rationals.multiply(a, b)),
+            Operation::Divide(a, b) => two(a, b).and_then(|(a, b)| a.checked_div(b)),
+            Operation::Power(a, ref exponent) => self.known(a).and_then(|a| Rationals.power(a, exponent)),
+            _ => None,
+        };
+        value.map_or(operation, Operation::Number)
+    }
+
+    fn write(&mut self, formula: &Expression) -> Result<usize, WithoutValue> {
+        let operation = match formula {
+            Expression::Number(value) => Operation::Number(value.clone()),
+            Expression::Pi => Operation::Pi,
+            Expression::Symbol(symbol) => {
+                let input = self.inputs.iter().position(|input| input == symbol);
+                Operation::Input(input.ok_or_else(|| WithoutValue(symbol.name.clone()))?)
+            }
+            Expression::Negate(a) => Operation::Negate(self.write(a)?),
+            Expression::Add(a, b) => Operation::Add(self.write(a)?, self.write(b)?),
+            Expression::Subtract(a, b) => Operation::Subtract(self.write(a)?, self.write(b)?),
+            Expression::Multiply(a, b) => Operation::Multiply(self.write(a)?, self.write(b)?),
+            Expression::Divide(a, b) => Operation::Divide(self.write(a)?, self.write(b)?),
+            Expression::Power(a, b) => return self.write_power(a, b),
+            Expression::Call(function, a) => {
+                let of = self.write(a)?;
+                return Ok(self.function(*function, of));
+            }
+        };
+        Ok(self.place(operation))
+    }
+
+    fn write_power(&mut self, base: &Expression, exponent: &Expression) -> Result<usize, WithoutValue> {
+        let (base, exponent) = (self.write(base)?, self.write(exponent)?);
+        let Some(number) = self.known(exponent).cloned() else {
+            let logarithm = self.function(Function::Ln, base);
+            let product = self.place(Operation::Multiply(exponent, logarithm));
+            return Ok(self.place(Operation::Exp(product)));
+        };
+        Ok(self.fixed_power(base, number))
+    }
+
+    /// Powers up to this come by products, larger ones by the recurrence of powers.
+    const LARGEST_PRODUCT: u64 = 1 << 12;
+
+    fn fixed_power(&mut self, base: usize, exponent: Rational) -> usize {
+        let natural = exponent.magnitude().to_natural().filter(|&n| n <= Self::LARGEST_PRODUCT);
+        match natural {
+            Some(n) if exponent.is_negative() => {
+                let (one, power) = (self.number(1), self.natural_power(base, n));
+                self.place(Operation::Divide(one, power))
+            }
+            Some(n) => self.natural_power(base, n),
+            None => self.place(Operation::Power(base, exponent)),
+        }
+    }
+
+    fn natural_power(&mut self, base: usize, n: u64) -> usize {
+        match n {
+            0 => self.number(1),
+            1 => base,
+            _ => {
+                let half = self.natural_power(base, n / 2);
+                let square = self.place(Operation::Multiply(half, half));
+                if n.is_multiple_of(2) { square } else { self.place(Operation::Multiply(square, base)) }
+            }
+        }
+    }
+
+    fn function(&mut self, function: Function, of: usize) -> usize {
+        if let Some(value) = self.known(of).and_then(|at| Rationals.value(function, at)) {
+            return self.place(Operation::Number(value));
+        }
+        match function.rule() {
+            Rule::Root => {
+                let half = Rational::new(1, 2).expect("two is not zero");
+                self.place(Operation::Power(of, half))
+            }
+            Rule::Itself => self.place(Operation::Exp(of)),
+            Rule::Modulus => self.place(Operation::Abs(of)),
+            Rule::Step => self.place(Operation::Sign(of)),
+            Rule::Paired(pair) => {
+                let (first, second) = self.pair(pair, of);
+                if function == pair.functions[0] { first } else { second }
+            }
+            Rule::Quotient(_) => self.tangent(function, of),
+            Rule::Inverse(slope, divisor) => {
+                let divisor = self.divisor(divisor, of);
+                let divisor =
+                    if slope == Slope::Plus { divisor } else { self.place(Operation::Negate(divisor)) };
+                self.place(Operation::Inverse { function, of, divisor })
+            }
+        }
+    }
+
+    /// The first function has the second for its derivative; the second the first, with a sign.
+    fn pair(&mut self, Pair { functions: [first, second], slope }: Pair, of: usize) -> (usize, usize) {
+        let next = self.operations.len();
+        let (function, plus) = (first, Slope::Plus);
+        let wanted = Operation::Paired { function, of, other: next + 1, slope: plus };
+        let same = |operation: &Operation| matches!(operation, Operation::Paired { function: f, of: a, .. } if *f == first && *a == of);
+        if let Some(place) = self.operations.iter().position(same) {
+            return (place, place + 1);
+        }
+        self.operations.push(wanted);
+        self.operations.push(Operation::Paired { function: second, of, other: next, slope });
+        (next, next + 1)
+    }
+
+    fn tangent(&mut self, function: Function, of: usize) -> usize {
+        let operation = Operation::Tangent { function, of };
+        if let Some(&place) = self.places.get(&operation) {
+            return place;
+        }
+        let place = self.operations.len();
+        self.operations.push(operation.clone());
+        self.places.insert(operation, place);
+        self.operations.push(Operation::Multiply(place, place));
+        place
+    }
+
+    fn divisor(&mut self, divisor: Divisor, of: usize) -> usize {
+        if divisor == Divisor::Argument {
+            return of;
+        }
+        let (one, square) = (self.number(1), self.place(Operation::Multiply(of, of)));
+        if divisor == Divisor::OneAndSquare {
+            return self.place(Operation::Add(one, square));
+        }
+        let under = self.place(Operation::Subtract(one, square));
+        self.function(Function::Sqrt, under)
+    }
+}

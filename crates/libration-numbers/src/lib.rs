@@ -1,0 +1,76 @@
+//! What text means as a quantity, exact numbers and the rings over them, truncated power series, roots, quadrature, small linear algebra, and
+//! expressions with their tapes: the part of `libration` that knows no physics. The crate `libration` re-exports its modules.
+
+pub mod algebra;
+pub mod catalogue;
+pub mod expression;
+mod linear;
+pub mod quadrature;
+pub mod quantity;
+pub mod roots;
+pub mod series;
+pub mod watch;
+
+// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+#[doc(hidden)]
+pub use libration_kernels::elliptic;
+
+/// Internals that the other crates of this workspace and the tests use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub mod algebra {
+        pub use crate::algebra::{
+            function::entry::Growth,
+            harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
+            lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes},
+            lanewise::{Rounded, any, convolution, integral, lanes, quotient, square},
+            pi_powers::{PiPolynomial, PiPowers},
+            prime_field::PrimeField,
+            prime_fields::{PrimeFields, Residues},
+            primes::primes_with_roots,
+            quadratic_field::{Quadratic, QuadraticField},
+            reconstruction::{Images, Place, Stopped, reconstruct},
+            sampled_harmonics::{SampledHarmonics, Symmetry},
+            tower::Tower,
+        };
+        pub mod univariate {
+            pub use crate::algebra::univariate::{divided, divided_exactly, square_free_factors, trimmed};
+        }
+    }
+    pub mod catalogue {
+        pub use crate::catalogue::{Named, by_key};
+    }
+    pub mod expression {
+        pub use crate::expression::{
+            instruction::{Evaluator, Instruction, Value, Weighted},
+            jet::{Jet, NoSeries},
+            side::Side,
+            tape::{Operation, Tape},
+        };
+    }
+    pub mod linear {
+        pub use crate::linear::{
+            characteristic::characteristic_polynomial,
+            eigenvalues::eigenvalues,
+            elimination::{null_space, solve},
+            least_squares::least_squares,
+        };
+    }
+    pub mod quadrature {
+        pub use crate::quadrature::{
+            equal_steps::equal_steps,
+            running::{POINTS, points, running_integrals},
+        };
+    }
+    pub mod roots {
+        pub use crate::roots::{polynomial::value_and_slope, sign_changes::sign_change};
+    }
+    pub mod series {
+        pub use crate::series::{even_reciprocal, exponential};
+        pub mod truncated {
+            pub use crate::series::truncated::{
+                SeriesPowers, composition, next_square_root, powers, powers_of_inverse, product, reciprocal,
+            };
+        }
+    }
+}

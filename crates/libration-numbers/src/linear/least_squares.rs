@@ -1,0 +1,67 @@
+//! The vector that solves linear equations best.
+
+/// The vector that makes the sum of squares of M·x − b least, by Householder's reflections; `None` when the columns depend on
+/// each other to rounding errors.
+pub fn least_squares(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
+    let columns = matrix.first()?.len();
+    let mut rows: Vec<Vec<f64>> =
+        matrix.iter().zip(right).map(|(row, b)| row.iter().chain([b]).copied().collect()).collect();
+    if rows.len() < columns {
+        return None;
+    }
+    let sizes: Vec<f64> = (0..columns).map(|column| norm(&rows, column, 0)).collect();
+    for (step, size) in sizes.iter().enumerate() {
+        let length = norm(&rows, step, step);
+        // What is left of a column that the others span is rounding errors.
+        if length <= 64.0 * f64::EPSILON * size || !length.is_finite() {
+            return None;
+        }
+        reflect(&mut rows, step, length);
+    }
+    let mut solution = vec![0.0; columns];
+    for i in (0..columns).rev() {
+        let known: f64 = (i + 1..columns).map(|j| rows[i][j] * solution[j]).sum();
+        solution[i] = (rows[i][columns] - known) / rows[i][i];
+    }
+    solution.iter().all(|x| x.is_finite()).then_some(solution)
+}
+
+/// The length of a column from a row on.
+fn norm(rows: &[Vec<f64>], column: usize, from: usize) -> f64 {
+    rows[from..].iter().fold(0.0, |length, row| libm::hypot(length, row[column]))
+}
+
+/// Reflects the rows so that a column vanishes below the diagonal.
+fn reflect(rows: &mut [Vec<f64>], step: usize, length: f64) {
+    let length = -length.copysign(rows[step][step]);
+    let mut mirror: Vec<f64> = rows[step..].iter().map(|row| row[step]).collect();
+    mirror[0] -= length;
+    let square: f64 = mirror.iter().map(|x| x * x).sum();
+    for column in step..rows[step].len() {
+        let product: f64 = mirror.iter().zip(&rows[step..]).map(|(x, row)| x * row[column]).sum();
+        let factor = 2.0 * product / square;
+        for (x, row) in mirror.iter().zip(&mut rows[step..]) {
+            row[column] -= factor * x;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_through_points_is_the_best_one() {
+        // Residuals (1, −2, 1)/6 are orthogonal to both columns: y = 2 + 3x.
+        let matrix = [vec![1.0, 0.0], vec![1.0, 1.0], vec![1.0, 2.0]];
+        let right = [2.0 + 1.0 / 6.0, 5.0 - 2.0 / 6.0, 8.0 + 1.0 / 6.0];
+        let found = least_squares(&matrix, &right).unwrap();
+        assert!((found[0] - 2.0).abs() < 1e-14 && (found[1] - 3.0).abs() < 1e-14, "{found:?}");
+    }
+
+    #[test]
+    fn dependent_columns_are_refused() {
+        assert_eq!(least_squares(&[vec![1.0, 2.0], vec![3.0, 6.0]], &[1.0, 1.0]), None);
+        assert_eq!(least_squares(&[vec![1.0, 2.0]], &[1.0]), None);
+    }
+}

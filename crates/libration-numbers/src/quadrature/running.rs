@@ -1,0 +1,67 @@
+//! Integrals up to each of Gauss' points.
+
+use super::gauss::{LEGENDRE, NODES};
+use libration_kernels::elementary::count;
+
+/// How many points there are.
+pub const POINTS: usize = 2 * NODES.len();
+
+/// Gauss' points on (0, 1), in their order.
+pub fn points() -> [f64; POINTS] {
+    std::array::from_fn(|point| 0.5 + 0.5 * signed(point).0)
+}
+
+/// A point on (−1, 1), its weight, and Legendre's polynomials there.
+fn signed(point: usize) -> (f64, f64, [f64; POINTS]) {
+    let half = NODES.len();
+    match point.checked_sub(half) {
+        Some(place) => (NODES[place].0, NODES[place].1, LEGENDRE[place]),
+        None => {
+            let place = half - 1 - point;
+            let mirrored =
+                |degree: usize| LEGENDRE[place][degree] * if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
+            (-NODES[place].0, NODES[place].1, std::array::from_fn(mirrored))
+        }
+    }
+}
+
+/// The integrals from zero to each of [`points`], and to one, of a function with these values there, taken for the polynomial through them.
+pub fn running_integrals(values: &[f64; POINTS]) -> ([f64; POINTS], f64) {
+    let mut coefficients = [0.0; POINTS];
+    for (point, value) in values.iter().enumerate() {
+        let (_, weight, legendre) = signed(point);
+        for (coefficient, legendre) in coefficients.iter_mut().zip(legendre) {
+            *coefficient += weight * legendre * value;
+        }
+    }
+    // The n-th is (2n + 1)/2 times this, and the integral of Pₙ from −1 is (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
+    let upto = |point: usize| {
+        let (x, _, legendre) = signed(point);
+        let last = count(POINTS - 1);
+        let beyond =
+            ((2.0 * last + 1.0) * x * legendre[POINTS - 1] - last * legendre[POINTS - 2]) / (last + 1.0);
+        let next = |n: usize| legendre.get(n + 1).copied().unwrap_or(beyond);
+        let before = |n: usize| if n == 0 { -1.0 } else { legendre[n - 1] };
+        let terms = coefficients.iter().enumerate();
+        terms.map(|(n, coefficient)| 0.25 * coefficient * (next(n) - before(n))).sum()
+    };
+    (std::array::from_fn(upto), 0.5 * coefficients[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integrals_of_polynomials_are_exact() {
+        for degree in 0..POINTS {
+            let power = |x: f64, n: usize| (0..n).fold(1.0, |product, _| product * x);
+            let (upto, all) = running_integrals(&points().map(|x| power(x, degree)));
+            let exact = |x: f64| power(x, degree + 1) / count(degree + 1);
+            assert!((all - exact(1.0)).abs() < 1e-15, "{degree}");
+            for (x, found) in points().into_iter().zip(upto) {
+                assert!((found - exact(x)).abs() < 1e-15, "{degree} {x}: {found}");
+            }
+        }
+    }
+}

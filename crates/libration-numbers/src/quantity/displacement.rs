@@ -1,0 +1,106 @@
+//! Displacements as they are written: decimals and combinations with π that nothing has rounded.
+
+use std::fmt;
+
+use dashu_int::{IBig, UBig};
+
+use super::angle_text::exact_angle;
+use super::decimal::Decimal;
+use super::excerpt::excerpt;
+use super::pi_combination::PiCombination;
+use super::{Angle, Dimension, QuantityError};
+
+/// A displacement a·π + b with fractions a and b: the decimal that a text says, not the `f64` next to it.
+///
+/// Next to a separatrix the difference between the two decides about digits of the period.
+///
+/// # Examples
+/// ```
+/// use libration::quantity::Displacement;
+/// let nearly_upright = Displacement::from_angle_text("pi-1e-12")?;
+/// assert_eq!(nearly_upright.to_angle().map(|angle| angle.complement()), Some(1e-12));
+/// assert_ne!(Displacement::from_number_text("0.1")?, Displacement::from_f64(0.1).ok_or("finite")?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Displacement(pub(super) PiCombination);
+
+impl Displacement {
+    /// Exactly this `f64`; `None` when it is not finite.
+    #[must_use]
+    pub fn from_f64(value: f64) -> Option<Self> {
+        value.is_finite().then(|| Self(PiCombination::radians(value)))
+    }
+
+    /// The decimal number that a text says.
+    ///
+    /// # Errors
+    /// Text that is no decimal number, or one beyond the range of `f64`.
+    pub fn from_number_text(text: &str) -> Result<Self, QuantityError> {
+        let unsigned = text.trim();
+        let number = Decimal::parse(unsigned.strip_prefix('+').unwrap_or(unsigned));
+        let number = number.ok_or_else(|| QuantityError::UnreadableQuantity {
+            text: excerpt(text),
+            // A displacement has the unit that the equation of motion is written in.
+            dimension: Dimension::Length,
+        })?;
+        Ok(Self(PiCombination { pi_multiple: dashu_ratio::RBig::ZERO, rest: number.exact() }))
+    }
+
+    /// The angle that a text says, a bare number being a decimal number of radians.
+    ///
+    /// # Errors
+    /// As for an [`Angle`].
+    pub fn from_angle_text(text: &str) -> Result<Self, QuantityError> {
+        exact_angle(text).map(Self)
+    }
+
+    /// The nearest `f64`.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.0.nearest().unwrap_or(f64::INFINITY)
+    }
+
+    /// How many degrees it is, where it is a multiple of π, as what was written in degrees is.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::quantity::Displacement;
+    /// assert_eq!(Displacement::from_angle_text("37.3deg")?.degrees(), Some(37.3));
+    /// assert_eq!(Displacement::from_angle_text("pi/3")?.degrees(), Some(60.0));
+    /// assert_eq!(Displacement::from_angle_text("1.2rad")?.degrees(), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn degrees(&self) -> Option<f64> {
+        let PiCombination { pi_multiple, rest } = &self.0;
+        let is_multiple = rest.is_zero() && !pi_multiple.is_zero();
+        is_multiple.then(|| (pi_multiple * dashu_ratio::RBig::from(180)).to_f64().value())
+    }
+
+    /// As an angle with its complement, each in two words; `None` when its turns cannot be counted.
+    #[must_use]
+    pub fn to_angle(&self) -> Option<Angle> {
+        Angle::from_radians(self.to_f64()).ok().map(|_| self.0.to_angle())
+    }
+
+    /// Numerator and denominator, where there is no π in it.
+    #[doc(hidden)]
+    pub fn fraction(&self) -> Option<(IBig, UBig)> {
+        let [(multiple, _), rest] = self.fractions();
+        (multiple == IBig::ZERO).then_some(rest)
+    }
+
+    /// Numerators and denominators of a and b.
+    #[doc(hidden)]
+    pub fn fractions(&self) -> [(IBig, UBig); 2] {
+        [&self.0.pi_multiple, &self.0.rest].map(|it| (it.numerator().clone(), it.denominator().clone()))
+    }
+}
+
+/// The nearest `f64`, in the shortest form that reads back as it.
+impl fmt::Display for Displacement {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}", self.to_f64())
+    }
+}

@@ -1,0 +1,41 @@
+//! A number as it is written with fewest digits, which is what was meant by it.
+
+use super::decimal::Decimal;
+use libration_kernels::double_double::DoubleDouble;
+
+/// The shortest decimal that reads back as an `f64`.
+pub(super) struct Shortest {
+    /// As `-1.25e-3`.
+    text: String,
+}
+
+/// The powers of ten that an `f64` holds.
+const LARGEST_POWER: u32 = 22;
+
+impl Shortest {
+    /// That of a finite number.
+    pub(super) fn new(number: f64) -> Self {
+        Self { text: format!("{number:e}") }
+    }
+
+    pub(super) fn decimal(&self) -> Option<Decimal> {
+        Decimal::parse(&self.text)
+    }
+
+    /// Where few digits and a small exponent allow that: to 2⁻¹⁰⁰ of itself.
+    pub(super) fn in_two_words(&self) -> Option<DoubleDouble> {
+        let (mantissa, exponent) = self.text.split_once('e')?;
+        let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        let exponent = exponent.parse::<i64>().ok()? - i64::try_from(places).ok()?;
+        let power = u32::try_from(exponent.unsigned_abs()).ok().filter(|&power| power <= LARGEST_POWER)?;
+        let digits = DoubleDouble::from(exactly(mantissa.replace('.', "").parse().ok()?)?);
+        let power = DoubleDouble::from((0..power).fold(1.0, |product, _| 10.0 * product));
+        Some(if exponent < 0 { digits / power } else { digits * power })
+    }
+}
+
+/// A whole number that an `f64` holds.
+#[expect(clippy::cast_precision_loss, reason = "up to 2^53 nothing is lost")]
+pub(super) fn exactly(whole: i64) -> Option<f64> {
+    (whole.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS).then_some(whole as f64)
+}

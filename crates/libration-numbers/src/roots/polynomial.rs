@@ -1,0 +1,335 @@
+//! All roots of a polynomial at once, each with a bound of its error.
+
+use std::f64::consts::TAU;
+
+use crate::algebra::Complex;
+use libration_kernels::elementary::count;
+
+/// A root of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolynomialRoot {
+    /// Where it is.
+    pub value: Complex,
+    /// As many roots as [`multiplicity`](Self::multiplicity) says are not farther from the value than this.
+    pub error: f64,
+    /// With how many roots, itself included, it may coincide: more than one where errors overlap.
+    pub multiplicity: usize,
+}
+
+/// The roots of Σ cₙzⁿ, given by c₀, c₁, …, by ascending magnitude, and as many as its degree: those that coincide, or may, are
+/// listed one by one. There are none of a constant.
+///
+/// # Domain
+/// Finite coefficients that are not all zero; highest ones that are zero do not count, and lowest ones are roots at zero, exactly. When z
+/// is measured in the mean magnitude of the roots no coefficient between the first and the last may be more than 1e290 times as large as
+/// these. `None` else.
+///
+/// # Accuracy
+/// [`PolynomialRoot::error`] bounds it for exactly these coefficients: some rounding errors times the condition of a simple root, and
+/// of k roots that coincide the k-th root of that. The bound is Smith's, with Horner's rounding errors in the value of the
+/// polynomial.
+///
+/// # Examples
+/// ```
+/// use libration::roots::polynomial_roots;
+/// // (z − 1)²(z + 3).
+/// let roots = polynomial_roots(&[3.0, -5.0, 1.0, 1.0]).ok_or("out of range")?;
+/// assert_eq!(roots.iter().map(|root| root.multiplicity).collect::<Vec<_>>(), [2, 2, 1]);
+/// assert!((roots[2].value.re + 3.0).abs() <= roots[2].error && roots[2].error < 1e-13);
+/// assert!((roots[0].value.re - 1.0).abs() <= roots[0].error && roots[0].error < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # References
+/// O. Aberth, Math. Comp. 27, 339 (1973), doi:10.1090/S0025-5718-1973-0329236-7; first places: D. A. Bini, Numer. Algorithms 13, 179
+/// (1996), doi:10.1007/BF02207694; bounds: B. T. Smith, J. ACM 17, 661 (1970), doi:10.1145/321607.321615.
+#[must_use]
+pub fn polynomial_roots(coefficients: &[f64]) -> Option<Vec<PolynomialRoot>> {
+    let last = coefficients.iter().rposition(|c| *c != 0.0)?;
+    let first = coefficients.iter().position(|c| *c != 0.0)?;
+    if !coefficients.iter().all(|c| c.is_finite()) {
+        return None;
+    }
+    let zero = PolynomialRoot { value: Complex::default(), error: 0.0, multiplicity: first };
+    let mut roots = vec![zero; first];
+    let balanced = Balanced::new(&coefficients[first..=last])?;
+    let mut places = balanced.first_places();
+    balanced.refine(&mut places);
+    places.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(a.im.total_cmp(&b.im)));
+    roots.extend(balanced.with_errors(&places));
+    Some(roots)
+}
+
+/// A polynomial in units in which the geometric mean of its roots is about one, and its largest coefficient too.
+struct Balanced {
+    coefficients: Vec<f64>,
+    /// The unit of the roots, a power of two.
+    log2_unit: i32,
+}
+
+impl Balanced {
+    /// `None` where the first or the last coefficient vanishes beside the others.
+    fn new(coefficients: &[f64]) -> Option<Self> {
+        let degree = coefficients.len() - 1;
+        let logs: Vec<f64> = coefficients.iter().map(|c| libm::log2(c.abs())).collect();
+        #[expect(clippy::cast_possible_truncation, reason = "logarithms of f64s are below 1100")]
+        let log2_unit =
+            if degree == 0 { 0 } else { libm::round((logs[0] - logs[degree]) / count(degree)) as i32 };
+        let shifted = |k: usize| logs[k] + count(k) * f64::from(log2_unit);
+        let largest = (0..=degree).map(shifted).fold(f64::NEG_INFINITY, f64::max);
+        let coefficients: Vec<f64> = coefficients
+            .iter()
+            .enumerate()
+            .map(|(k, c)| scaled_by_power(*c, count(k) * f64::from(log2_unit) - libm::floor(largest)))
+            .collect();
+        // Products with rounding errors of 1e-16 must not underflow.
+        let smallest = coefficients[0].abs().min(coefficients[degree].abs());
+        (smallest > 1e-290).then_some(Self { coefficients, log2_unit })
+    }
+
+    fn degree(&self) -> usize {
+        self.coefficients.len() - 1
+    }
+
+    /// On circles with the magnitudes that the upper convex hull of the logarithms of the coefficients shows, in no symmetric
+    /// position.
+    fn first_places(&self) -> Vec<Complex> {
+        let logs = self.coefficients.iter().enumerate().map(|(k, c)| (count(k), libm::log2(c.abs())));
+        let mut hull: Vec<(f64, f64)> = vec![];
+        for point in logs.filter(|(_, log)| log.is_finite()) {
+            while let [.., a, b] = hull[..]
+                && (b.1 - a.1) * (point.0 - a.0) <= (point.1 - a.1) * (b.0 - a.0)
+            {
+                hull.pop();
+            }
+            hull.push(point);
+        }
+        let circles = hull.windows(2).flat_map(|edge| {
+            let [(k, from), (l, to)] = [edge[0], edge[1]];
+            let radius = libm::exp2((from - to) / (l - k));
+            let number = std::iter::successors(Some(0.0), |j| Some(j + 1.0)).take_while(move |j| *j < l - k);
+            number.map(move |j| Complex::unit(TAU * (j + 0.3) / (l - k) + k).scaled(radius))
+        });
+        circles.collect()
+    }
+
+    /// Moves all places until the polynomial is zero there but for rounding errors, or for so many rounds.
+    fn refine(&self, places: &mut [Complex]) {
+        /// Some ten are usual; of k roots that coincide each round brings the part 1/k of the way.
+        const ENOUGH: usize = 200;
+        let mut settled = vec![false; places.len()];
+        for _ in 0..ENOUGH {
+            for (k, settled) in settled.iter_mut().enumerate() {
+                *settled = *settled || self.improve(places, k);
+            }
+            if settled.iter().all(|settled| *settled) {
+                break;
+            }
+        }
+    }
+
+    /// One step for a root, Newton's method for the polynomial over the other roots; whether it was the last one.
+    fn improve(&self, places: &mut [Complex], k: usize) -> bool {
+        let z = places[k];
+        let Local { value, rounding, newton } = self.at(z);
+        if value.abs() <= rounding {
+            return true;
+        }
+        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        let repulsion: Complex = others.map(|(_, other)| ONE / (z - *other)).sum();
+        let step = newton / (ONE - newton * repulsion);
+        if !step.is_finite() {
+            return false;
+        }
+        places[k] = z - step;
+        step.abs() < f64::EPSILON * places[k].abs()
+    }
+
+    /// Outside the unit circle by way of the reversed polynomial, which does not overflow: p(z) = zⁿ·r(1/z).
+    fn at(&self, z: Complex) -> Local {
+        /// Of a complex product, √5 of 2⁻⁵³, and a sum, in each of n steps, with as much to spare.
+        const ROUNDINGS: f64 = 4.0;
+        let n = count(self.degree());
+        let inside = z.abs() <= 1.0;
+        let w = if inside { z } else { ONE / z };
+        let ((value, slope), size) = if inside {
+            (value_and_slope(self.coefficients.iter().rev(), w), size_at(self.coefficients.iter().rev(), w))
+        } else {
+            (value_and_slope(self.coefficients.iter(), w), size_at(self.coefficients.iter(), w))
+        };
+        let newton = if inside { value / slope } else { z / (Complex::from(n) - w * slope / value) };
+        Local { value, rounding: ROUNDINGS * (n + 1.0) * f64::EPSILON * size, newton }
+    }
+
+    /// Smith's discs with radius n·|p(z)|/|cₙ·Π(z − other)|: as many of them as touch one another have as many roots.
+    fn with_errors(&self, places: &[Complex]) -> Vec<PolynomialRoot> {
+        let radii: Vec<f64> = (0..places.len()).map(|k| self.radius(places, k)).collect();
+        let clusters = clusters(places, &radii);
+        let root = |k: usize| {
+            let own: Vec<usize> = (0..places.len()).filter(|j| clusters[*j] == clusters[k]).collect();
+            let reach = own.iter().map(|&j| (places[k] - places[j]).abs() + radii[j]).fold(0.0, f64::max);
+            let value = if own.len() == 1 { real_if_it_must_be(places, &radii, k) } else { places[k] };
+            // Of two discs about a real place that it was moved to one is larger.
+            let error = reach + (value - places[k]).abs();
+            PolynomialRoot {
+                value: self.in_units(value),
+                error: self.in_units(error.into()).re,
+                multiplicity: own.len(),
+            }
+        };
+        (0..places.len()).map(root).collect()
+    }
+
+    fn radius(&self, places: &[Complex], k: usize) -> f64 {
+        let (z, n) = (places[k], count(self.degree()));
+        let Local { value, rounding, .. } = self.at(z);
+        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        // Places that coincide are as far apart as their last bits.
+        let apart = others.map(|(_, other)| (z - *other).abs().max(f64::EPSILON * z.abs()));
+        let product: f64 = apart.map(libm::log2).sum();
+        let power = if z.abs() > 1.0 { n * libm::log2(z.abs()) } else { 0.0 };
+        let leading = libm::log2(self.coefficients[self.degree()].abs());
+        let log = libm::log2(n * (value.abs() + rounding)) + power - leading - product;
+        // The roundings of logarithms up to 1e5 and of the differences.
+        1.0001 * libm::exp2(log) + f64::EPSILON * z.abs()
+    }
+
+    fn in_units(&self, z: Complex) -> Complex {
+        Complex::new(libm::ldexp(z.re, self.log2_unit), libm::ldexp(z.im, self.log2_unit))
+    }
+}
+
+/// What a polynomial is next to a place.
+struct Local {
+    value: Complex,
+    /// The rounding error of the value.
+    rounding: f64,
+    /// p/p′.
+    newton: Complex,
+}
+
+const ONE: Complex = Complex::new(1.0, 0.0);
+
+/// c·2ᵉ for exponents beyond those of `f64`.
+fn scaled_by_power(c: f64, exponent: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "beyond 5000 the result is zero")]
+    let exponent = exponent.clamp(-5000.0, 5000.0) as i32;
+    libm::ldexp(c, exponent)
+}
+
+/// The real part of a place alone in three times its disc: else the conjugate of its root would be another root there.
+fn real_if_it_must_be(places: &[Complex], radii: &[f64], k: usize) -> Complex {
+    let z = places[k];
+    let apart = |j: usize| (z - places[j]).abs() > 3.0 * radii[k] + radii[j];
+    let alone = (0..places.len()).all(|j| j == k || apart(j));
+    if alone && z.im.abs() <= radii[k] { Complex::from(z.re) } else { z }
+}
+
+/// To which cluster each disc belongs.
+fn clusters(places: &[Complex], radii: &[f64]) -> Vec<usize> {
+    let mut cluster: Vec<usize> = (0..places.len()).collect();
+    for j in 0..places.len() {
+        for k in 0..j {
+            let touch = (places[j] - places[k]).abs() <= radii[j] + radii[k] || radii[j].is_nan();
+            if touch && cluster[j] != cluster[k] {
+                let (old, new) = (cluster[j], cluster[k]);
+                cluster.iter_mut().filter(|it| **it == old).for_each(|it| *it = new);
+            }
+        }
+    }
+    cluster
+}
+
+/// Horner's scheme; the coefficient of the highest power comes first.
+pub fn value_and_slope<'a>(coefficients: impl Iterator<Item = &'a f64>, z: Complex) -> (Complex, Complex) {
+    let start = (Complex::default(), Complex::default());
+    coefficients.fold(start, |(value, slope), coefficient| {
+        (value * z + Complex::from(*coefficient), slope * z + value)
+    })
+}
+
+/// The sum of the magnitudes of all terms.
+fn size_at<'a>(coefficients: impl Iterator<Item = &'a f64>, z: Complex) -> f64 {
+    coefficients.fold(0.0, |sum, coefficient| sum * z.abs() + coefficient.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each true root is within the error of the place listed for it.
+    fn assert_encloses(coefficients: &[f64], truth: &[f64], most: f64) {
+        let found = polynomial_roots(coefficients).unwrap();
+        assert_eq!(found.len(), truth.len(), "{coefficients:?}");
+        for (root, truth) in found.iter().zip(truth) {
+            let off = (root.value - Complex::from(*truth)).abs();
+            assert!(off <= root.error && root.error <= most * truth.abs(), "{truth}: {off:e} {root:?}");
+        }
+    }
+
+    fn from_roots(roots: &[f64]) -> Vec<f64> {
+        roots.iter().fold(vec![1.0], |product, root| {
+            let shifted = std::iter::once(0.0).chain(product.iter().copied());
+            shifted.zip(product.iter().chain([&0.0])).map(|(above, below)| above - root * below).collect()
+        })
+    }
+
+    #[test]
+    fn roots_of_unity_are_found() {
+        let mut coefficients = vec![0.0; 13];
+        (coefficients[0], coefficients[12]) = (-1.0, 1.0);
+        let found = polynomial_roots(&coefficients).unwrap();
+        for k in 0..12 {
+            let root = Complex::unit(TAU * count(k) / 12.0);
+            let near = found.iter().find(|it| (it.value - root).abs() <= it.error + 1e-16);
+            assert!(near.is_some_and(|it| it.multiplicity == 1 && it.error < 1e-13), "{found:?}");
+        }
+        assert_eq!(found.iter().filter(|it| it.value.im == 0.0).count(), 2);
+    }
+
+    #[test]
+    fn errors_hold_for_roots_of_very_different_size() {
+        // In numbers that are exact.
+        for roots in [vec![1.0 / 1024.0, -2.0, 4096.0], vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]] {
+            assert_encloses(&from_roots(&roots), &roots, 1e-9);
+        }
+        // z² ± 10³⁰⁰z + 1 with roots 10⁻³⁰⁰ and 10³⁰⁰, but for rounding.
+        assert_encloses(&[1.0, -1e200, 1.0], &[1e-200, 1e200], 1e-13);
+        assert_encloses(&[1e-300, -2.0, 1e300], &[1e-300, 1e-300], 1e-5);
+        assert_encloses(&[-3e-310, 1e-308], &[0.03], 1e-12);
+        assert_encloses(&[f64::MAX, f64::MAX], &[-1.0], 1e-14);
+        assert_eq!(polynomial_roots(&[1e-300, 1e300, 1e-300]), None);
+    }
+
+    #[test]
+    fn roots_that_coincide_say_so_and_lie_within_their_error() {
+        // (z − 1)²(z + 3), (z − 2)³ and (z² + 1)².
+        assert_encloses(&[3.0, -5.0, 1.0, 1.0], &[1.0, 1.0, -3.0], 1e-5);
+        assert_encloses(&[-8.0, 12.0, -6.0, 1.0], &[2.0, 2.0, 2.0], 1e-2);
+        let pairs = polynomial_roots(&[1.0, 0.0, 2.0, 0.0, 1.0]).unwrap();
+        assert!(pairs.iter().all(|it| it.multiplicity == 2), "{pairs:?}");
+        for root in pairs {
+            let off = (root.value - Complex::new(0.0, 1.0_f64.copysign(root.value.im))).abs();
+            assert!(off <= root.error && root.error < 1e-5, "{root:?}");
+        }
+        // Two roots that differ by 10⁻³ are two.
+        assert_encloses(&from_roots(&[1.0, 1.0009765625]), &[1.0, 1.0009765625], 1e-10);
+    }
+
+    #[test]
+    fn constants_and_zeros_at_either_end_are_what_they_are() {
+        assert_eq!(polynomial_roots(&[3.0]), Some(vec![]));
+        assert_eq!(polynomial_roots(&[3.0, 0.0, 0.0]), Some(vec![]));
+        for nothing in [&[][..], &[0.0], &[0.0, 0.0], &[1.0, f64::NAN], &[f64::INFINITY, 1.0]] {
+            assert_eq!(polynomial_roots(nothing), None);
+        }
+        assert_encloses(&[-6.0, 2.0, 0.0], &[3.0], 1e-14);
+        let found = polynomial_roots(&[0.0, 0.0, -6.0, 2.0, 0.0]).unwrap();
+        assert_eq!(
+            found[..2],
+            [PolynomialRoot { value: Complex::default(), error: 0.0, multiplicity: 2 }; 2]
+        );
+        assert_eq!((found.len(), found[2].value.re), (3, 3.0));
+        assert_encloses(&[0.0, 5.0], &[0.0], 0.0);
+    }
+}

@@ -1,0 +1,196 @@
+//! Truncated power series over any ring: product, reciprocal, square root, composition, reversion.
+//!
+//! A series is the slice of its first coefficients; what is beyond counts as unknown, so that an answer has no
+//! more coefficients than the operands determine.
+
+use crate::algebra::Ring;
+
+/// Every second coefficient, when the others are all zero: Some(0) for an even series, Some(1) for an odd one.
+fn parity<R: Ring>(ring: &R, a: &[R::Element]) -> Option<usize> {
+    let vanishes = |start: usize| a.iter().skip(start).step_by(2).all(|a| ring.is_zero(a));
+    [0, 1].into_iter().find(|&parity| vanishes(1 - parity))
+}
+
+fn every_second<E: Clone>(a: &[E], parity: usize) -> Vec<E> {
+    a.iter().skip(parity).step_by(2).cloned().collect()
+}
+
+/// The first `length` coefficients of a·b.
+pub fn product<R: Ring>(ring: &R, a: &[R::Element], b: &[R::Element], length: usize) -> Vec<R::Element> {
+    let (Some(p), Some(q)) = (parity(ring, a), parity(ring, b)) else {
+        return ring.series_product(a, b, length);
+    };
+    let half = length.saturating_sub(p + q).div_ceil(2);
+    let halves = ring.series_product(&every_second(a, p), &every_second(b, q), half);
+    spread(ring, halves, p + q, length)
+}
+
+/// Every second coefficient from `first` on, the others being zero.
+fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usize) -> Vec<R::Element> {
+    let mut all = vec![ring.zero(); length];
+    for (place, coefficient) in all.iter_mut().skip(first).step_by(2).zip(halves) {
+        *place = coefficient;
+    }
+    all
+}
+
+/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is asked at each step; `None` when
+/// it says no.
+pub fn composition<R: Ring>(
+    ring: &R,
+    outer: &[R::Element],
+    inner: &[R::Element],
+    length: usize,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<R::Element>> {
+    if parity(ring, inner) != Some(0) {
+        return ring.series_composition(outer, inner, length, go_on);
+    }
+    let halves = ring.series_composition(outer, &every_second(inner, 0), length.div_ceil(2), go_on)?;
+    Some(spread(ring, halves, 0, length))
+}
+
+/// As many coefficients of 1/a as a has; `None` when a₀ has no inverse.
+pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
+    let one = ring.rational(&1.into())?;
+    let first = ring.divide(&one, a.first()?)?;
+    let mut b = vec![first.clone()];
+    for n in 1..a.len() {
+        let known = ring.convolution(&a[1..=n], &b);
+        b.push(ring.negate(&ring.multiply(&known, &first)));
+    }
+    Some(b)
+}
+
+/// As many coefficients of √a as a has, for a₀ = 1 and the root that begins with 1.
+pub fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
+    let mut b = vec![ring.rational(&1.into())?];
+    for a_n in a.iter().skip(1) {
+        b.push(next_square_root(ring, a_n, &b)?);
+    }
+    Some(b)
+}
+
+/// bₙ of b = √a with b₀ = 1, from aₙ and b₀ … bₙ₋₁.
+pub fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Element]) -> Option<R::Element> {
+    let known = ring.convolution(&b[1..], &b[1..]);
+    ring.over_integer(&ring.subtract(a_n, &known), 2)
+}
+
+/// The powers 1, a, a², … of a series without constant term, as far as they are not zero.
+pub fn powers<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
+    let one = ring.rational(&1.into())?;
+    let length = a.len();
+    let mut unit = vec![ring.zero(); length];
+    if let Some(first) = unit.first_mut() {
+        *first = one;
+    }
+    let mut powers = vec![unit];
+    for _ in 1..length {
+        let next = product(ring, a, &powers[powers.len() - 1], length);
+        powers.push(next);
+    }
+    Some(SeriesPowers::new(ring, &powers))
+}
+
+/// The powers 1, y, y², … of y = (a₁x + a₂x² + …)⁻¹, the inverse function of a series, by Lagrange's formula
+/// \[xⁿ\] yʲ = (j/n) \[xⁿ⁻ʲ\] (x/a(x))ⁿ; `None` when a₁ has no inverse.
+///
+/// Reference: P. Henrici, *Applied and Computational Complex Analysis*, vol. 1, Wiley 1974, section 1.9.
+pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPowers<R::Element>> {
+    let length = a.len();
+    let phi = reciprocal(ring, a.get(1..)?)?;
+    let mut powers = vec![vec![ring.zero(); length]; length];
+    *powers.first_mut()?.first_mut()? = ring.rational(&1.into())?;
+    let mut phi_n = vec![ring.rational(&1.into())?];
+    for n in 1..length {
+        phi_n = product(ring, &phi_n, &phi, length - 1);
+        for j in (1..=n).filter(|j| !ring.is_zero(&phi_n[n - j])) {
+            let scaled = ring.times_integer(&phi_n[n - j], i64::try_from(j).ok()?);
+            powers[j][n] = ring.over_integer(&scaled, u64::try_from(n).ok()?)?;
+        }
+    }
+    Some(SeriesPowers::new(ring, &powers))
+}
+
+/// The powers of a series without constant term, which is what it takes to compose with it.
+#[derive(Clone, Debug)]
+pub struct SeriesPowers<E> {
+    /// For each power of the variable its coefficients in the powers of the series, from the highest that has one down: in those of one parity
+    /// where the series is odd.
+    columns: Vec<Vec<E>>,
+    odd: bool,
+    first: Vec<E>,
+}
+
+impl<E: Clone> SeriesPowers<E> {
+    fn new<R: Ring<Element = E>>(ring: &R, powers: &[Vec<E>]) -> Self {
+        let odd = powers.get(1).is_some_and(|first| parity(ring, first) == Some(1));
+        let step = if odd { 2 } else { 1 };
+        let column = |n: usize| (0..=n).rev().step_by(step).map(|j| powers[j][n].clone()).collect();
+        let length = powers.first().map_or(0, Vec::len).min(powers.len());
+        let first = powers.get(1).cloned().unwrap_or_default();
+        Self { columns: (0..length).map(column).collect(), odd, first }
+    }
+
+    /// The series itself.
+    pub fn first(&self) -> Vec<E> {
+        self.first.clone()
+    }
+
+    /// outer(inner(x)): as many coefficients as both determine.
+    pub fn composed<R: Ring<Element = E>>(&self, ring: &R, outer: &[E]) -> Vec<E> {
+        let length = outer.len().min(self.columns.len());
+        let parts = if self.odd { [0, 1].map(|p| every_second(outer, p)) } else { [outer.to_vec(), vec![]] };
+        let vanish = [0, 1].map(|p| parts[p].iter().all(|factor| ring.is_zero(factor)));
+        let coefficient = |(n, column): (usize, &Vec<E>)| {
+            let part = if self.odd { n % 2 } else { 0 };
+            if vanish[part] { ring.zero() } else { ring.convolution(&parts[part][..column.len()], column) }
+        };
+        self.columns.iter().enumerate().take(length).map(coefficient).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{Rational, Rationals};
+
+    fn series(texts: &[&str]) -> Vec<Rational> {
+        texts.iter().map(|text| text.parse().unwrap()).collect()
+    }
+
+    fn sine() -> Vec<Rational> {
+        series(&["0", "1", "0", "-1/6", "0", "1/120", "0", "-1/5040"])
+    }
+
+    #[test]
+    fn the_square_root_of_a_square_is_the_series() {
+        let a = series(&["1", "-3/2", "5", "7/9", "0", "2"]);
+        let square = product(&Rationals, &a, &a, a.len());
+        assert_eq!(square_root_of_unit(&Rationals, &square), Some(a.clone()));
+        let one = product(&Rationals, &a, &reciprocal(&Rationals, &a).unwrap(), a.len());
+        assert_eq!(one, series(&["1", "0", "0", "0", "0", "0"]));
+    }
+
+    #[test]
+    fn the_inverse_of_the_sine_is_the_arcsine() {
+        let inverse = powers_of_inverse(&Rationals, &sine()).unwrap();
+        assert_eq!(inverse.first(), series(&["0", "1", "0", "1/6", "0", "3/40", "0", "5/112"]));
+        assert_eq!(inverse.composed(&Rationals, &sine()), series(&["0", "1", "0", "0", "0", "0", "0", "0"]));
+        let sine_of = powers(&Rationals, &sine()).unwrap();
+        assert_eq!(sine_of.composed(&Rationals, &inverse.first()), inverse.composed(&Rationals, &sine()));
+    }
+
+    #[test]
+    fn products_of_even_and_odd_series_are_dense_products() {
+        let dense = series(&["2", "1", "1/3", "5", "-1"]);
+        let odd = series(&["0", "4", "0", "-1/7"]);
+        for (a, b) in [(&odd, &odd), (&odd, &dense), (&dense, &dense)] {
+            for length in [1, 2, 5, 8] {
+                let direct = Rationals.series_product(a, b, length);
+                assert_eq!(product(&Rationals, a, b, length), direct);
+            }
+        }
+    }
+}

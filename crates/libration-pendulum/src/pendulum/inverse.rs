@@ -1,0 +1,125 @@
+//! Inverse questions: the amplitude that has a period; the length or the gravity from a measured period.
+
+use super::{Amplitude, Pendulum, PendulumError, USABLE, positive};
+use libration_kernels::double_double::{DoubleDouble, two_prod};
+use libration_kernels::elementary::two_word;
+use libration_numbers::quantity::Angle;
+
+/// Newton's iteration doubles the digits; from three digits, four steps and a margin.
+const STEPS: usize = 8;
+const LN_8: f64 = 3.0 * std::f64::consts::LN_2;
+
+/// T/T0 − 1 from which on the complement would be below 1e-300.
+const LARGEST_EXCESS: f64 = 440.08;
+
+impl Amplitude {
+    /// The amplitude whose period ratio T/T0 is exactly this `f64`, which must be at least 1; to the last
+    /// bits that the ratio determines.
+    ///
+    /// # Errors
+    /// A ratio below 1, not finite, or above 441.08, where the complement is below 1e-300.
+    pub fn from_period_ratio(ratio: f64) -> Result<Self, PendulumError> {
+        // Exact below 2, and above it the excess is not small.
+        Self::from_excess(ratio - 1.0, ratio)
+    }
+
+    /// The amplitude whose excess T/T0 − 1 is exactly this `f64`.
+    ///
+    /// # Errors
+    /// An excess that is negative, not finite, or too large, as [`Self::from_period_ratio`].
+    pub fn from_period_excess(excess: f64) -> Result<Self, PendulumError> {
+        Self::from_excess(excess, 1.0 + excess)
+    }
+
+    fn from_excess(excess: f64, ratio: f64) -> Result<Self, PendulumError> {
+        if !(0.0..f64::INFINITY).contains(&excess) {
+            return Err(PendulumError::NoSuchPeriod(ratio));
+        }
+        if excess > LARGEST_EXCESS {
+            return Err(PendulumError::PeriodTooLong(ratio));
+        }
+        Ok(if excess < 0.18 { below(excess) } else { near_top(excess) })
+    }
+}
+
+/// Newton's method for ln(excess) as a function of ln(amplitude), from excess = θ0²/16.
+fn below(excess: f64) -> Amplitude {
+    let mut angle = 4.0 * excess.sqrt();
+    let of = |angle: f64| Amplitude { angle: Angle::from_radians(angle).expect("an angle below pi") };
+    for _ in 0..STEPS {
+        let amplitude = of(angle);
+        let (found, slope) = (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
+        // Below 1e-150 the excess is θ0²/16 and the first guess stands.
+        if slope < f64::MIN_POSITIVE {
+            break;
+        }
+        angle -= angle * (found - excess) / slope;
+    }
+    of(angle)
+}
+
+/// Newton's method for T/T0 as a function of the logarithm of the complement, from 8e^(−πR/2).
+fn near_top(excess: f64) -> Amplitude {
+    // In two words: one would not resolve the last bits of a large ratio.
+    let mut log = DoubleDouble::from(LN_8 - std::f64::consts::FRAC_PI_2 * (1.0 + excess));
+    let of = |log: DoubleDouble| Amplitude { angle: Angle::from_complement_words(two_word::exp(log)) };
+    for _ in 0..STEPS {
+        let amplitude = of(log);
+        let slope =
+            -amplitude.logarithmic_slope().to_f64() * amplitude.complement() * amplitude.period_ratio();
+        log = log - (amplitude.period_excess() - excess) / slope;
+    }
+    of(log)
+}
+
+impl Pendulum {
+    /// The pendulum of this length in metres whose libration with this amplitude has this period in seconds:
+    /// its gravity is 4π²l(T/T0)²/T².
+    ///
+    /// # Errors
+    /// A length or period that is not positive and finite, or whose angular frequency or gravity is outside the
+    /// range of `f64`.
+    pub fn from_length_and_period(
+        length: f64,
+        period: f64,
+        amplitude: &Amplitude,
+    ) -> Result<Self, PendulumError> {
+        positive("length", length)?;
+        positive("period", period)?;
+        let frequency = frequency_of(period, amplitude)?;
+        // In this order everything on the way lies between the length and the gravity.
+        let gravity = (frequency * length * frequency).to_f64();
+        if !gravity.is_normal() {
+            return Err(PendulumError::Unattainable { name: "gravity", period });
+        }
+        Self::new(length, gravity)
+    }
+
+    /// The pendulum under this gravity in m/s² whose libration with this amplitude has this period in
+    /// seconds: its length is gT²/(4π²(T/T0)²).
+    ///
+    /// # Errors
+    /// A gravity or period that is not positive and finite, or whose angular frequency or length is outside the
+    /// range of `f64`.
+    pub fn from_gravity_and_period(
+        gravity: f64,
+        period: f64,
+        amplitude: &Amplitude,
+    ) -> Result<Self, PendulumError> {
+        positive("gravity", gravity)?;
+        positive("period", period)?;
+        let frequency = frequency_of(period, amplitude)?;
+        let length = (DoubleDouble::from(gravity) / frequency / frequency).to_f64();
+        if !length.is_normal() {
+            return Err(PendulumError::Unattainable { name: "length", period });
+        }
+        Self::new(length, gravity)
+    }
+}
+
+/// ω0 = 2πR/T.
+fn frequency_of(period: f64, amplitude: &Amplitude) -> Result<DoubleDouble, PendulumError> {
+    let turns = two_prod(2.0, amplitude.period_ratio());
+    let frequency = DoubleDouble::PI * turns / DoubleDouble::from(period);
+    if USABLE.contains(&frequency.hi) { Ok(frequency) } else { Err(PendulumError::PeriodOutOfRange(period)) }
+}

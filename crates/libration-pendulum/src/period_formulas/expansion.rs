@@ -1,0 +1,60 @@
+//! Exact coefficients of the period's power series, to any order and without a table.
+
+use dashu_int::{IBig, UBig};
+
+use libration_numbers::algebra::Rational;
+use libration_numbers::internals::series::{even_reciprocal, exponential};
+
+/// The coefficients `t₀ … t_N` of T/T0 = Σ tₙθ0²ⁿ (the first document's equation (14)): 1, 1/16, 11/3072, ….
+///
+/// 16ⁿ(2n)!·tₙ are the integers of exp(Σ |E₂ⱼ|4ʲxʲ/(2j)) with the Euler numbers E₂ⱼ, which are the integers of
+/// 1/cos; both by fast multiplication, the fractions reduced at the end.
+///
+/// # References
+/// J. W. Meijer, OEIS A223067 and A223068.
+#[must_use]
+pub fn period_in_amplitude(corrections: usize) -> Vec<Rational> {
+    over_weights(period_integers(corrections + 1))
+}
+
+/// The coefficients `d₀ … d_N` of Ω/ω0 = T0/T = Σ dₙθ0²ⁿ (the first document's equation (51)): 1, −1/16, 1/3072, ….
+#[must_use]
+pub fn frequency_in_amplitude(corrections: usize) -> Vec<Rational> {
+    over_weights(even_reciprocal(&period_integers(corrections + 1), corrections + 1))
+}
+
+/// The coefficients `c₀ … c_N` of T/T0 = Σ cₙ sin²ⁿ(θ0/2) (the second document's series): the squares of the
+/// central binomial coefficients (2n over n)/4ⁿ, which are 1, 1/2, 3/8, ….
+#[must_use]
+pub fn period_in_sine_squared(corrections: usize) -> Vec<Rational> {
+    let mut binomial = IBig::ONE;
+    (0..=corrections)
+        .map(|n| {
+            let coefficient = Rational::from_parts(binomial.sqr().into(), UBig::ONE << (4 * n));
+            binomial = &binomial * (2 * (2 * n + 1)) / (n + 1);
+            coefficient
+        })
+        .collect()
+}
+
+/// eₙ = 16ⁿ(2n)!·tₙ.
+fn period_integers(length: usize) -> Vec<IBig> {
+    let cosine: Vec<IBig> = (0..length).map(|n| if n % 2 == 0 { IBig::ONE } else { IBig::NEG_ONE }).collect();
+    let euler = even_reciprocal(&cosine, length);
+    // |E₂ⱼ|·4ʲ/2; the index 0 is not used.
+    let derivative: Vec<IBig> = euler.into_iter().enumerate().map(|(j, e)| (e << (2 * j)) >> 1).collect();
+    exponential(&derivative, length)
+}
+
+/// The integers divided by 16ⁿ(2n)!.
+fn over_weights(integers: Vec<IBig>) -> Vec<Rational> {
+    let mut factorial = UBig::ONE;
+    let mut coefficients = Vec::with_capacity(integers.len());
+    for (n, integer) in integers.into_iter().enumerate() {
+        if n > 0 {
+            factorial *= (2 * n - 1) * 2 * n;
+        }
+        coefficients.push(Rational::from_parts(integer, &factorial << (4 * n)));
+    }
+    coefficients
+}

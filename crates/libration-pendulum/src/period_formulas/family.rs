@@ -1,0 +1,182 @@
+//! The formulas with a number of terms: any number can be asked for.
+
+use super::expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
+use super::formula::{Attribution, Complexity, LeadingError, PeriodFormula};
+use super::law::Law;
+use super::real::Coefficients;
+use libration_numbers::algebra::Rational;
+
+/// The most correction terms a formula can be asked for with; their exact coefficients take seconds.
+pub const MOST_TERMS: usize = 1000;
+
+/// A series that gives one formula for each number of corrections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Family {
+    PowerSeries,
+    FourierPerturbation,
+    SineSquared,
+}
+
+impl Family {
+    pub(super) const ALL: [Self; 3] = [Self::PowerSeries, Self::FourierPerturbation, Self::SineSquared];
+
+    /// The key without its number.
+    pub(super) fn stem(self) -> &'static str {
+        match self {
+            Self::PowerSeries => "power_series_",
+            Self::FourierPerturbation => "black_vel_",
+            Self::SineSquared => "sin2_series_",
+        }
+    }
+
+    /// The formula of a key such as `power_series_7`.
+    pub(super) fn from_key(key: &str) -> Option<PeriodFormula> {
+        let family = Self::ALL.into_iter().find(|family| key.starts_with(family.stem()))?;
+        let digits = key.strip_prefix(family.stem())?;
+        let corrections: usize = digits.parse().ok()?;
+        let canonical = digits == corrections.to_string();
+        (canonical && (1..=MOST_TERMS).contains(&corrections)).then(|| family.formula(corrections))
+    }
+
+    /// The formula with this many corrections, at least one.
+    pub(super) fn formula(self, corrections: usize) -> PeriodFormula {
+        let mut coefficients = self.coefficients(corrections + 1);
+        let next = coefficients.pop().unwrap_or_else(|| Rational::from(0));
+        let latex = self.latex(&coefficients);
+        let bernoulli = self == Self::PowerSeries && corrections == 1;
+        let numbered = format!("{}{corrections}", self.stem());
+        PeriodFormula {
+            key: if bernoulli { "bernoulli".to_owned() } else { numbered.clone() },
+            also: if bernoulli { vec![numbered] } else { Vec::new() },
+            name: if bernoulli { "Bernoulli".to_owned() } else { self.name(corrections) },
+            authors: self.authors(bernoulli).to_owned(),
+            year: self.year(),
+            source: self.source(bernoulli).to_owned(),
+            attribution: Attribution::Certain,
+            latex,
+            domain: self.domain().to_owned(),
+            complexity: self.complexity(corrections),
+            leading_error: Some(self.leading_error(next, corrections)),
+            law: self.law(coefficients),
+        }
+    }
+
+    fn coefficients(self, corrections: usize) -> Vec<Rational> {
+        match self {
+            Self::PowerSeries => period_in_amplitude(corrections),
+            Self::FourierPerturbation => frequency_in_amplitude(corrections),
+            Self::SineSquared => period_in_sine_squared(corrections),
+        }
+    }
+
+    fn law(self, coefficients: Vec<Rational>) -> Law {
+        let coefficients = Coefficients::new(coefficients);
+        match self {
+            Self::PowerSeries => Law::PowerSeries(coefficients),
+            Self::FourierPerturbation => Law::FourierPerturbation(coefficients),
+            Self::SineSquared => Law::SineSquared(coefficients),
+        }
+    }
+
+    fn name(self, corrections: usize) -> String {
+        let plural = if corrections == 1 { "" } else { "s" };
+        match self {
+            Self::PowerSeries => format!("power series, {corrections} correction{plural}"),
+            Self::FourierPerturbation => format!("Fourier-perturbation, {corrections} term{plural}"),
+            Self::SineSquared => format!("series in sin\u{b2}(\u{3b8}0/2), {corrections} correction{plural}"),
+        }
+    }
+
+    fn authors(self, bernoulli: bool) -> &'static str {
+        match self {
+            Self::PowerSeries if bernoulli => "D. Bernoulli",
+            Self::PowerSeries | Self::SineSquared => "",
+            Self::FourierPerturbation => "B. Black and V. Vel",
+        }
+    }
+
+    fn year(self) -> Option<u16> {
+        (self == Self::FourierPerturbation).then_some(2023)
+    }
+
+    fn source(self, bernoulli: bool) -> &'static str {
+        match self {
+            Self::PowerSeries if bernoulli => {
+                "D. Bernoulli in the late 1740s; equation (4) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
+            }
+            Self::PowerSeries => {
+                "equation (14) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
+            }
+            Self::FourierPerturbation => {
+                "equation (51) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
+            }
+            Self::SineSquared => "J. C\u{f4}t\u{e9}, Period of a Pendulum, the last equation",
+        }
+    }
+
+    fn domain(self) -> &'static str {
+        match self {
+            Self::PowerSeries => {
+                "all amplitudes below the top, where it stays finite and the series stops converging"
+            }
+            Self::FourierPerturbation => {
+                "all amplitudes below the top, where it stays finite; with one term its pole is at 4 rad, beyond it"
+            }
+            Self::SineSquared => {
+                "all amplitudes below the top, where it stays finite; converges slower than the power series"
+            }
+        }
+    }
+
+    fn complexity(self, corrections: usize) -> Complexity {
+        let terms = u16::try_from(corrections).unwrap_or(u16::MAX);
+        let division = u16::from(self == Self::FourierPerturbation);
+        let sine = u16::from(self == Self::SineSquared);
+        Complexity { functions: sine, roots: 0, operations: 1 + sine + division + terms.saturating_mul(2) }
+    }
+
+    /// T/T0 loses its next term; of one over Ω/ω0 the next term stays with its sign; sin²(θ0/2) is about θ0²/4.
+    fn leading_error(self, next: Rational, corrections: usize) -> LeadingError {
+        let power = u32::try_from(2 * (corrections + 1)).unwrap_or(u32::MAX);
+        let coefficient = match self {
+            Self::PowerSeries => -next,
+            Self::FourierPerturbation => next,
+            Self::SineSquared => -next.divided_by_power_of_two(2 * (corrections + 1)),
+        };
+        LeadingError { coefficient, power }
+    }
+
+    fn latex(self, coefficients: &[Rational]) -> String {
+        let variable = match self {
+            Self::SineSquared => r"\sin^{#}\frac{\theta_0}{2}",
+            Self::PowerSeries | Self::FourierPerturbation => r"\theta_0^{#}",
+        };
+        let polynomial = polynomial_latex(coefficients, variable);
+        if self == Self::FourierPerturbation {
+            format!(r"\left({polynomial}\right)^{{-1}}")
+        } else {
+            polynomial
+        }
+    }
+}
+
+/// The first terms, and dots for more than six.
+fn polynomial_latex(coefficients: &[Rational], variable: &str) -> String {
+    const SHOWN: usize = 7;
+    let terms = coefficients.iter().take(SHOWN).enumerate().skip(1);
+    let mut text: String = terms.fold("1".to_owned(), |text, (n, c)| {
+        text + &term_latex(c, &variable.replace('#', &(2 * n).to_string()))
+    });
+    if coefficients.len() > SHOWN {
+        let last = 2 * (coefficients.len() - 1);
+        text += &format!(r"+\cdots\ \left(\text{{to }}{}\right)", variable.replace('#', &last.to_string()));
+    }
+    text
+}
+
+fn term_latex(coefficient: &Rational, power: &str) -> String {
+    let numerator = coefficient.numerator();
+    let (sign, digits) =
+        numerator.strip_prefix('-').map_or(("+", numerator.as_str()), |digits| ("-", digits));
+    format!(r"{sign}\frac{{{digits}}}{{{}}}{power}", coefficient.denominator())
+}

@@ -1,0 +1,241 @@
+//! A formula with what is known about it, and the catalogue in which it is found by its key.
+
+use std::fmt;
+
+use super::error::Exact;
+use super::law::Law;
+use super::swing::{Swing, SwingAmplitude};
+use libration_numbers::algebra::Rational;
+use libration_numbers::internals::catalogue::Named;
+use libration_numbers::quantity::Angle;
+
+/// An approximation to T/T0, the period over that of small swings, with what is known about it.
+///
+/// # Examples
+/// ```
+/// use libration::period_formulas::PeriodFormula;
+/// use libration::quantity::Angle;
+/// let molina = PeriodFormula::by_key("molina")?;
+/// let error = molina.fractional_error(&Angle::from_degrees(60.0)?);
+/// assert!((error - 6.0660e-4).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PeriodFormula {
+    pub(super) key: String,
+    pub(super) also: Vec<String>,
+    pub(super) name: String,
+    pub(super) authors: String,
+    pub(super) year: Option<u16>,
+    pub(super) source: String,
+    pub(super) attribution: Attribution,
+    pub(super) latex: String,
+    pub(super) domain: String,
+    pub(super) complexity: Complexity,
+    pub(super) leading_error: Option<LeadingError>,
+    pub(super) law: Law,
+}
+
+/// Whether a formula was seen in the source named, or is ascribed to it from memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Attribution {
+    /// The source has been read.
+    Certain,
+    /// The formula is verified, its origin is not.
+    Attributed,
+}
+
+/// What an evaluation on a pocket calculator takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Complexity {
+    /// Sines, cosines, logarithms, powers, Bessel functions.
+    pub functions: u16,
+    /// Square roots.
+    pub roots: u16,
+    /// Additions, subtractions, multiplications, divisions.
+    pub operations: u16,
+}
+
+impl Complexity {
+    /// What formulas are ordered by from the simplest on: an operation counts 1, a root 2, a function 3.
+    #[must_use]
+    pub fn rank(&self) -> u32 {
+        u32::from(self.operations) + 2 * u32::from(self.roots) + 3 * u32::from(self.functions)
+    }
+}
+
+/// The leading term, coefficient·θ0^power, of a fractional error at small amplitude.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeadingError {
+    /// The coefficient, exactly.
+    pub coefficient: Rational,
+    /// The power of the amplitude in radians.
+    pub power: u32,
+}
+
+impl fmt::Display for LeadingError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}·θ0^{}", self.coefficient, self.power)
+    }
+}
+
+impl Named for PeriodFormula {
+    const KIND: &'static str = "formula";
+    const OTHERWISE: &'static str =
+        "; power_series_N, black_vel_N and sin2_series_N have up to 1000 corrections";
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(&self.key).chain(&self.also).map(String::as_str)
+    }
+}
+
+impl PeriodFormula {
+    /// The formula's T/T0 as an `f64`, to a few ulp; NaN where the formula or the period is not defined.
+    #[must_use]
+    pub fn period_ratio(&self, amplitude: &Angle) -> f64 {
+        SwingAmplitude::from_angle(amplitude).map_or(f64::NAN, |amplitude| self.ratio(amplitude))
+    }
+
+    /// [`period_ratio`](Self::period_ratio) of an amplitude in radians, within [0, π).
+    #[must_use]
+    pub fn period_ratio_at(&self, amplitude: f64) -> f64 {
+        SwingAmplitude::from_radians(amplitude).map_or(f64::NAN, |amplitude| self.ratio(amplitude))
+    }
+
+    /// formula/exact − 1 with full relative accuracy however small, from floats of as many digits as it takes:
+    /// zero only below the smallest `f64`; infinite where
+    /// the formula is not defined, NaN where the period is not.
+    #[must_use]
+    pub fn fractional_error(&self, amplitude: &Angle) -> f64 {
+        SwingAmplitude::from_angle(amplitude).map_or(f64::NAN, |amplitude| self.error(amplitude))
+    }
+
+    /// [`fractional_error`](Self::fractional_error) of an amplitude in radians, within [0, π).
+    #[must_use]
+    pub fn fractional_error_at(&self, amplitude: f64) -> f64 {
+        SwingAmplitude::from_radians(amplitude).map_or(f64::NAN, |amplitude| self.error(amplitude))
+    }
+
+    fn ratio(&self, amplitude: SwingAmplitude) -> f64 {
+        self.law.ratio(&Swing::new(amplitude))
+    }
+
+    pub(super) fn error(&self, amplitude: SwingAmplitude) -> f64 {
+        self.error_beside(&mut Exact::new(amplitude))
+    }
+
+    /// The fractional error, the exact period shared with other formulas; infinite where this is not defined.
+    pub(super) fn error_beside(&self, exact: &mut Exact) -> f64 {
+        if self.is_defined(exact.amplitude()) { exact.fractional_error(&self.law) } else { f64::INFINITY }
+    }
+
+    fn is_defined(&self, amplitude: SwingAmplitude) -> bool {
+        !matches!(self.law, Law::CubicForce) || amplitude.radians() < self.defined_below()
+    }
+
+    /// The amplitude in radians from which on the formula has no value; π for most.
+    #[must_use]
+    pub fn defined_below(&self) -> f64 {
+        match self.law {
+            // 1 − θ0²/8 stays positive.
+            Law::CubicForce => 2.0 * std::f64::consts::SQRT_2,
+            _ => std::f64::consts::PI,
+        }
+    }
+
+    /// The key, lower snake case.
+    #[must_use]
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// Other keys of the same formula.
+    #[must_use]
+    pub fn other_keys(&self) -> &[String] {
+        &self.also
+    }
+
+    /// The name to print.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Who published it; empty when nobody in particular.
+    #[must_use]
+    pub fn authors(&self) -> &str {
+        &self.authors
+    }
+
+    /// When.
+    #[must_use]
+    pub fn year(&self) -> Option<u16> {
+        self.year
+    }
+
+    /// Where; what rests on memory alone is `attributed to` its source.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Whether the source has been read.
+    #[must_use]
+    pub fn attribution(&self) -> Attribution {
+        self.attribution
+    }
+
+    /// T/T0 in LaTeX, θ0 the amplitude.
+    #[must_use]
+    pub fn latex(&self) -> &str {
+        &self.latex
+    }
+
+    /// Where it is good and how it ends, in words.
+    #[must_use]
+    pub fn domain(&self) -> &str {
+        &self.domain
+    }
+
+    /// What an evaluation takes.
+    #[must_use]
+    pub fn complexity(&self) -> Complexity {
+        self.complexity
+    }
+
+    /// The leading fractional error at small amplitude, where it is known exactly.
+    #[must_use]
+    pub fn leading_error(&self) -> Option<&LeadingError> {
+        self.leading_error.as_ref()
+    }
+}
+
+impl LeadingError {
+    pub(super) fn from_text((coefficient, power): (&str, u32)) -> Option<Self> {
+        coefficient.parse().ok().map(|coefficient| Self { coefficient, power })
+    }
+}
+
+/// The fractional errors of the formulas at each amplitude in turn, as [`PeriodFormula::fractional_error`] gives them: a row of
+/// `formulas.len()` numbers for the first amplitude, one for the second, and so on. The exact period is worked out once for all formulas, and
+/// for many amplitudes at a time.
+///
+/// # Examples
+/// ```
+/// use libration::period_formulas::{catalogue, fractional_errors};
+/// use libration::quantity::Angle;
+/// let amplitudes = [Angle::from_degrees(60.0)?, Angle::from_degrees(120.0)?];
+/// let errors = fractional_errors(&catalogue()[..3], &amplitudes);
+/// assert_eq!(errors[3 + 2], catalogue()[2].fractional_error(&amplitudes[1]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn fractional_errors(formulas: &[PeriodFormula], amplitudes: &[Angle]) -> Vec<f64> {
+    let amplitudes: Vec<_> = amplitudes.iter().map(SwingAmplitude::from_angle).collect();
+    let mut errors = Vec::with_capacity(formulas.len() * amplitudes.len());
+    for mut exact in Exact::each(&amplitudes) {
+        let error = |formula: &PeriodFormula| exact.as_mut().map_or(f64::NAN, |it| formula.error_beside(it));
+        errors.extend(formulas.iter().map(error));
+    }
+    errors
+}

@@ -1,0 +1,44 @@
+//! Where searches over all amplitudes begin: points that crowd at neither the bottom nor the top.
+
+use super::swing::SwingAmplitude;
+use libration_kernels::double_double::DoubleDouble;
+
+/// The coordinate in which errors are searched: u = ln(θ0/(π − θ0)), so that the bottom and the top, where errors
+/// are powers of θ0 and of 1/u, are both far away.
+pub(super) type Coordinate = f64;
+
+/// θ0 = 3e-150.
+const LOWEST: Coordinate = -345.0;
+/// π − θ0 = 8e-300.
+const HIGHEST: Coordinate = 688.0;
+/// To here from 0 the points are evenly spaced, beyond their distances grow by a constant factor.
+const EVEN: Coordinate = 8.0;
+const STEPS_PER_UNIT: i16 = 16;
+const GROWTH: f64 = 1.15;
+
+/// The points, increasing, at which every search begins.
+pub(super) fn points() -> Vec<Coordinate> {
+    let half = 8 * STEPS_PER_UNIT;
+    let even = (-half..=half).map(|i| f64::from(i) / f64::from(STEPS_PER_UNIT));
+    let mut below: Vec<_> = growing(-LOWEST).map(|u| -u).collect();
+    below.reverse();
+    below.into_iter().chain(even).chain(growing(HIGHEST)).collect()
+}
+
+fn growing(last: f64) -> impl Iterator<Item = f64> {
+    let ahead =
+        std::iter::successors(Some(EVEN * GROWTH), |u| Some(u * GROWTH)).take_while(move |u| *u < last);
+    ahead.chain(std::iter::once(last))
+}
+
+pub(super) fn amplitude_at(u: Coordinate) -> SwingAmplitude {
+    let smaller = std::f64::consts::PI / (1.0 + libm::exp(u.abs()));
+    let words = DoubleDouble::from(smaller);
+    if u <= 0.0 { SwingAmplitude::FromBottom(words) } else { SwingAmplitude::FromTop(words) }
+}
+
+/// The coordinate of an amplitude, held within the searched range.
+pub(super) fn coordinate_of(amplitude: SwingAmplitude) -> Coordinate {
+    let quotient = amplitude.radians() / amplitude.complement();
+    libm::log(quotient).clamp(LOWEST, HIGHEST)
+}

@@ -1,0 +1,103 @@
+//! The error of a formula in two words, where these decide its last bit: one amplitude, or a block of them stage by stage.
+
+use super::law::Law;
+use super::swing::{AGREEING, Swing, SwingAmplitude, inverse_of_agreeing, next_means};
+use libration_kernels::dispatch::{Kernel, dispatch, dispatch_slices};
+use libration_kernels::double_double::block::{BLOCK, Words};
+use libration_kernels::double_double::{DoubleDouble, pick};
+use libration_kernels::elementary::two_word;
+
+/// What the formulas take, and the exact ratio.
+#[derive(Clone, Copy)]
+pub(super) struct Quick {
+    pub(super) swing: Swing<DoubleDouble>,
+    pub(super) exact: DoubleDouble,
+}
+
+/// 2⁻⁹⁶: what two words are off, relatively, with all formulas of the catalogue and distances of 2⁻² to 2⁻³⁹ from the top is 2⁻⁹⁹·⁸ at most.
+const QUICK_ERROR: f64 = 1.262177448353619e-29;
+/// Towards the bottom differences of what is near one are divided by θ0²: 2⁻¹⁰¹·¹ at 1/4, 2⁻⁹⁵·⁵ at 2⁻⁵, 2⁻⁸⁵·⁸ at 2⁻¹⁰.
+const FULL_ABOVE: f64 = 0.25;
+
+impl Quick {
+    /// `None` where two words were not tried.
+    pub(super) fn new(amplitude: SwingAmplitude) -> Option<Self> {
+        amplitude.suits_two_words().then(|| dispatch(One(amplitude)))
+    }
+
+    /// [`Self::new`] of each amplitude of a block, bit for bit; `None` where there is no amplitude.
+    pub(super) fn block(amplitudes: &[Option<SwingAmplitude>]) -> [Option<Self>; BLOCK] {
+        dispatch_slices(Block(amplitudes))
+    }
+
+    /// formula/exact − 1, if all that it may be rounds to one number.
+    pub(super) fn fractional_error(&self, law: &Law) -> Option<f64> {
+        let error = (law.ratio(&self.swing) - self.exact) / self.exact;
+        let off = self.off(&error);
+        let (below, above) = (error.hi + (error.lo - off), error.hi + (error.lo + off));
+        (below.to_bits() == above.to_bits() && below.is_finite()).then_some(below)
+    }
+
+    /// By how much a fractional error may be wrong.
+    pub(super) fn off(&self, error: &DoubleDouble) -> f64 {
+        let lost = f64::max(1.0, FULL_ABOVE / self.swing.amplitude.hi);
+        QUICK_ERROR * (1.0 + error.hi.abs()) * lost * lost
+    }
+}
+
+struct One(SwingAmplitude);
+
+impl Kernel for One {
+    type Output = Quick;
+    #[inline(always)]
+    fn run(self) -> Quick {
+        let swing = Swing::in_two_words(self.0, two_word::sin_cos_series(self.0.half_distance()));
+        Quick { swing, exact: swing.exact_ratio() }
+    }
+}
+
+struct Block<'a>(&'a [Option<SwingAmplitude>]);
+
+/// One radian, as good as any, stands where two words were not tried and where there is no amplitude.
+const INSTEAD: SwingAmplitude = SwingAmplitude::FromBottom(DoubleDouble::ONE);
+
+impl Kernel for Block<'_> {
+    type Output = [Option<Quick>; BLOCK];
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let suited = |i| self.0.get(i).copied().flatten().filter(|it: &SwingAmplitude| it.suits_two_words());
+        let (mut halves, mut sines, mut cosines) = (Words::ZERO, Words::ZERO, Words::ZERO);
+        for i in 0..BLOCK {
+            halves.set(i, suited(i).unwrap_or(INSTEAD).half_distance());
+        }
+        two_word::sin_cos_series_of_block(&halves, &mut sines, &mut cosines);
+        let mut swings = [None; BLOCK];
+        let mut smaller = Words::ZERO;
+        for (i, kept) in swings.iter_mut().enumerate() {
+            let swing = Swing::in_two_words(suited(i).unwrap_or(INSTEAD), (sines.get(i), cosines.get(i)));
+            smaller.set(i, swing.cos_half);
+            *kept = suited(i).map(|_| swing);
+        }
+        let exact = exact_ratios(smaller);
+        std::array::from_fn(|i| swings[i].map(|swing| Quick { swing, exact: exact.get(i) }))
+    }
+}
+
+/// [`Swing::exact_ratio`] of each cos(θ0/2): whoever has arrived waits for the others.
+#[inline(always)]
+fn exact_ratios(mut smaller: Words) -> Words {
+    let mut larger = Words::ONE;
+    while (0..BLOCK).any(|i| larger.hi[i] - smaller.hi[i] > AGREEING) {
+        for i in 0..BLOCK {
+            let (a, b) = (larger.get(i), smaller.get(i));
+            let apart = a.hi - b.hi > AGREEING;
+            let (mean, root) = next_means(a, b);
+            larger.set(i, pick(apart, mean, a));
+            smaller.set(i, pick(apart, root, b));
+        }
+    }
+    for i in 0..BLOCK {
+        larger.set(i, inverse_of_agreeing(larger.get(i), smaller.get(i)));
+    }
+    larger
+}

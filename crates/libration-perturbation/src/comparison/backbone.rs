@@ -1,0 +1,367 @@
+//! The backbone of an oscillator: its frequency against the amplitude, by orbits, by the perturbation series and, for the
+//! pendulum, exactly.
+
+use super::enclosed::other_equilibrium;
+use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand_watched};
+use libration_motion::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
+use libration_motion::{
+    internals::orbit::ReleasePlace,
+    orbit::{NoOrbit, Orbit},
+};
+use libration_numbers::algebra::BigFloat;
+use libration_numbers::expression::{Equation, Expression, NotSecondOrder, Symbol};
+use libration_numbers::quantity::Displacement;
+use libration_numbers::watch::Watch;
+
+/// The amplitude–frequency curve of one coordinate.
+///
+/// # Examples
+/// ```
+/// use libration::comparison::Backbone;
+/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
+/// let point = duffing.at(0.5);
+/// let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
+/// assert!((orbit.frequency - series.frequency).abs() < 1e-6);
+/// // A force without a linear part has orbits, but no series.
+/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15)?.at(2.0).series.is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Backbone {
+    equation: Equation,
+    centre: Option<Constant>,
+    series: Result<Series, NoSeries>,
+}
+
+/// An oscillator with its expansion.
+#[derive(Clone, Debug)]
+struct Series {
+    oscillator: Oscillator,
+    expansion: Expansion,
+}
+
+/// Why there is no series beside the orbits.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoSeries {
+    /// No centre to expand about.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// No expansion.
+    #[error(transparent)]
+    Expansion(#[from] ExpansionError),
+}
+
+/// Why there is no amplitude–frequency curve.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoBackbone {
+    /// Several coordinates.
+    #[error("there are {0} coordinates: give one equation of motion, or compute normal modes")]
+    SeveralCoordinates(usize),
+    /// An equation of the first order.
+    #[error(transparent)]
+    NotSecondOrder(#[from] NotSecondOrder),
+    /// The time in the force.
+    #[error("the acceleration depends on t: set the strength of the driving to zero")]
+    DependsOnTime,
+    /// Parameters that have no value.
+    #[error("no value is given for {0}: give one, such as {0}=0.1")]
+    WithoutValue(String),
+    /// A limit cycle in the place of a family.
+    #[error(
+        "the motion settles on a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: expand it in {0} instead"
+    )]
+    LimitCycle(String),
+    /// A place that is no equilibrium.
+    #[error(transparent)]
+    About(OscillatorError),
+}
+
+/// The frequencies at one amplitude, in radians a unit of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BackbonePoint {
+    /// The largest displacement above the centre.
+    pub amplitude: f64,
+    /// By an orbit.
+    pub orbit: Result<OrbitFrequency, NoOrbit>,
+    /// By the perturbation series, where there is one.
+    pub series: Option<SeriesFrequency>,
+    /// By elliptic integrals, or why there is none; `None` for all but the pendulum.
+    pub exact: Option<Result<ExactValue, NoExactValue>>,
+}
+
+/// The frequency of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitFrequency {
+    /// 2π over the period.
+    pub frequency: f64,
+    /// It may be wrong by so much.
+    pub uncertainty: f64,
+    /// The displacement from the centre at the other turning point.
+    pub other_side: f64,
+    /// Another equilibrium that the orbit goes around, if there is one: then it is not of the family that the series is for.
+    pub encloses: Option<f64>,
+}
+
+/// The frequency of a series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesFrequency {
+    /// The sum of all its terms.
+    pub frequency: f64,
+    /// What is missing, in the same unit.
+    pub remainder: Remainder,
+}
+
+impl Backbone {
+    /// The curve about the stable equilibrium nearest to zero, or about a place that is given, with the series up to an order.
+    /// Where an equilibrium has no expansion there are only orbits; where none is found amplitudes count from zero.
+    ///
+    /// # Errors
+    /// Several coordinates, the time in the acceleration, open parameters, or no stable equilibrium at the place.
+    pub fn new(equation: &Equation, about: Option<&Expression>, order: usize) -> Result<Self, NoBackbone> {
+        Self::new_watched(equation, about, order, &Watch::none())
+    }
+
+    /// As [`new`](Self::new); `watch` is asked at each order of the series. Where it stops there is no series, as
+    /// [`ExpansionError::Interrupted`] says, but orbits there are.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn new_watched(
+        equation: &Equation,
+        about: Option<&Expression>,
+        order: usize,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoBackbone> {
+        if equation.variables().len() != 1 {
+            return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
+        }
+        equation.refuse_first_order()?;
+        if equation.accelerations()[0].contains(&Symbol::plain("t")) {
+            return Err(NoBackbone::DependsOnTime);
+        }
+        let oscillator = match about {
+            None => Oscillator::new(equation),
+            Some(place) => Oscillator::about(equation, place),
+        };
+        if let Some(open) = equation.parameters().into_iter().next() {
+            let cycle = matches!(oscillator.as_ref().map(Oscillator::kind), Ok(Kind::LimitCycle { .. }));
+            return Err(if cycle { NoBackbone::LimitCycle(open) } else { NoBackbone::WithoutValue(open) });
+        }
+        let centre = match &oscillator {
+            Ok(oscillator) => Some(oscillator.equilibrium().clone()),
+            Err(_) => centre_of(equation, about),
+        };
+        let oscillator = match oscillator {
+            Err(error) if about.is_some() && centre.is_none() => return Err(NoBackbone::About(error)),
+            oscillator => oscillator,
+        };
+        let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
+            let expansion = expand_watched(&oscillator, order, &Gauge::Fundamental, watch)?;
+            Ok(Series { oscillator, expansion })
+        });
+        Ok(Self { equation: equation.clone(), centre, series })
+    }
+
+    /// The place that amplitudes count from.
+    #[must_use]
+    pub fn centre(&self) -> f64 {
+        self.centre.as_ref().map_or(0.0, Constant::to_f64)
+    }
+
+    /// Whether that is an equilibrium, and not zero for want of one.
+    #[must_use]
+    pub const fn has_equilibrium(&self) -> bool {
+        self.centre.is_some()
+    }
+
+    /// The frequency of small oscillations, where they are harmonic.
+    #[must_use]
+    pub fn omega0(&self) -> Option<f64> {
+        let series = self.series.as_ref().ok()?;
+        Some(libm::sqrt(series.oscillator.omega0_squared().to_f64()))
+    }
+
+    /// Why there is no series; `None` when there is one.
+    #[must_use]
+    pub fn no_series(&self) -> Option<&NoSeries> {
+        self.series.as_ref().err()
+    }
+
+    /// Up to which amplitude the series converges, where that is known or can be estimated.
+    #[must_use]
+    pub fn radius(&self) -> Option<Radius> {
+        self.series.as_ref().ok().and_then(|series| series.relation().radius())
+    }
+
+    /// All frequencies at an amplitude, exactly this `f64`.
+    #[must_use]
+    pub fn at(&self, amplitude: f64) -> BackbonePoint {
+        self.at_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`at`](Self::at); `watch` is asked at each step of the orbit. Where it stops there is no orbit, as
+    /// [`NoOrbit::Interrupted`] says.
+    #[must_use]
+    pub fn at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> BackbonePoint {
+        match Displacement::from_f64(amplitude) {
+            Some(displacement) => self.at_displacement_watched(&displacement, watch),
+            None => BackbonePoint {
+                amplitude,
+                orbit: Err(NoOrbit::Start { state: vec![amplitude], wanted: 1 }),
+                series: None,
+                exact: None,
+            },
+        }
+    }
+
+    /// All frequencies at an amplitude that is known to more digits than an `f64` has.
+    #[must_use]
+    pub fn at_displacement(&self, displacement: &Displacement) -> BackbonePoint {
+        self.at_displacement_watched(displacement, &Watch::none())
+    }
+
+    /// As [`at_displacement`](Self::at_displacement), and watched as [`at_watched`](Self::at_watched).
+    #[must_use]
+    pub fn at_displacement_watched(&self, displacement: &Displacement, watch: &Watch<'_>) -> BackbonePoint {
+        let amplitude = displacement.to_f64();
+        let orbit = self.orbit_at(displacement, watch);
+        let (mut series, mut exact) = (None, None);
+        if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
+            series = own.frequency_at(amplitude, omega0);
+            exact = own.exact_at(displacement).map(|found| found.map(|it| in_units_of(it, omega0)));
+        }
+        BackbonePoint { amplitude, orbit, series, exact }
+    }
+
+    fn orbit_at(&self, displacement: &Displacement, watch: &Watch<'_>) -> Result<OrbitFrequency, NoOrbit> {
+        let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
+        let centre = self.centre();
+        let start = centre + displacement.to_f64();
+        let place = ReleasePlace::new(origin, displacement.clone());
+        let orbit = Orbit::released_from(&self.equation, &place, watch)?;
+        let other_side = orbit.state_at(0.5 * orbit.period())[0];
+        if self.has_equilibrium() && other_side >= centre {
+            return Err(NoOrbit::Elsewhere { start, other_side, centre });
+        }
+        let enclosed = || other_equilibrium(&self.equation, centre, [other_side, start]);
+        Ok(OrbitFrequency {
+            frequency: orbit.frequency(),
+            uncertainty: orbit.frequency() * (orbit.period_uncertainty() / orbit.period() + ROUNDINGS),
+            other_side: other_side - centre,
+            encloses: if self.has_equilibrium() { enclosed() } else { None },
+        })
+    }
+}
+
+impl Series {
+    fn relation(&self) -> SeriesComparison<'_> {
+        SeriesComparison::new(&self.oscillator, &self.expansion, SeriesQuantity::Frequency)
+    }
+
+    fn frequency_at(&self, amplitude: f64, omega0: f64) -> Option<SeriesFrequency> {
+        let evaluation = self.relation().evaluation_at(amplitude);
+        let Remainder { size, certainty } = evaluation.steps().last()?.remainder;
+        let remainder = Remainder { size: size * omega0, certainty };
+        Some(SeriesFrequency { frequency: evaluation.value() * omega0, remainder })
+    }
+
+    /// Ω/ω0 of the pendulum.
+    fn exact_at(&self, displacement: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
+        self.relation().exact_without_motion(displacement)
+    }
+}
+
+/// Of 2π over a period.
+const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
+
+/// A ratio as a frequency; ω0 and the product are rounded.
+fn in_units_of(ratio: ExactValue, omega0: f64) -> ExactValue {
+    let value = ratio.value * omega0;
+    ExactValue { value, uncertainty: ratio.uncertainty * omega0 + ROUNDINGS * value, ..ratio }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn backbone(equation: &str) -> Backbone {
+        Backbone::new(&equation.parse().unwrap(), None, 15).unwrap()
+    }
+
+    #[test]
+    fn three_roads_meet_for_the_pendulum() {
+        let pendulum = backbone("theta'' + 4*sin(theta) = 0");
+        for amplitude in [0.05, 0.5, 1.5, 3.0] {
+            let point = pendulum.at(amplitude);
+            let (orbit, series) = (point.orbit.unwrap(), point.series.unwrap());
+            let exact = point.exact.unwrap().unwrap();
+            let allowed = orbit.uncertainty + exact.uncertainty;
+            assert!((orbit.frequency - exact.value).abs() <= allowed, "{amplitude}");
+            // What is estimated to be missing is missing, but for a factor of some units.
+            let missing = (series.frequency - exact.value).abs();
+            assert!(missing <= 5.0 * series.remainder.size + 1e-14, "{amplitude}: {missing:e}");
+            assert!((orbit.other_side + amplitude).abs() < 1e-10);
+        }
+    }
+
+    #[test]
+    fn amplitudes_count_from_the_centre() {
+        let well = backbone("x'' - x + x^3 = 0");
+        assert!(
+            (well.centre() - 1.0).abs() < 1e-15 && (well.omega0().unwrap() - 2.0_f64.sqrt()).abs() < 1e-15
+        );
+        let point = well.at(0.1);
+        let series = point.series.unwrap();
+        let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
+        assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
+    }
+
+    /// By mpmath, from the beta function of a force −uⁿ.
+    #[test]
+    fn amplitudes_count_from_a_centre_without_expansion() {
+        for (equation, centre, frequency) in [
+            ("x'' = -(x - 1)^3", 1.0, 0.423_606_542_396_989_6),
+            ("x'' = -(x + 1/3)^3", -1.0 / 3.0, 0.423_606_542_396_989_6),
+            ("x'' = -(x - 2)*abs(x - 2)", 2.0, 0.646_777_389_807_447_6),
+        ] {
+            let curve = backbone(equation);
+            assert!(curve.has_equilibrium() && (curve.centre() - centre).abs() < 1e-15, "{equation}");
+            let orbit = curve.at(0.5).orbit.unwrap();
+            assert!((orbit.frequency - frequency).abs() <= orbit.uncertainty, "{equation}: {orbit:?}");
+            assert!((orbit.other_side + 0.5).abs() < 1e-9, "{equation}: {orbit:?}");
+            assert_eq!(orbit.encloses, None, "{equation}");
+        }
+        let cubic = "x'' = -x*(x - 1)^3".parse().unwrap();
+        let told = Backbone::new(&cubic, Some(&"1".parse().unwrap()), 9).unwrap();
+        assert!(told.has_equilibrium() && (told.centre() - 1.0).abs() < 1e-15);
+        let unstable = Backbone::new(&cubic, Some(&"0".parse().unwrap()), 9);
+        assert!(matches!(unstable, Err(NoBackbone::About(_))));
+        assert!(!backbone("x'' = exp(x)").has_equilibrium());
+    }
+
+    #[test]
+    fn orbits_about_another_equilibrium_are_none_of_this_curve() {
+        let pendulum = backbone("theta'' + sin(theta) = 0");
+        assert!(matches!(pendulum.at(3.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+        // The well at −1 ends at 0; beyond the motion is in the other well.
+        let equation = "x'' - x + x^3 = 0".parse().unwrap();
+        let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9).unwrap();
+        assert!(well.at(0.9).orbit.is_ok());
+        assert!(matches!(well.at(1.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+        // Around both wells, which is not what the series is for.
+        assert!(well.at(3.0).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
+        assert_eq!(well.at(0.9).orbit.unwrap().encloses, None);
+    }
+
+    #[test]
+    fn what_has_no_family_of_orbits_is_refused_for_a_reason() {
+        let refusal = |text: &str| Backbone::new(&text.parse().unwrap(), None, 9).unwrap_err();
+        assert_eq!(refusal("x'' = -y; y'' = -x"), NoBackbone::SeveralCoordinates(2));
+        assert_eq!(refusal("x'' = -x + cos(t)"), NoBackbone::DependsOnTime);
+        assert_eq!(refusal("x'' = mu*(1 - x^2)*x' - x"), NoBackbone::LimitCycle("mu".to_owned()));
+        assert_eq!(refusal("x'' = -k*sin(x)"), NoBackbone::WithoutValue("k".to_owned()));
+    }
+}

@@ -1,0 +1,89 @@
+//! Other equilibria that an orbit goes around.
+
+use libration_numbers::algebra::Doubles;
+use libration_numbers::{
+    expression::{Equation, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that shows: beyond it the
+/// force at rest drives away from the centre. It is looked for at even distances from the centre, and at each 2^(1/16) times the one
+/// before, so that a well shows that is small beside the orbit.
+pub(super) fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
+    let name = equation.variables().first()?;
+    let inputs = [Symbol::plain(name), Symbol::plain(name).with_primes(1)];
+    let tape = Tape::new(&[&equation.accelerations()[0]], &inputs).ok()?;
+    let force = |x: f64| Jet::new(&Doubles, &tape, &[x, 0.0]).map_or(f64::NAN, |jet| jet.result(0)[0]);
+    let nearest = turning_points.iter().filter_map(|end| on_one_side(&force, centre, end - centre));
+    nearest.min_by(|a, b| (a - centre).abs().total_cmp(&(b - centre).abs()))
+}
+
+fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f64> {
+    // Weak forces vanish in double precision, which is no equilibrium.
+    let away = |part: f64| {
+        let force = force(centre + part * reach);
+        force.abs() > 0.0 && (force > 0.0) == (reach > 0.0)
+    };
+    let mut before = 0.0;
+    for part in parts() {
+        if away(part) {
+            let place = centre + reach * turned(&away, before, part);
+            // Zero, but for the rounding of the sum.
+            let vanishes = place.abs() <= 4.0 * f64::EPSILON * centre.abs();
+            return Some(if vanishes { 0.0 } else { place });
+        }
+        before = part;
+    }
+    None
+}
+
+/// Parts of the way to the turning point, which is none of them, in order.
+fn parts() -> Vec<f64> {
+    /// A zero of the force between two of the parts is seen where the force is of the other sign at one of them: two zeros nearer than the 256th
+    /// part of the way, or than a 23rd part of their distance from rest, may be missed.
+    const EVEN: u32 = 256;
+    const AN_OCTAVE: u32 = 16;
+    /// Down to 1e-6 of the way.
+    const OCTAVES: u32 = 20;
+    let even = (1..EVEN).map(|k| f64::from(k) / f64::from(EVEN));
+    let halves = (1..=OCTAVES * AN_OCTAVE).map(|k| libm::exp2(-f64::from(k) / f64::from(AN_OCTAVE)));
+    let mut parts: Vec<f64> = even.chain(halves).collect();
+    parts.sort_by(f64::total_cmp);
+    parts
+}
+
+/// Where a condition begins to hold.
+fn turned(holds: &impl Fn(f64) -> bool, mut without: f64, mut with: f64) -> f64 {
+    loop {
+        let middle = 0.5 * (without + with);
+        if middle <= without || middle >= with {
+            return with;
+        }
+        if holds(middle) { with = middle } else { without = middle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn enclosed(equation: &str, centre: f64, ends: [f64; 2]) -> Option<f64> {
+        other_equilibrium(&equation.parse().unwrap(), centre, ends)
+    }
+
+    #[test]
+    fn the_equilibrium_between_two_wells_is_seen_from_any_orbit_around_both() {
+        let well = "x'' = x - x^3";
+        for end in [1.415, 2.0, 30.0, 3e4] {
+            let found = enclosed(well, 1.0, [-end, end]).unwrap();
+            assert!(found.abs() < f64::MIN_POSITIVE, "{end}: {found:e}");
+        }
+        assert_eq!(enclosed(well, 1.0, [1e-6, 1.414]), None);
+        assert_eq!(enclosed("x'' = -sin(x)", 0.0, [-3.14, 3.14]), None);
+        // A force that double precision does not tell from zero about the centre.
+        assert_eq!(enclosed("x'' = -x^101", 0.0, [-1.0, 1.0]), None);
+        // A well of a thousandth of the swing, on the side above.
+        let small = enclosed("x'' = (x - 1)*x*(1e-3 - x)", 0.0, [-2.0, 2.0]);
+        assert!(small.is_some_and(|x| (x - 1e-3).abs() < 1e-15), "{small:?}");
+    }
+}

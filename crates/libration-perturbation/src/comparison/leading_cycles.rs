@@ -1,0 +1,283 @@
+//! Limit cycles of an oscillator with any force under a weak excitation, to leading order over its exact orbits.
+//!
+//! Of the orbits of x″ = F(x) those are left under x″ = F(x) + ε·f(x, x′) with a small ε over which f does no work, W(A) = 0, and where the
+//! work changes its sign (L. S. Pontryagin, Zh. Eksp. Teor. Fiz. 4, 883 (1934); V. K. Melnikov, Trans. Moscow Math. Soc. 12, 1 (1963)).
+//! A distance from the cycle in energy grows by ε·dW/dE in a period, so that the exponent is ε·(dW/dE)/T.
+
+use super::work::{Work, WorkOverOrbits};
+use crate::perturbation::{FirstOrder, SlowFlowError};
+use libration_motion::orbit::NoOrbit;
+use libration_motion::oscillator::Oscillator;
+use libration_numbers::expression::{Equation, Symbol};
+use libration_numbers::roots::{Tolerance, zero_between};
+use libration_numbers::watch::{Interrupted, Watch};
+use std::cell::Cell;
+
+/// A limit cycle for a small value of the parameter ε, to leading order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeadingLimitCycle {
+    /// The largest displacement from the equilibrium.
+    pub amplitude: f64,
+    /// The amplitude may be wrong by so much as a zero of the work; what terms of higher order in ε change is another matter.
+    pub amplitude_uncertainty: f64,
+    /// The least displacement.
+    pub other_side: f64,
+    /// Of the exact orbit without the small terms.
+    pub period: f64,
+    /// It may be wrong by so much.
+    pub period_uncertainty: f64,
+    /// The rate, over ε, at which a distance from the cycle grows: for ε > 0 it attracts where this is below zero.
+    pub exponent: f64,
+    /// It may be wrong by so much.
+    pub exponent_uncertainty: f64,
+}
+
+/// All limit cycles in a range of amplitudes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeadingLimitCycles {
+    /// The name of ε.
+    pub parameter: String,
+    /// The equilibrium, which displacements count from.
+    pub equilibrium: f64,
+    /// The least and the greatest amplitude looked at.
+    pub searched: [f64; 2],
+    /// The orbits end there, at a separatrix or where the force has no value.
+    pub family_ends: bool,
+    /// The sign of the work at these two; zero where it is zero as far as is known.
+    pub signs: [f64; 2],
+    /// From the smallest on.
+    pub cycles: Vec<LeadingLimitCycle>,
+}
+
+/// Why no limit cycles are looked for.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoLeadingLimitCycles {
+    /// No small parameter, or no oscillator without it.
+    #[error(transparent)]
+    SlowFlow(#[from] SlowFlowError),
+    /// Without the small terms the force depends on the velocity.
+    #[error("at {parameter} = 0 the force depends on the velocity, so that no energy tells the orbits apart")]
+    VelocityDependent {
+        /// The small parameter.
+        parameter: String,
+    },
+    /// No orbit about the equilibrium.
+    #[error("no orbit about the equilibrium is found: {0}")]
+    Orbit(#[from] NoOrbit),
+    /// Stopped by whoever watched.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl From<Interrupted> for NoLeadingLimitCycles {
+    fn from(_: Interrupted) -> Self {
+        Self::Interrupted
+    }
+}
+
+impl LeadingLimitCycles {
+    /// The limit cycles of an equation in which one letter has no value, the small parameter, or the one that is named.
+    ///
+    /// # Accuracy
+    /// Amplitudes from 1e-4 to 1e4 are looked at, each 1.25 times the one before and closer towards a separatrix: two cycles between two of
+    /// them are found where the work has its extremum between them.
+    ///
+    /// # Errors
+    /// As [`slow_flow`](crate::perturbation::slow_flow) has them of the letters; a force that depends on the velocity without the small
+    /// terms; no orbit.
+    ///
+    /// # Examples
+    /// ```
+    /// use libration::comparison::LeadingLimitCycles;
+    /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
+    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None)?;
+    /// let [cycle] = &found.cycles[..] else { panic!() };
+    /// assert!((cycle.amplitude - 1.9351).abs() < 1e-4 && cycle.exponent < 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, NoLeadingLimitCycles> {
+        Self::new_watched(equation, parameter, &Watch::none())
+    }
+
+    /// As [`new`](Self::new), and asks `watch` at each step of each orbit.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`NoLeadingLimitCycles::Interrupted`].
+    pub fn new_watched(
+        equation: &Equation,
+        parameter: Option<&str>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, NoLeadingLimitCycles> {
+        let FirstOrder { parameter, unperturbed, force } = FirstOrder::new(equation, parameter)?;
+        let oscillator = Oscillator::new(&unperturbed).map_err(|error| SlowFlowError::Oscillator {
+            parameter: parameter.clone(),
+            error: Box::new(error),
+        })?;
+        let velocity = Symbol::plain(oscillator.variable()).with_primes(1);
+        if unperturbed.accelerations()[0].contains(&velocity) {
+            return Err(NoLeadingLimitCycles::VelocityDependent { parameter });
+        }
+        let centre = oscillator.equilibrium().to_f64();
+        let work = WorkOverOrbits::new(&unperturbed, &force, centre).ok_or(SlowFlowError::NoSeries)?;
+        let Scan { places, family_ends } = Scan::new(&work, watch)?;
+        let cycles = cycles(&work, &places, watch)?;
+        let ends = [&places[0], &places[places.len() - 1]];
+        Ok(Self {
+            parameter,
+            equilibrium: centre,
+            searched: ends.map(|end| end.amplitude),
+            family_ends,
+            signs: ends.map(|end| if end.is_some() { end.value.signum() } else { 0.0 }),
+            cycles,
+        })
+    }
+
+    /// Whether the force does no work at either end of the range and has no cycle: it takes as much as it gives over every orbit.
+    #[must_use]
+    pub fn is_without_work(&self) -> bool {
+        self.cycles.is_empty() && self.signs.iter().all(|sign| *sign == 0.0)
+    }
+}
+
+/// The work over the orbits of amplitudes that grow.
+struct Scan {
+    places: Vec<Work>,
+    family_ends: bool,
+}
+
+/// Between two of them a force of the amplitude's tenth power changes by 9, and cycles that are apart by a quarter are told apart without more.
+const RATIO: f64 = 1.25;
+const SMALLEST: f64 = 1e-4;
+const LARGEST: f64 = 1e4;
+/// Halvings of the way to where the orbits end: next to a separatrix what is left of it is 1e-3, and a cycle beyond has an exponent
+/// that terms of higher order change.
+const TOWARDS_THE_END: usize = 8;
+
+impl Scan {
+    fn new(work: &WorkOverOrbits<'_>, watch: &Watch<'_>) -> Result<Self, NoLeadingLimitCycles> {
+        let mut places: Vec<Work> = vec![];
+        let mut amplitude = SMALLEST;
+        while amplitude <= LARGEST {
+            match work.at(amplitude, watch) {
+                Ok(found) => places.push(found),
+                Err(NoOrbit::Interrupted(stopped)) => return Err(stopped.into()),
+                Err(error) if places.is_empty() => return Err(error.into()),
+                Err(_) => break,
+            }
+            amplitude *= RATIO;
+        }
+        let family_ends = amplitude <= LARGEST;
+        if family_ends {
+            let (mut inside, mut outside) = (amplitude / RATIO, amplitude);
+            for _ in 0..TOWARDS_THE_END {
+                let middle = f64::midpoint(inside, outside);
+                match work.at(middle, watch) {
+                    Ok(found) => {
+                        places.push(found);
+                        inside = middle;
+                    }
+                    Err(NoOrbit::Interrupted(stopped)) => return Err(stopped.into()),
+                    Err(_) => outside = middle,
+                }
+            }
+        }
+        Ok(Self { places, family_ends })
+    }
+}
+
+fn cycles(
+    work: &WorkOverOrbits<'_>,
+    places: &[Work],
+    watch: &Watch<'_>,
+) -> Result<Vec<LeadingLimitCycle>, NoLeadingLimitCycles> {
+    let certain: Vec<Work> = places.iter().copied().filter(Work::is_some).collect();
+    let mut found = vec![];
+    for pair in certain.windows(2) {
+        let [below, above] = [pair[0], pair[1]];
+        let turn = extremum(work, [below, above], watch)?;
+        for [below, above] in turn.map_or(vec![[below, above]], |turn| vec![[below, turn], [turn, above]]) {
+            if below.value * above.value < 0.0 {
+                found.extend(cycle(work, [below, above], watch)?);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The work at its extremum between two places of one sign, if it comes towards zero there.
+fn extremum(
+    work: &WorkOverOrbits<'_>,
+    [below, above]: [Work; 2],
+    watch: &Watch<'_>,
+) -> Result<Option<Work>, NoLeadingLimitCycles> {
+    let sign = below.value.signum();
+    let dips = below.value * above.value > 0.0 && below.slope * sign < 0.0 && above.slope * sign > 0.0;
+    if !dips {
+        return Ok(None);
+    }
+    let slope = |found: &Work| found.slope;
+    let ends = [(below.amplitude, below.slope), (above.amplitude, above.slope)];
+    let found = at_zero(work, ends, AT_EXTREMUM, &slope, watch)?;
+    Ok(found.filter(Work::is_some))
+}
+
+/// The work where something about it vanishes; nobody is asked again after a stop.
+fn at_zero(
+    work: &WorkOverOrbits<'_>,
+    ends: [(f64, f64); 2],
+    tolerance: f64,
+    of: &dyn Fn(&Work) -> f64,
+    watch: &Watch<'_>,
+) -> Result<Option<Work>, NoLeadingLimitCycles> {
+    let stopped = Cell::new(None);
+    let at = |amplitude: f64| match work.at(amplitude, watch) {
+        Err(NoOrbit::Interrupted(reason)) => {
+            stopped.set(Some(reason));
+            None
+        }
+        found => found.ok().filter(|_| stopped.get().is_none()),
+    };
+    let value = |amplitude: f64| match stopped.get() {
+        Some(_) => f64::NAN,
+        None => at(amplitude).map_or(f64::NAN, |found| of(&found)),
+    };
+    let zero = zero_between(ends, Tolerance::relative(tolerance), value);
+    let found = zero.filter(|_| stopped.get().is_none()).and_then(at);
+    stopped.get().map_or(Ok(found), |reason| Err(reason.into()))
+}
+
+/// Of the amplitude, within which an extremum is found: the work is flat there, so that its sign is that of the extremum unless two cycles
+/// are nearer than this.
+const AT_EXTREMUM: f64 = 1e-6;
+/// Of the amplitude, within which a zero is found: beyond the roundings of the work, which are added.
+const AT_ZERO: f64 = 1e-15;
+
+fn cycle(
+    work: &WorkOverOrbits<'_>,
+    ends: [Work; 2],
+    watch: &Watch<'_>,
+) -> Result<Option<LeadingLimitCycle>, NoLeadingLimitCycles> {
+    // W goes with the square of the amplitude where that is small.
+    let value = |found: &Work| found.value / (found.amplitude * found.amplitude);
+    let bracket = ends.map(|end| (end.amplitude, value(&end)));
+    let Some(found) = at_zero(work, bracket, AT_ZERO, &value, watch)? else { return Ok(None) };
+    let by_amplitude = (found.slope * found.energy_slope).abs();
+    let amplitude_uncertainty =
+        (found.uncertainty + found.value.abs()) / by_amplitude + 2.0 * AT_ZERO * found.amplitude;
+    // How period and exponent go with the amplitude is seen between the ends.
+    let along = |of: &dyn Fn(&Work) -> f64| {
+        ((of(&ends[1]) - of(&ends[0])) / (ends[1].amplitude - ends[0].amplitude)).abs()
+            * amplitude_uncertainty
+    };
+    let exponent = |work: &Work| work.slope / work.period;
+    Ok(Some(LeadingLimitCycle {
+        amplitude: found.amplitude,
+        amplitude_uncertainty,
+        other_side: found.other_side,
+        period: found.period,
+        period_uncertainty: found.period_uncertainty + along(&|work| work.period),
+        exponent: exponent(&found),
+        exponent_uncertainty: found.slope_uncertainty / found.period + along(&exponent),
+    }))
+}

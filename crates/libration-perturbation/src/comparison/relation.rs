@@ -1,0 +1,279 @@
+//! A quantity of periodic motions as a function of the amplitude: its series, its exact values, and how far the
+//! series goes.
+
+use std::f64::consts::PI;
+
+use super::exact::{ExactMotion, ExactValue, NoExactValue, of_pendulum};
+use super::{Approximant, SeriesQuantity, pendulum_harmonic};
+use crate::perturbation::{
+    Convergence, Expansion, Pade, PeriodMajorant, SeriesEvaluation, is_pendulum, pendulum_period_remainder,
+    restoring_force, stride,
+};
+use libration_kernels::elementary::count;
+use libration_motion::oscillator::Oscillator;
+use libration_numbers::algebra::{Rational, Rationals};
+use libration_numbers::expression::Symbol;
+use libration_numbers::internals::series::truncated::reciprocal;
+use libration_numbers::quantity::Displacement;
+use libration_numbers::watch::Watch;
+
+/// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::NamedOscillator;
+/// use libration::comparison::{SeriesQuantity, SeriesComparison};
+/// use libration::perturbation::{Gauge, expand};
+/// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
+/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
+/// let period = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period);
+/// let exact = period.exact_at(1.0)?;
+/// let error = (period.evaluation_at(1.0).value() - exact.value).abs();
+/// assert!(error < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SeriesComparison<'a> {
+    oscillator: &'a Oscillator,
+    expansion: &'a Expansion,
+    quantity: SeriesQuantity,
+    series: Vec<Rational>,
+}
+
+/// The distance from zero up to which a series converges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Radius {
+    /// By a theorem.
+    Known(f64),
+    /// As the coefficients suggest.
+    Estimated(Convergence),
+}
+
+impl Radius {
+    /// The radius, or the estimate of it.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        match self {
+            Self::Known(value) => *value,
+            Self::Estimated(convergence) => convergence.radius,
+        }
+    }
+}
+
+impl<'a> SeriesComparison<'a> {
+    /// The relation in an expansion of this oscillator. The series of a harmonic that is not present is zero.
+    #[must_use]
+    pub fn new(oscillator: &'a Oscillator, expansion: &'a Expansion, quantity: SeriesQuantity) -> Self {
+        let series = match &expansion.of_amplitude {
+            Some(of) => match quantity {
+                SeriesQuantity::Period => of.period_ratio.clone(),
+                SeriesQuantity::Frequency => of.frequency_ratio.clone(),
+                SeriesQuantity::Cosine(k) => {
+                    let found = of.harmonics.iter().find(|(n, _)| *n == k);
+                    found.map_or_else(|| nothing(expansion.order), |(_, series)| series.clone())
+                }
+            },
+            None => of_strength(expansion, quantity),
+        };
+        Self { oscillator, expansion, quantity, series }
+    }
+
+    /// What it is a relation for.
+    #[must_use]
+    pub const fn quantity(&self) -> SeriesQuantity {
+        self.quantity
+    }
+
+    /// The coefficients, indexed by the power of the amplitude.
+    #[must_use]
+    pub fn series(&self) -> &[Rational] {
+        &self.series
+    }
+
+    /// The series in numbers. Remainders are proven for period, frequency and harmonics of the pendulum, and for period and frequency where the
+    /// force is a polynomial of the displacement, up to an amplitude from which on no bound is known; elsewhere they are estimates.
+    #[must_use]
+    pub fn evaluation_at(&self, amplitude: f64) -> SeriesEvaluation {
+        let evaluation = SeriesEvaluation::new(&self.series, amplitude);
+        match self.quantity {
+            _ if self.expansion.of_amplitude.is_none() => evaluation,
+            // No coefficient of Ω/ω0 is larger than that of T/T0 (`pendulum_harmonic.rs`).
+            SeriesQuantity::Period | SeriesQuantity::Frequency if is_pendulum(self.oscillator) => {
+                evaluation.with_bound(|power| pendulum_period_remainder(amplitude, power / 2))
+            }
+            SeriesQuantity::Cosine(k) if is_pendulum(self.oscillator) => {
+                let sizes = pendulum_harmonic::series_of_size(&self.series, k);
+                let bound = sizes.at(amplitude, PI, |amplitude| pendulum_harmonic::size(amplitude, k));
+                evaluation.with_bound(|power| bound.after(power))
+            }
+            SeriesQuantity::Cosine(_) => evaluation,
+            SeriesQuantity::Period | SeriesQuantity::Frequency => self.bounded_by_majorant(evaluation),
+        }
+    }
+
+    /// With the bounds for a polynomial force, where there are any.
+    fn bounded_by_majorant(&self, evaluation: SeriesEvaluation) -> SeriesEvaluation {
+        let Some(majorant) = self.period_majorant() else { return evaluation };
+        let bound = match self.quantity {
+            SeriesQuantity::Frequency => majorant.frequency_at(evaluation.at()),
+            _ => majorant.period_at(evaluation.at()),
+        };
+        if bound.after(0).is_infinite() {
+            evaluation
+        } else {
+            evaluation.with_bound(|power| bound.after(power))
+        }
+    }
+
+    /// The bound of period and frequency of a polynomial force.
+    fn period_majorant(&self) -> Option<PeriodMajorant> {
+        let x = Symbol { name: self.oscillator.variable().to_owned(), primes: 0 };
+        let degree = self.oscillator.acceleration().polynomial_coefficients(&x)?.len().checked_sub(1)?;
+        PeriodMajorant::new(&restoring_force(self.oscillator, degree)?, self.expansion.order)
+    }
+
+    /// Up to where the series converges; `None` when too few coefficients are given to tell.
+    #[must_use]
+    pub fn radius(&self) -> Option<Radius> {
+        if is_pendulum(self.oscillator) && self.series.iter().any(|c| !c.is_zero()) {
+            // K(m) has no zeros, so that period, frequency and harmonics are analytic for |Re θ0| < π.
+            return Some(Radius::Known(PI));
+        }
+        Convergence::estimate(&self.series).map(Radius::Estimated)
+    }
+
+    /// The Padé approximant of equal degrees above and below in the powers that are present, with what all terms have
+    /// in common in front; `None` when the coefficients do not suffice.
+    #[must_use]
+    pub fn approximant(&self, degree: usize) -> Option<Approximant> {
+        let present: Vec<usize> = (0..self.series.len()).filter(|n| !self.series[*n].is_zero()).collect();
+        let first = *present.first()?;
+        let stride = stride(present);
+        let spread: Vec<Rational> = self.series[first..].iter().step_by(stride.max(1)).cloned().collect();
+        let pade = Pade::new(&spread, degree, degree)?;
+        Some(Approximant { pade, first: count(first), stride: count(stride.max(1)) })
+    }
+
+    /// The value without the series, as the motion itself has it, at exactly this `f64`. Harmonics of limit cycles are in the
+    /// expansion's units.
+    ///
+    /// # Accuracy
+    /// As [`ExactValue::uncertainty`] says.
+    ///
+    /// # Errors
+    /// There is no such motion, it is not found, or its period is infinite.
+    pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoExactValue> {
+        self.exact_at_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`exact_at`](Self::exact_at); `watch` is asked at each step of the orbit.
+    ///
+    /// # Errors
+    /// As [`exact_at`](Self::exact_at), and [`NoOrbit::Interrupted`](libration_motion::orbit::NoOrbit::Interrupted).
+    pub fn exact_at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> Result<ExactValue, NoExactValue> {
+        let displacement = Displacement::from_f64(amplitude).ok_or(NoExactValue::Amplitude(amplitude))?;
+        self.exact_from_watched(&displacement, watch)
+    }
+
+    /// The same at an amplitude, or a strength, that is known to more digits than an `f64` has.
+    ///
+    /// # Accuracy
+    /// As [`ExactValue::uncertainty`] says.
+    ///
+    /// # Errors
+    /// As [`exact_at`](Self::exact_at).
+    pub fn exact_from(&self, amplitude: &Displacement) -> Result<ExactValue, NoExactValue> {
+        self.exact_from_watched(amplitude, &Watch::none())
+    }
+
+    /// As [`exact_from`](Self::exact_from), and watched as [`exact_at_watched`](Self::exact_at_watched).
+    ///
+    /// # Errors
+    /// As [`exact_at_watched`](Self::exact_at_watched).
+    pub fn exact_from_watched(
+        &self,
+        amplitude: &Displacement,
+        watch: &Watch<'_>,
+    ) -> Result<ExactValue, NoExactValue> {
+        ExactMotion::new_watched(self.oscillator, self.expansion, amplitude, watch)?.value(self.quantity)
+    }
+
+    /// The value by elliptic functions; `None` for all but the pendulum.
+    pub(super) fn exact_without_motion(
+        &self,
+        amplitude: &Displacement,
+    ) -> Option<Result<ExactValue, NoExactValue>> {
+        is_pendulum(self.oscillator).then(|| of_pendulum(self.quantity, amplitude))
+    }
+}
+
+/// The series of a limit cycle by powers of the strength.
+fn of_strength(expansion: &Expansion, quantity: SeriesQuantity) -> Vec<Rational> {
+    match quantity {
+        SeriesQuantity::Frequency => expansion.frequency_ratio.clone(),
+        SeriesQuantity::Period => {
+            reciprocal(&Rationals, &expansion.frequency_ratio).unwrap_or_else(|| nothing(expansion.order))
+        }
+        SeriesQuantity::Cosine(k) => {
+            expansion.harmonic(k).map_or_else(|| nothing(expansion.order), |harmonic| harmonic.cos.clone())
+        }
+    }
+}
+
+fn nothing(order: usize) -> Vec<Rational> {
+    vec![Rational::from(0); order + 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::perturbation::{Gauge, expand};
+    use libration_motion::oscillator::NamedOscillator;
+
+    fn differs_by(key: &str, quantity: SeriesQuantity, amplitude: f64) -> f64 {
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        let relation = SeriesComparison::new(&oscillator, &expansion, quantity);
+        let exact = relation.exact_at(amplitude).unwrap();
+        let error = relation.evaluation_at(amplitude).value() - exact.value;
+        f64::max(error.abs() - exact.uncertainty, 0.0)
+    }
+
+    /// Series to the 30th power and motions meet where (amplitude/radius)³⁰ is below the last digit.
+    #[test]
+    fn series_and_motions_agree_in_every_quantity() {
+        let cases = [
+            ("pendulum", 0.8),
+            ("duffing", 0.25),
+            ("quadratic", 0.1),
+            ("relativistic", 0.5),
+            ("toda", 0.5),
+            ("morse", 0.15),
+            ("double_well", 0.1),
+            ("mathews_lakshmanan", 0.2),
+            ("van_der_pol", 0.3),
+            ("rayleigh", 0.3),
+            ("rayleigh_cubic", 0.3),
+        ];
+        for (key, amplitude) in cases {
+            for quantity in [
+                SeriesQuantity::Period,
+                SeriesQuantity::Frequency,
+                SeriesQuantity::Cosine(1),
+                SeriesQuantity::Cosine(3),
+            ] {
+                let missing = differs_by(key, quantity, amplitude);
+                assert!(missing < 1e-13, "{key}, {quantity}: {missing:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn approximants_of_harmonics_keep_their_leading_power() {
+        let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&pendulum, 31, &Gauge::Fundamental).unwrap();
+        let third = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Cosine(3));
+        let value = third.approximant(6).unwrap().value_at(2.0);
+        assert!((value / third.exact_at(2.0).unwrap().value - 1.0).abs() < 1e-7, "{value}");
+    }
+}

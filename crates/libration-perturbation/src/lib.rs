@@ -1,0 +1,15 @@
+//! Perturbation series of any oscillator in exact numbers (Lindstedt and Poincaré's method with a free gauge, slow flows, limit cycles), and
+//! their comparison with exact values. The crate `libration` re-exports its modules.
+
+pub mod comparison;
+pub mod perturbation;
+
+// The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
+#[doc(hidden)]
+pub use libration_kernels::elliptic;
+#[doc(hidden)]
+pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
+#[doc(hidden)]
+pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+#[doc(hidden)]
+pub use libration_pendulum::{pendulum, period_formulas};

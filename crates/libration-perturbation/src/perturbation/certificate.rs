@@ -1,0 +1,197 @@
+//! Exact checks of a family's series by a road that knows no harmonics.
+
+use super::conservative::{displacement, period_ratio};
+use super::first_integral::{self, PlaneOfStates};
+use super::model::{Model, Motion};
+use super::series_set::SeriesSet;
+use super::shape::Shape;
+use libration_numbers::internals::expression::Jet;
+use libration_numbers::internals::series::truncated::{composition, product};
+use libration_numbers::watch::Watch;
+use libration_numbers::{
+    algebra::{Rational, Rationals, Ring},
+    internals::algebra::{HarmonicSums, Quadratic, QuadraticField},
+};
+
+/// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
+/// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
+/// whatever the gauge; series are compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
+pub(crate) fn agrees_with_the_potential<R: Ring>(
+    ring: &R,
+    model: &Model<R::Element>,
+    set: &SeriesSet<R::Element>,
+    same: impl Fn(&Vec<R::Element>, &Vec<R::Element>) -> bool,
+    watch: &Watch<'_>,
+) -> Option<bool> {
+    let square = squared_energy_amplitude(ring, model, &set.x_max, watch)?;
+    if !are_opposite(ring, model, set)
+        && !same(&square, &squared_energy_amplitude(ring, model, &set.x_min, watch)?)
+    {
+        return Some(false);
+    }
+    let x = displacement(ring, &model.tape, model.values.clone(), &model.omega0_squared, model.order)?;
+    let by_square: Vec<R::Element> = period_ratio(ring, &x)?.into_iter().step_by(2).collect();
+    let length = set.frequency.len();
+    let period = composition(ring, &by_square, &square, length, &|| watch.go_on().is_ok())?;
+    let mut one = vec![ring.zero(); length];
+    one[0] = ring.rational(&Rational::from(1))?;
+    Some(same(&product(ring, &period, &set.frequency, length), &one))
+}
+
+/// Whether the turning points are opposite in an even potential, and so have the same energy.
+fn are_opposite<R: Ring>(ring: &R, model: &Model<R::Element>, set: &SeriesSet<R::Element>) -> bool {
+    let is_odd = matches!(model.motion, Motion::Centre { shape: Shape::Odd, .. });
+    is_odd && set.x_max.iter().zip(&set.x_min).all(|(max, min)| ring.is_zero(&ring.add(max, min)))
+}
+
+/// ρ² = 2V/ω0² at a displacement that is itself a series: −2/ω0²·∫ F dx.
+fn squared_energy_amplitude<R: Ring>(
+    ring: &R,
+    model: &Model<R::Element>,
+    x: &[R::Element],
+    watch: &Watch<'_>,
+) -> Option<Vec<R::Element>> {
+    let mut jet = Jet::with_values(ring, &model.tape, model.values.clone());
+    let mut square = vec![ring.zero(), ring.zero()];
+    let mut slope = vec![];
+    for (n, coefficient) in x.iter().enumerate().skip(1) {
+        if watch.reached(n).is_err() {
+            return None;
+        }
+        let mut inputs = vec![ring.zero(); model.tape.inputs()];
+        *inputs.first_mut()? = coefficient.clone();
+        jet.extend(&inputs).ok()?;
+        slope.push(ring.times_integer(coefficient, i64::try_from(n).ok()?));
+        // n + 1 times the coefficient of V at order n + 1.
+        let work = ring.convolution(&jet.result(0)[1..=n], &slope);
+        let energy = ring.over_integer(&ring.times_integer(&work, -2), u64::try_from(n + 1).ok()?)?;
+        square.push(ring.divide(&energy, &model.omega0_squared)?);
+    }
+    square.truncate(x.len());
+    Some(square)
+}
+
+/// Whether the period as a function of the amplitude agrees exactly with that along the curves of the first integral. `None` when a number
+/// is not rational, or the check is interrupted.
+pub(crate) fn agrees_with_the_first_integral(
+    model: &Model<Rational>,
+    set: &SeriesSet<Rational>,
+    watch: &Watch<'_>,
+) -> Option<bool> {
+    let period = &set.of_amplitude.as_ref()?.period;
+    if let Some(omega0) = model.omega0_squared.square_root() {
+        let plane = plane_of_states(model, Rational::clone, omega0);
+        return Some(first_integral::period_ratio(&Rationals, plane, period.len(), watch)? == *period);
+    }
+    let field = Fractions::with_root_of(&model.omega0_squared);
+    let plane = plane_of_states(model, |value| field.ring.plain(value.clone()), field.ring.square_root()?);
+    let found = first_integral::period_ratio(&field.ring, plane, period.len(), watch)?;
+    Some(field.are(&found, period))
+}
+
+/// A model in the numbers of a ring that holds ω0.
+fn plane_of_states<F: Ring>(
+    model: &Model<Rational>,
+    number: impl Fn(&Rational) -> F::Element,
+    omega0: F::Element,
+) -> PlaneOfStates<'_, F> {
+    PlaneOfStates {
+        tape: &model.tape,
+        values: model.values.iter().map(&number).collect(),
+        omega0_squared: number(&model.omega0_squared),
+        omega0,
+    }
+}
+
+/// Fractions, and one square root that is none.
+struct Fractions {
+    ring: QuadraticField<Rationals>,
+}
+
+impl Fractions {
+    fn with_root_of(square: &Rational) -> Self {
+        Self { ring: QuadraticField { base: Rationals, square: square.clone() } }
+    }
+
+    /// `None` where it is neither a fraction nor the root that was taken in.
+    fn root(&self, square: &Rational) -> Option<Quadratic<Rational>> {
+        match square.square_root() {
+            Some(root) => Some(self.ring.plain(root)),
+            None if *square == self.ring.square => self.ring.square_root(),
+            None => None,
+        }
+    }
+
+    /// Whether numbers are these fractions.
+    fn are(&self, numbers: &[Quadratic<Rational>], fractions: &[Rational]) -> bool {
+        let is = |(number, fraction): (&Quadratic<Rational>, &Rational)| {
+            *number == self.ring.plain(fraction.clone())
+        };
+        numbers.len() == fractions.len() && numbers.iter().zip(fractions).all(is)
+    }
+}
+
+/// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers; where ω0 or the unit of a limit cycle is no fraction,
+/// arithmetic of fractions with its root. `None` when it is interrupted.
+pub(crate) fn agrees_with_plain_rationals(
+    model: &Model<Rational>,
+    set: &SeriesSet<Rational>,
+    watch: &Watch<'_>,
+) -> Option<bool> {
+    let Some(square) = model.irrational_roots().next() else {
+        let ring = HarmonicSums { numbers: Rationals };
+        let plain = model.series(&ring, |number| Some(number.clone()), Rational::square_root, watch)?;
+        return (!watch.is_stopped()).then(|| plain.numbers() == set.numbers());
+    };
+    let field = Fractions::with_root_of(square);
+    let ring = HarmonicSums { numbers: field.ring.clone() };
+    let number = |number: &Rational| Some(field.ring.plain(number.clone()));
+    let found = model.series(&ring, number, |square| field.root(square), watch)?;
+    (!watch.is_stopped()).then(|| field.are(&found.numbers(), &set.numbers()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauge::Gauge;
+    use super::super::model::values_at;
+    use super::super::modular::exact_series;
+    use super::*;
+    use libration_motion::oscillator::Oscillator;
+    use libration_numbers::{expression::Symbol, internals::expression::Tape};
+
+    fn model(equation: &str, shape: Shape) -> Model<Rational> {
+        let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
+        let x = Symbol { name: "x".to_owned(), primes: 0 };
+        let tape = Tape::new(&[oscillator.acceleration()], &[x.clone(), Symbol { primes: 1, ..x }]).unwrap();
+        Model {
+            values: values_at(&Rationals, &tape, Rational::from(0)).unwrap(),
+            tape,
+            omega0_squared: Rational::from(1),
+            uses_velocity: false,
+            motion: Motion::Centre { gauge: Gauge::Fundamental, shape },
+            order: 9,
+        }
+    }
+
+    #[test]
+    fn the_potential_notices_each_wrong_number() {
+        for (equation, shape) in [("x'' = -sin(x)", Shape::Odd), ("x'' = -x - x^2", Shape::Asymmetric)] {
+            let model = model(equation, shape);
+            let set = exact_series(&model, &Watch::none()).unwrap();
+            let agrees = |set: &SeriesSet<Rational>| {
+                agrees_with_the_potential(&Rationals, &model, set, PartialEq::eq, &Watch::none())
+            };
+            assert_eq!(agrees(&set), Some(true), "{equation}");
+            for n in 1..=8 {
+                let mut wrong = [set.clone(), set.clone(), set.clone()];
+                let [frequency, x_max, x_min] = &mut wrong;
+                for series in [&mut frequency.frequency, &mut x_max.x_max, &mut x_min.x_min] {
+                    series[n] = Rationals.add(&series[n], &Rational::new(1, 1 << 40).unwrap());
+                }
+                for (which, set) in wrong.iter().enumerate() {
+                    assert_eq!(agrees(set), Some(false), "{equation}, series {which}, order {n}");
+                }
+            }
+        }
+    }
+}

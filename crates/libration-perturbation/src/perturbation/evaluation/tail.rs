@@ -1,0 +1,69 @@
+//! An estimate of what is missing from a series that is not given to its end.
+
+use super::convergence::Convergence;
+use super::stride::stride;
+use libration_kernels::elementary::count;
+use libration_numbers::algebra::BigFloat;
+
+/// The fewest terms beyond the first that tell how a series goes on. With one or two, one estimate in eight was too small.
+const FEWEST: usize = 3;
+/// With so many of them [`Convergence`] is certain enough: with eight to twelve it made one estimate in thirty too small.
+const MANY: usize = 13;
+/// An estimated radius may be less certain than it says: by itself it made one estimate in a hundred too small, so none.
+const CAUTION: f64 = 1.05;
+
+/// An estimate of the sum of the terms that are not given, infinite when too few are given or they do not shrink. `terms` are the terms
+/// that are not zero with their powers.
+///
+/// The terms |t| of the later half are continued with the largest of their mean ratios over at least a third of it, raised by the (1 + 1/n)
+/// that a series like Σ xⁿ/n needs. From 13 terms on the ratio is no larger than the estimated radius of convergence makes it.
+///
+/// All constants here are from 18 600 partial sums (28 oscillators, periods, frequencies, harmonics and offsets, up to 40 powers, between 0.1
+/// and 0.9 of the radius) beside exact values: one estimate in 1000 was too small, one sum in nine had none; half of the others are within a
+/// factor of 5. `tests/suite/remainders.rs` has the same for other oscillators.
+pub(super) fn beyond_the_last(
+    terms: &[(usize, &BigFloat)],
+    convergence: Option<&Convergence>,
+    x: f64,
+) -> f64 {
+    if x == 0.0 {
+        return 0.0;
+    }
+    let [(first, _), .., (last, _)] = terms else { return f64::INFINITY };
+    if terms.len() <= FEWEST {
+        return f64::INFINITY;
+    }
+    let stride = stride(terms.iter().map(|(power, _)| *power));
+    let place = |power: usize| (power - first) / stride;
+    let end = place(*last);
+    let from = (end / 2).min(end - 2).max(1);
+    let later: Vec<(usize, f64)> = terms
+        .iter()
+        .map(|(power, term)| (place(*power), logarithm(term)))
+        .filter(|(place, _)| *place >= from)
+        .collect();
+    let ratio = largest_ratio(&later, ((end - from) / 3).max(1));
+    let known = convergence.filter(|_| terms.len() > MANY);
+    let of_radius = known.map(|it| CAUTION * libm::pow(x.abs() / it.at_least, count(stride)));
+    let ratio = of_radius.map_or(ratio, |other| f64::min(ratio, other));
+    if ratio.is_nan() || ratio >= 1.0 {
+        return f64::INFINITY;
+    }
+    let continued = |(place, logarithm): &(usize, f64)| logarithm + count(end - place) * libm::log(ratio);
+    let largest = later.iter().map(continued).fold(f64::NEG_INFINITY, f64::max);
+    libm::exp(largest) * ratio / (1.0 - ratio)
+}
+
+/// The largest mean ratio of two terms, given by their logarithms, that are at least so far apart; NaN when there are none.
+fn largest_ratio(terms: &[(usize, f64)], apart: usize) -> f64 {
+    let pairs = terms.iter().flat_map(|a| terms.iter().map(move |b| (a, b)));
+    pairs
+        .filter(|((i, _), (j, _))| j - i.min(j) >= apart)
+        .map(|((i, a), (j, b))| libm::exp((b - a) / count(j - i)) * (1.0 + 1.0 / count(*j)))
+        .fold(f64::NAN, f64::max)
+}
+
+/// ln |t|.
+fn logarithm(term: &BigFloat) -> f64 {
+    0.5 * (term.clone() * term.clone()).ln().to_f64()
+}

@@ -1,0 +1,138 @@
+//! The gauge: what the expansion parameter ε means.
+
+use std::fmt;
+use std::str::FromStr;
+
+use libration_numbers::algebra::{NotARational, Rational};
+
+/// How the expansion parameter ε of a family of periodic motions is related to it. The choice changes every
+/// series in ε and no relation between physical quantities.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Gauge {
+    /// ε is the coefficient of cos Ωt.
+    #[default]
+    Fundamental,
+    /// ε is the largest displacement, the amplitude of a symmetric well.
+    XMax,
+    /// ε is half the distance between the turning points.
+    HalfSwing,
+    /// ε = √(2E)/ω0, with the energy E counted from the equilibrium; for conservative oscillators.
+    Energy,
+    /// ε = 8√q with the nome q; for the pendulum.
+    Nome,
+    /// The coefficient of cos Ωt is A₁ε + A₂ε² + …, with the list A₁, A₂, …; what follows it is zero.
+    Coefficients(Vec<Rational>),
+}
+
+/// The largest index of a coefficient that a gauge may name.
+const LARGEST_INDEX: usize = 10_000;
+
+impl fmt::Display for Gauge {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fundamental => formatter.write_str("fundamental"),
+            Self::XMax => formatter.write_str("x_max"),
+            Self::HalfSwing => formatter.write_str("half_swing"),
+            Self::Energy => formatter.write_str("energy"),
+            Self::Nome => formatter.write_str("nome"),
+            Self::Coefficients(list) => {
+                let present = list.iter().enumerate().filter(|(n, a)| *n == 0 || !a.is_zero());
+                let items: Vec<String> = present.map(|(n, a)| format!("A{}={a}", n + 1)).collect();
+                formatter.write_str(&items.join(","))
+            }
+        }
+    }
+}
+
+/// Reads a name, or a list such as `A1=1,A3=-1/2` in any order; what is not listed is zero.
+impl FromStr for Gauge {
+    type Err = NotAGauge;
+
+    fn from_str(text: &str) -> Result<Self, NotAGauge> {
+        let named = [Self::Fundamental, Self::XMax, Self::HalfSwing, Self::Energy, Self::Nome];
+        if let Some(gauge) = named.into_iter().find(|gauge| gauge.to_string() == text.trim()) {
+            return Ok(gauge);
+        }
+        if !text.contains('=') {
+            return Err(NotAGauge::Unknown(text.to_owned()));
+        }
+        let mut list: Vec<Option<Rational>> = vec![];
+        for item in text.split(',') {
+            let (index, value) = coefficient(item)?;
+            if list.len() < index {
+                list.resize(index, None);
+            }
+            if list[index - 1].replace(value).is_some() {
+                return Err(NotAGauge::Twice(index));
+            }
+        }
+        let list: Vec<Rational> = list.into_iter().map(|a| a.unwrap_or_else(|| Rational::from(0))).collect();
+        if list[0].is_zero() {
+            Err(NotAGauge::NoFirst(text.to_owned()))
+        } else {
+            Ok(Self::Coefficients(list))
+        }
+    }
+}
+
+/// The index and value of `A3=-1`.
+fn coefficient(item: &str) -> Result<(usize, Rational), NotAGauge> {
+    let refusal = || NotAGauge::Item(item.trim().to_owned());
+    let (name, value) = item.split_once('=').ok_or_else(refusal)?;
+    let index = name.trim().strip_prefix(['A', 'a']).ok_or_else(refusal)?;
+    let index: usize = index.trim_start_matches('_').parse().map_err(|_| refusal())?;
+    if !(1..=LARGEST_INDEX).contains(&index) {
+        return Err(refusal());
+    }
+    Ok((index, value.trim().parse()?))
+}
+
+/// A text that names no gauge.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NotAGauge {
+    /// Neither a name nor a list.
+    #[error(
+        "unknown gauge `{0}`: give fundamental, x_max, half_swing, energy, nome, or coefficients such as A1=1,A3=-1"
+    )]
+    Unknown(String),
+    /// An item of the list that is no coefficient.
+    #[error(
+        "`{0}` is not a coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}"
+    )]
+    Item(String),
+    /// A coefficient that is given twice.
+    #[error("the gauge gives A{0} twice: give it once")]
+    Twice(usize),
+    /// A list without A1.
+    #[error(
+        "the gauge `{0}` has no A1: ε must be of first order in the amplitude, so give a nonzero A1, such as A1=1"
+    )]
+    NoFirst(String),
+    /// A coefficient that is no fraction.
+    #[error(transparent)]
+    Value(#[from] NotARational),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gauges_are_read_and_written_back() {
+        for text in ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1", "A1=-2/3,A2=5"] {
+            assert_eq!(text.parse::<Gauge>().unwrap().to_string(), text);
+        }
+        assert_eq!("a3=-1, A_1 = 1".parse::<Gauge>().unwrap().to_string(), "A1=1,A3=-1");
+    }
+
+    #[test]
+    fn gauges_that_mean_nothing_are_refused() {
+        for text in
+            ["", "energie", "A1", "A0=1", "A1=x", "A2=1", "A1=0", "A1=1,A1=2", "A1=1,B3=2", "A99999999=1"]
+        {
+            assert!(text.parse::<Gauge>().is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! The Lindstedt–Poincaré equations order by order with the gauge left open: which coefficients they fix, and
+//! which they leave free.
+
+mod expansion;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
+use libration_numbers::algebra::{Polynomial, Rational, Variable};
+use libration_numbers::watch::{Interrupted, Stage, Watch};
+
+/// Which powers of ε the ansatz has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EpsilonPowers {
+    /// Odd powers in the harmonics and even ones in Ω, which is enough for an odd force.
+    OneParity,
+    /// All of them.
+    All,
+}
+
+/// What must vanish for the equation of motion to hold in one harmonic at one order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Condition {
+    /// The power of ε.
+    pub order: u32,
+    /// The k of cos kΩt.
+    pub harmonic: u32,
+    /// The coefficient of ε^order cos kΩt on the left side of Δ²x″ + g(x)/ω0² = 0.
+    pub polynomial: Polynomial,
+}
+
+/// The expansion of a motion about its equilibrium, with every coefficient a symbol.
+///
+/// The equation of motion is ẍ + g(x) = 0 with g(x) = ω0²x + …. The ansatz is x = Σ aₖ(ε) cos kΩt and
+/// Ω/ω0 = Δ = 1 + d₁ε + d₂ε² + …. The coefficients of εⁿ are called Aₙ, Bₙ, Cₙ, Dₙ, … in a₁, a₃, a₅, a₇, … and
+/// Pₙ, Qₙ, Rₙ, … in a₀, a₂, a₄, …. The conditions leave A₁, A₂, A₃, … free: they are the gauge, the meaning of ε.
+///
+/// # Examples
+/// ```
+/// use libration::perturbation::{OpenGauge, EpsilonPowers};
+/// // sin θ up to the fifth power.
+/// let sine = ["1", "0", "-1/6", "0", "1/120"].map(|text| text.parse().unwrap());
+/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity)?;
+/// assert_eq!(pendulum.solution()[&"d4".into()].to_string(), "-A1*A3/8 + A1^4/1024");
+/// assert_eq!(pendulum.free_constants().len(), 3);
+/// # Ok::<(), libration::perturbation::OpenGaugeError>(())
+/// ```
+///
+/// # References
+/// B. Black and V. Vel, Am. J. Phys. **91**, 776 (2023), equations (32)–(38) and appendices A and B.
+#[derive(Clone, Debug)]
+pub struct OpenGauge {
+    ansatz: Ansatz,
+    force: Vec<Rational>,
+    conditions: Vec<Condition>,
+    solution: BTreeMap<Variable, Polynomial>,
+}
+
+impl OpenGauge {
+    /// The largest order.
+    pub const MAX_ORDER: u32 = 15;
+
+    /// The conditions up to ε^order for a restoring force g(x) = g₁x + g₂x² + … given by g₁, g₂, …; what is not
+    /// given is zero. [`restoring_force`](super::restoring_force) gives that of an oscillator.
+    ///
+    /// # Errors
+    /// When the order is not between 1 and [`MAX_ORDER`](Self::MAX_ORDER), g₁ is not positive, or the force has
+    /// an even term while the ansatz has one parity.
+    pub fn new(
+        restoring_force: &[Rational],
+        order: u32,
+        powers: EpsilonPowers,
+    ) -> Result<Self, OpenGaugeError> {
+        Self::new_watched(restoring_force, order, powers, &Watch::none())
+    }
+
+    /// As [`new`](Self::new); `watch` is asked at each order.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`OpenGaugeError::Interrupted`].
+    pub fn new_watched(
+        restoring_force: &[Rational],
+        order: u32,
+        powers: EpsilonPowers,
+        watch: &Watch<'_>,
+    ) -> Result<Self, OpenGaugeError> {
+        if !(1..=Self::MAX_ORDER).contains(&order) {
+            return Err(OpenGaugeError::Order { order });
+        }
+        let force = over_linear_term(restoring_force).ok_or(OpenGaugeError::NotRestoring)?;
+        let even = (2..).step_by(2).zip(force.iter().skip(1).step_by(2)).find(|(_, term)| !term.is_zero());
+        if let (EpsilonPowers::OneParity, Some((power, _))) = (powers, even) {
+            return Err(OpenGaugeError::EvenTerm { power });
+        }
+        let ansatz = Ansatz::new(order, powers, even.is_some());
+        let force = force.into_iter().take(order as usize).collect::<Vec<_>>();
+        let (conditions, solution) = solve(&ansatz, &force, watch)?;
+        Ok(Self { ansatz, force, conditions, solution })
+    }
+
+    /// The conditions order by order; what the conditions of lower orders fix is inserted. The condition of the
+    /// first order and the first harmonic is 0 = 0, because ω0 has been chosen so.
+    #[must_use]
+    pub fn conditions(&self) -> &[Condition] {
+        &self.conditions
+    }
+
+    /// The same conditions with nothing inserted: the system of equations in all the unknowns at once. `None`
+    /// above order 9 with one parity and order 6 with all powers, because the number of terms grows very fast:
+    /// for the pendulum 115, 1303 and 15 025 at orders 5, 7 and 9.
+    #[must_use]
+    pub fn whole_system(&self) -> Option<Vec<Condition>> {
+        let mut expansion = Expansion::new(&self.ansatz, &self.force);
+        let orders = &self.ansatz.orders;
+        let manageable = orders.last() <= Some(&if orders.contains(&2) { 6 } else { 9 });
+        manageable.then(|| orders.iter().flat_map(|order| expansion.conditions(*order)).collect())
+    }
+
+    /// Every coefficient that the conditions fix, as a polynomial in A₁, A₂, A₃, ….
+    #[must_use]
+    pub const fn solution(&self) -> &BTreeMap<Variable, Polynomial> {
+        &self.solution
+    }
+
+    /// All coefficients of the ansatz.
+    #[must_use]
+    pub fn unknowns(&self) -> BTreeSet<Variable> {
+        let Ansatz { orders, harmonics, .. } = &self.ansatz;
+        let coefficients = orders.iter().flat_map(|n| harmonics.iter().map(|k| coefficient(*k, *n)));
+        coefficients.chain(orders.iter().filter(|n| **n > 1).map(|n| frequency_correction(n - 1))).collect()
+    }
+
+    /// The coefficients that no condition fixes: A₁, A₂, A₃, …, as far as the ansatz has them.
+    #[must_use]
+    pub fn free_constants(&self) -> BTreeSet<Variable> {
+        self.unknowns().into_iter().filter(|unknown| !self.solution.contains_key(unknown)).collect()
+    }
+
+    /// The solution in one gauge: Aₙ is what `free` gives for n.
+    #[must_use]
+    pub fn in_gauge(&self, free: impl Fn(u32) -> Rational) -> BTreeMap<Variable, Rational> {
+        let chosen = |variable: &Variable| variable.index().map(&free);
+        let free_constants = self.free_constants().into_iter().map(|variable| {
+            let value = chosen(&variable);
+            (variable, value)
+        });
+        let fixed =
+            self.solution.iter().map(|(variable, polynomial)| (variable.clone(), polynomial.value(chosen)));
+        free_constants.chain(fixed).filter_map(|(variable, value)| Some((variable, value?))).collect()
+    }
+
+    /// The symbol of the coefficient of a power of ε in a harmonic, such as B₅ for the third harmonic.
+    #[must_use]
+    pub fn coefficient_name(harmonic: u32, order: u32) -> Variable {
+        coefficient(harmonic, order)
+    }
+}
+
+/// Why there are no equations order by order.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum OpenGaugeError {
+    /// The order is 0 or too large.
+    #[error("the order is {order}; with the gauge left open it can be 1 to {}", OpenGauge::MAX_ORDER)]
+    Order {
+        /// What was given.
+        order: u32,
+    },
+    /// g₁ ≤ 0.
+    #[error("the force has no linear term that pulls back to the equilibrium; perturbation starts from one")]
+    NotRestoring,
+    /// An even term beside an ansatz of odd powers.
+    #[error("the force has a term in x^{power}, so the expansion needs all powers, not only odd ones")]
+    EvenTerm {
+        /// Its exponent.
+        power: u32,
+    },
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+/// g(x)/g₁ term by term; `None` unless g₁ > 0.
+pub(super) fn over_linear_term(restoring_force: &[Rational]) -> Option<Vec<Rational>> {
+    let linear = restoring_force.first().filter(|linear| **linear > Rational::from(0))?;
+    restoring_force.iter().map(|term| term.checked_div(linear)).collect()
+}
+
+/// Solves the conditions order by order: each fixes one coefficient of its harmonic, and that of the
+/// fundamental the frequency.
+fn solve(
+    ansatz: &Ansatz,
+    force: &[Rational],
+    watch: &Watch<'_>,
+) -> Result<(Vec<Condition>, BTreeMap<Variable, Polynomial>), Interrupted> {
+    let (mut conditions, mut solution) = (Vec::new(), BTreeMap::new());
+    let mut expansion = Expansion::new(ansatz, force);
+    watch.begin(Stage::Whole, Some(ansatz.orders.len()));
+    for (done, order) in ansatz.orders.iter().enumerate() {
+        watch.reached(done)?;
+        let new = expansion.conditions(*order);
+        solution.extend(new.iter().filter_map(Condition::solved));
+        expansion.insert(*order, &solution);
+        conditions.extend(new);
+    }
+    Ok((conditions, solution))
+}
+
+impl Condition {
+    /// The coefficient that this condition fixes, and its value; `None` for 0 = 0.
+    ///
+    /// Harmonic k ≠ 1 has (1 − k²) before its coefficient, the fundamental −2A₁ before the correction of the
+    /// frequency, by which the rest can be divided: ε enters only through a₁ = A₁ε + ….
+    fn solved(&self) -> Option<(Variable, Polynomial)> {
+        let unknown = match self.harmonic {
+            1 => frequency_correction(self.order.checked_sub(1)?),
+            harmonic => coefficient(harmonic, self.order),
+        };
+        let rest = self.polynomial.coefficient(&unknown, 0);
+        let value = (-rest).divide_exactly(&self.polynomial.coefficient(&unknown, 1))?;
+        Some((unknown, value))
+    }
+}
+
+#[cfg(test)]
+mod tests;

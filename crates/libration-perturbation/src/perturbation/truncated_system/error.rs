@@ -1,0 +1,55 @@
+//! Why a truncated system cannot be set up or solved.
+
+use super::TruncatedSystem;
+use libration_numbers::watch::Interrupted;
+
+/// Why a truncated system cannot be set up or solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TruncatedSystemError {
+    /// g₁ ≤ 0.
+    #[error("the force has no linear term that pulls back to the equilibrium")]
+    NotRestoring,
+    /// An even power in the force.
+    #[error("the force has a term in x^{power}; odd harmonics alone need an odd force")]
+    EvenTerm {
+        /// Its exponent.
+        power: usize,
+    },
+    /// Nothing but the linear term.
+    #[error("up to x^{degree} the force is linear; keep at least its next term")]
+    Linear {
+        /// Where the force was cut off.
+        degree: usize,
+    },
+    /// No harmonic, or too many solutions.
+    #[error(
+        "{harmonics} harmonics and a force of degree {degree} are out of reach: take at least one harmonic, and \
+         so few that the 1 + {degree} + {degree}^2 + ... solutions, a term for each, are at most {}",
+        TruncatedSystem::MAX_SOLUTIONS
+    )]
+    Size {
+        /// How many harmonics.
+        harmonics: u32,
+        /// The degree of the force.
+        degree: usize,
+    },
+    /// Not a positive finite number.
+    #[error("the amplitude is {amplitude:?}; it must be positive and finite")]
+    Amplitude {
+        /// What was given.
+        amplitude: f64,
+    },
+    /// Some were not found.
+    #[error(
+        "{found} of the {expected} solutions were found; where some coincide try an amplitude a little off"
+    )]
+    Missing {
+        /// How many were found.
+        found: usize,
+        /// How many there are.
+        expected: usize,
+    },
+    /// The watch said so.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
