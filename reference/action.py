@@ -1,7 +1,7 @@
 """tests/data/action.csv: action and energy of motions in every regime, at ordinary and extreme frequencies, to 40 digits.
 
 The action is the quadrature of the velocity over the angle, not a combination of complete integrals.
-Run: python reference/action.py > crates/libration/tests/data/action.csv
+Run: python reference/action.py > crates/libration-testing/data/action.csv
 """
 from mpmath import cos, mp, mpf, nstr, pi, quad, sin, sqrt
 

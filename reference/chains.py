@@ -1,4 +1,4 @@
-"""Long motions of Fermi, Pasta and Ulam's chain of 32 masses: python reference/chains.py > crates/libration/tests/data/chains.csv
+"""Long motions of Fermi, Pasta and Ulam's chain of 32 masses: python reference/chains.py > crates/libration-testing/data/chains.csv
 
 By heyoka's Taylor integrator in long double (64 bits), to two tolerances, which tell what it errs by. Needs: pip install heyoka mpmath, on
 x86-64. Takes some ten minutes. With beta = 8 the chain is chaotic: what begins as a rounding in one mass has become a large number at the

@@ -1,4 +1,4 @@
-"""Motions of named systems that keep their energy: python reference/conservative.py > crates/libration/tests/data/conservative.csv
+"""Motions of named systems that keep their energy: python reference/conservative.py > crates/libration-testing/data/conservative.csv
 
 As reference/first_order.py, by the extrapolated midpoint rule in 50 digits. Takes some ten minutes.
 """

@@ -1,4 +1,4 @@
-"""Motions of the named systems in time: python reference/damped.py > crates/libration/tests/data/damped.csv
+"""Motions of the named systems in time: python reference/damped.py > crates/libration-testing/data/damped.csv
 
 By extrapolation of the midpoint rule (extrapolation.py) in gmpy2 floats of 400 bits, each step refined until two columns agree
 to 1e-60. Where damping is not analytic, at turning points, the step ends: the

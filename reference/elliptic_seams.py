@@ -2,7 +2,7 @@
 
 Legendre's integrals come down the ladder of the arithmetic-geometric mean, as the library's do not; k and k' of a nome
 from the plain theta series, without Jacobi's imaginary transformation.
-Run: python reference/elliptic_seams.py TABLE > crates/libration/tests/data/elliptic_TABLE.csv   (TABLE: angles, nomes)
+Run: python reference/elliptic_seams.py TABLE > crates/libration-testing/data/elliptic_TABLE.csv   (TABLE: angles, nomes)
 """
 import math
 import sys

@@ -2,7 +2,7 @@
 
 The oscillators' series come by the recurrences of lindstedt.py and, independently, by reversion of the potential; the
 pendulum's must also be their closed forms. Every agreement is asserted while the tables are made.
-Run: python reference/expansions.py TABLE > crates/libration/tests/data/expansions_TABLE.csv
+Run: python reference/expansions.py TABLE > crates/libration-testing/data/expansions_TABLE.csv
 TABLE is pendulum, oscillators or limit_cycles. Needs python-flint.
 """
 import sys

@@ -1,4 +1,4 @@
-"""Motions of equations of the first order, alone and beside ones of the second: python reference/first_order.py > crates/libration/tests/data/first_order.csv
+"""Motions of equations of the first order, alone and beside ones of the second: python reference/first_order.py > crates/libration-testing/data/first_order.csv
 
 By extrapolation of the midpoint rule (extrapolation.py) in mpmath floats of 50 digits, each step refined until two columns agree to
 1e-40. Needs: pip install mpmath. Takes some minutes.

@@ -2,7 +2,7 @@
 
 Every formula is written out here from its paper; the exact period is 1/agm(1, cos(theta0/2)) (DLMF 19.8.5).
 `formulas_oeis_series.csv` is not made here: it is a copy of the OEIS.
-Run: python reference/formulas.py TABLE > crates/libration/tests/data/formulas_TABLE.csv
+Run: python reference/formulas.py TABLE > crates/libration-testing/data/formulas_TABLE.csv
 with TABLE one of errors, error_quotients, claims, worst_errors, series.
 """
 import sys

@@ -1,7 +1,7 @@
 """tests/data/fourier.csv: Fourier coefficients of libration and rotation, to 40 digits.
 
 The coefficients come from the trapezoidal sum of the exact motion over a period, not from the nome.
-Run: python reference/fourier.py > crates/libration/tests/data/fourier.csv
+Run: python reference/fourier.py > crates/libration-testing/data/fourier.csv
 """
 import math
 

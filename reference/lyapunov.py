@@ -1,7 +1,7 @@
 """tests/data/lyapunov.csv: largest Lyapunov exponents of well-known chaotic systems.
 
 Means over many motions at once of the growth of a deviation, by the classical Runge-Kutta method with its linearised
-equations written out by hand. Run: python reference/lyapunov.py > crates/libration/tests/data/lyapunov.csv
+equations written out by hand. Run: python reference/lyapunov.py > crates/libration-testing/data/lyapunov.csv
 """
 from math import pi, sqrt
 

@@ -1,6 +1,6 @@
 """tests/data/motion.csv: angle and velocity of many motions at many times, to 40 digits.
 
-Closed forms evaluated with the AGM. Run: python reference/motion.py > crates/libration/tests/data/motion.csv
+Closed forms evaluated with the AGM. Run: python reference/motion.py > crates/libration-testing/data/motion.csv
 """
 import math
 import random

@@ -1,6 +1,6 @@
 """tests/data/period.csv: T/T0, T/T0 - 1, the nome and the condition number, to 40 digits.
 
-Run: python reference/period.py > crates/libration/tests/data/period.csv
+Run: python reference/period.py > crates/libration-testing/data/period.csv
 """
 import math
 import random

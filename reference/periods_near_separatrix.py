@@ -1,6 +1,6 @@
 """Periods of oscillators from small amplitudes to 1e-12 from the separatrix, on both sides of it, to 30 digits. Needs mpmath.
 
-    python reference/periods_near_separatrix.py > crates/libration/tests/data/periods_near_separatrix.csv
+    python reference/periods_near_separatrix.py > crates/libration-testing/data/periods_near_separatrix.csv
 
 The energy integral: with the turning points a and b of V and x = (a + b)/2 + (a - b)/2*cos(p) the period is the integral of
 sqrt(2/Q) over p from 0 to pi, Q = (V(a) - V(x))/((a - x)(x - b)). By Gauss's rule on panels that shrink by half towards the turning

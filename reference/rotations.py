@@ -1,4 +1,4 @@
-"""Answers of a driven pendulum that go around: python reference/rotations.py > crates/libration/tests/data/rotations.csv
+"""Answers of a driven pendulum that go around: python reference/rotations.py > crates/libration-testing/data/rotations.csv
 
 theta'' + c theta' + sin(theta) = A cos(w t) and its deviations by Taylor series in mpmath floats of 40 digits; Newton's method, with slopes by
 central differences, closes the motion up to whole turns. At a period doubling the monodromy matrix has the trace -1 - exp(-c T), at a fold

@@ -3,8 +3,8 @@
 The coefficients of T/T0 come from the differential equation of Legendre's function P_{-1/2}(cos theta0) by a recurrence
 in exact fractions, those of the frequency from the reciprocal series, the period itself from the arithmetic-geometric
 mean; Pade approximants by elimination.
-Run: python reference/series_evaluation.py terms_needed > crates/libration/tests/data/series_terms_needed.csv
-     python reference/series_evaluation.py pade         > crates/libration/tests/data/series_pade.csv
+Run: python reference/series_evaluation.py terms_needed > crates/libration-testing/data/series_terms_needed.csv
+     python reference/series_evaluation.py pade         > crates/libration-testing/data/series_pade.csv
 """
 import math
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How the turning points of damped oscillators follow each other, from first integrals.
 
-    python reference/slow_flow.py > crates/libration/tests/data/slow_flow.csv
+    python reference/slow_flow.py > crates/libration-testing/data/slow_flow.csv
 
 While x falls, x'' + c*x'*abs(x') + F(x) = 0 has the first integral x'^2*exp(-2*c*x) + 2*integral F(y)*exp(-2*c*y) dy, and
 x'' + c*sign(x') + F(x) = 0 has x'^2/2 - c*x + V(x). Each takes the turning point A to the next one, -M(A), as a power series in A and c.

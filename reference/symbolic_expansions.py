@@ -1,6 +1,6 @@
 """tests/data/symbolic_expansions.csv: perturbation series with letters, by SymPy.
 
-Run: python reference/symbolic_expansions.py > crates/libration/tests/data/symbolic_expansions.csv
+Run: python reference/symbolic_expansions.py > crates/libration-testing/data/symbolic_expansions.csv
 
 The whole ansatz is one polynomial in eps, z = exp(i tau) and its inverse, the letters, and, order by order, unknown numbers for the
 next harmonics and the next frequency; it is put into the equation of motion as it stands, and what stands before eps^n z^k is solved.

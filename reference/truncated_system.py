@@ -2,7 +2,7 @@
 
 Projections by exact Fourier arithmetic in SymPy, all unknowns but one eliminated by a resultant, its roots to 50
 digits by mpmath, the other unknowns from a common root; nothing is followed by continuation.
-Run: python reference/truncated_system.py > crates/libration/tests/data/truncated_system.csv
+Run: python reference/truncated_system.py > crates/libration-testing/data/truncated_system.csv
 """
 import math
 

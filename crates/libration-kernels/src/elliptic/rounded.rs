@@ -277,8 +277,8 @@ fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use libration_numbers::algebra::BigFloat;
     use crate::elliptic::leg;
+    use libration_numbers::algebra::BigFloat;
 
     const BITS: usize = 300;
 

@@ -2,8 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
 #![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
-#[path = "../../../libration/tests/suite/random.rs"]
-mod random;
+use libration_testing::random;
+
 mod synthetic_gate;
 mod synthetic_trace;
 

@@ -1,0 +1,534 @@
+//! Periodic orbits beside elliptic functions, and closed forms, which know nothing of integration.
+
+use libration::elliptic::Modulus;
+use libration::expression::Equation;
+use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, OrbitKind, OrbitSearch, Stability};
+use libration::pendulum::{Motion, Pendulum};
+use libration::quantity::Angle;
+use std::f64::consts::{PI, TAU};
+
+fn equation(text: &str) -> Equation {
+    text.parse().unwrap()
+}
+
+fn released(text: &str, place: f64) -> Orbit {
+    Orbit::released(&equation(text), place).unwrap()
+}
+
+fn assert_within(value: f64, expected: f64, tolerance: f64, what: &str) {
+    let error = (value - expected).abs();
+    assert!(error <= tolerance, "{what}: {value} is not {expected} but {error:e} off, allowed {tolerance:e}");
+}
+
+fn pendulum(amplitude: f64) -> Motion {
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+    pendulum.released_from(Angle::from_radians(amplitude).unwrap()).unwrap()
+}
+
+const PENDULUM: &str = "theta'' + sin(theta) = 0";
+
+#[test]
+fn periods_of_the_pendulum_are_exact_within_their_uncertainty() {
+    for step in 1..315 {
+        let amplitude = 0.01 * f64::from(step);
+        let orbit = released(PENDULUM, amplitude);
+        let exact = pendulum(amplitude).period();
+        assert_within(orbit.period(), exact, orbit.period_uncertainty(), &format!("from {amplitude}"));
+        // Near the top an angle, rounded, is worth less.
+        let allowed = 4e-14 * exact * (1.0 + 4e-3 / ((PI - amplitude) * (PI - amplitude)));
+        assert!(orbit.period_uncertainty() < allowed, "{amplitude}: {:e}", orbit.period_uncertainty());
+    }
+}
+
+#[test]
+fn harmonics_of_the_pendulum_are_exact() {
+    for amplitude in [0.1, 1.0, 2.0, 3.0, 3.14] {
+        let exact = pendulum(amplitude).harmonics(1e-17, 2000);
+        let found = released(PENDULUM, amplitude).harmonics(0);
+        // The last amplitude is 0.0016 below the top, of which rounding an angle to 4e-16 takes a part of 2e-13 at each turn.
+        let off = if amplitude > 3.1 { 1e-10 } else { 1e-14 };
+        for term in &exact.terms {
+            let own = found.terms.get(term.n).copied().unwrap_or_default();
+            assert_within(own.cosine, term.angle, off, &format!("a{} from {amplitude}", term.n));
+            assert_within(own.sine, 0.0, off, &format!("b{} from {amplitude}", term.n));
+        }
+        let even = found.terms.iter().step_by(2);
+        assert!(even.clone().all(|term| term.amplitude() < off), "{amplitude}");
+        assert!(found.remainder < 1e-14, "{amplitude}: {:e}", found.remainder);
+    }
+}
+
+#[test]
+fn duffing_oscillators_have_their_closed_form() {
+    for amplitude in [0.01, 0.3, 1.0, 7.0, 1e3] {
+        let square = amplitude * amplitude;
+        let modulus = Modulus::from_parameter(0.5 * square / (1.0 + square)).unwrap();
+        let period = 4.0 * modulus.first() / (1.0 + square).sqrt();
+        let orbit = released("x'' + x + x^3 = 0", amplitude);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), "hard");
+        assert!(orbit.period_uncertainty() < 1e-14 * period);
+    }
+}
+
+#[test]
+fn the_purely_cubic_oscillator_has_a_period_in_proportion_to_one_over_the_amplitude() {
+    // Γ(1/4)²/√π.
+    let constant = 7.416_298_709_205_487_7;
+    for amplitude in [1e-6, 0.5, 3.0, 1e8] {
+        let period = released("x'' + x^3 = 0", amplitude).period();
+        assert_within(period * amplitude, constant, 1e-14 * constant, "T·A");
+    }
+}
+
+#[test]
+fn amplitudes_whose_squares_have_all_digits_have_the_right_orbit_and_smaller_ones_none() {
+    for exponent in (0..=323).step_by(3).chain([145, 146, 147, 154, 161, 162]) {
+        let amplitude: f64 = format!("1e-{exponent}").parse().unwrap();
+        match Orbit::released(&"x'' = -4*x".parse().unwrap(), amplitude) {
+            Ok(orbit) => {
+                assert_within(orbit.period(), PI, orbit.period_uncertainty(), &format!("1e-{exponent}"));
+                assert!(orbit.period_uncertainty() < 1e-13, "1e-{exponent}");
+            }
+            Err(error) => {
+                assert_eq!(error, NoOrbit::TooSmall(amplitude));
+                assert!(exponent > 145, "1e-{exponent}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_asymmetric_well_has_two_turning_points_and_one_period() {
+    let well = "x'' + x + x^2 = 0";
+    let above = released(well, 0.1);
+    let half = above.state_at(0.5 * above.period());
+    // x'² = ⅔(A − x)(x − b)(x − c) vanishes at b.
+    let (p, amplitude) = (3.2_f64, 0.1);
+    let b = (-p + (p * (p - 8.0 * amplitude)).sqrt()) / 4.0;
+    assert_within(half[0], b, 1e-15, "the other turning point");
+    let below = released(well, b);
+    assert_within(below.period(), above.period(), 4e-15, "from the other side");
+    assert_within(below.state_at(0.5 * below.period())[0], 0.1, 1e-15, "back");
+}
+
+fn van_der_pol(strength: &str) -> Equation {
+    equation("x'' = mu*(1 - x^2)*x' - x").with(&[("mu", strength.parse().unwrap())]).unwrap()
+}
+
+/// By a Taylor method of order 55 with 260 bits.
+#[test]
+fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
+    for (strength, period) in
+        [("0.5", 6.380_675_801_773_586), ("1", 6.663_286_859_323_13), ("2", 7.629_874_479_674_842)]
+    {
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[0.01, 0.0]).unwrap();
+        let allowed = orbit.period_uncertainty();
+        assert_within(orbit.period(), period, allowed, strength);
+        assert!(allowed < 1e-13, "{allowed:e}");
+        assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
+    }
+}
+
+/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the largest
+/// displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the corrections of
+/// later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
+#[test]
+fn van_der_pols_cycle_is_found_when_it_relaxes() {
+    const ALPHA: f64 = 2.338_107_410_459_767;
+    for (strength, period, amplitude) in [
+        ("10", 19.078_369_57, 2.014_285_36),
+        ("100", 162.837_071_09, 2.001_318_68),
+        ("1000", 1_614.401_125_81, 2.000_072_97),
+    ] {
+        let mu: f64 = strength.parse().unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        // To the digits that are written, and SciPy's tolerance.
+        assert_within(orbit.period(), period, 5e-9 + 2e-11 * period, strength);
+        assert_within(orbit.start()[0], amplitude, 1e-8, strength);
+        let (log, root) = (libm::log(mu), libm::cbrt(mu));
+        let leading = (3.0 - 2.0 * libm::log(2.0)) * mu + 3.0 * ALPHA / root;
+        let asymptotic = leading - 2.0 * log / (3.0 * mu) - 1.3246 / mu;
+        assert_within(orbit.period(), asymptotic, 2.0 / (mu * root * root), "period");
+        let largest = 2.0 + ALPHA / (3.0 * mu * root) - 16.0 * log / (27.0 * mu * mu);
+        assert_within(orbit.start()[0], largest, 1.0 / (mu * mu), "amplitude");
+        assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
+        // On the slow branches ∮ μ(1 − x²) dt = −(3/2 + 2 ln 2)μ²; the multiplier itself is below all numbers for 20 and more.
+        let floquet = orbit.floquet().unwrap();
+        let part = floquet.logarithm.unwrap() / (mu * mu) / -(1.5 + 2.0 * libm::log(2.0));
+        assert!((part - 1.0).abs() < 4.0 / (root * mu), "{strength}: {part}");
+        assert_eq!(floquet.stability, Stability::Attracting);
+        assert!(floquet.multipliers[1].re == 0.0 || mu < 20.0);
+    }
+}
+
+/// The derivative of Rayleigh's equation x″ = μ(1 − x′²/3)x′ − x is van der Pol's for x′.
+#[test]
+fn rayleighs_cycle_has_van_der_pols_period() {
+    for strength in ["3", "30"] {
+        let rayleigh = equation("x'' = mu*(1 - x'^2/3)*x' - x").with(&[("mu", strength.parse().unwrap())]);
+        let one = Orbit::limit_cycle(&rayleigh.unwrap(), &[1.0, 0.0]).unwrap();
+        let other = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let allowed = one.period_uncertainty() + other.period_uncertainty();
+        assert_within(one.period(), other.period(), allowed, strength);
+        assert!(allowed < 1e-11);
+        let logarithms = [&one, &other].map(|orbit| orbit.floquet().unwrap().logarithm.unwrap());
+        assert!((logarithms[0] / logarithms[1] - 1.0).abs() < 1e-9, "{logarithms:?}");
+    }
+}
+
+/// Both ways to a cycle where both are certain: by Newton's method, and by one turn that forgets its start.
+#[test]
+fn the_two_ways_to_a_cycle_meet() {
+    // The logarithms are −35 and −47 there: on either side of −40.
+    for strength in ["3.2", "3.6"] {
+        let found = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let guess = OrbitGuess { state: found.start(), period: found.period() };
+        let by_newton = Orbit::near(&van_der_pol(strength), &guess, &[1]).unwrap();
+        let allowed = found.period_uncertainty() + by_newton.period_uncertainty();
+        assert_within(found.period(), by_newton.period(), allowed, strength);
+    }
+    let by_newton = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let floquet = by_newton.floquet().unwrap();
+    assert_within(libm::exp(floquet.logarithm.unwrap()), floquet.multipliers[1].re, 1e-11, "Liouville");
+}
+
+/// Liouville: the product of the multipliers is the exponential of the integral of the divergence μ(1 − x²).
+#[test]
+fn multipliers_have_the_product_that_the_divergence_tells() {
+    let orbit = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let spectrum = orbit.harmonics(0);
+    let squares: f64 = spectrum.terms.iter().map(|it| 0.5 * it.amplitude() * it.amplitude()).sum();
+    let divergence = orbit.period() * (1.0 - squares);
+    let [one, other] = orbit.floquet().unwrap().multipliers[..] else { panic!("two multipliers") };
+    assert_within(one.re, 1.0, 1e-11, "the shift along the orbit");
+    assert_within(other.re, libm::exp(divergence), 1e-11, "the other one");
+}
+
+#[test]
+fn repelling_cycles_are_found_from_a_guess() {
+    let guess = OrbitGuess { state: vec![1.9, 0.0], period: 6.5 };
+    let orbit = Orbit::near(&van_der_pol("-1"), &guess, &[1]).unwrap();
+    assert_within(orbit.period(), 6.663_286_859_323_13, 1e-12, "the same cycle backwards");
+    assert_eq!(orbit.floquet().unwrap().stability, Stability::Unstable);
+}
+
+#[test]
+fn absolute_values_have_their_deviations() {
+    let orbit = Orbit::near(
+        &equation("x'' = -2*x*abs(x)"),
+        &OrbitGuess { state: vec![1.0, 0.0], period: 5.0 },
+        &[0, 1],
+    )
+    .unwrap();
+    let released = released("x'' = -2*x*abs(x)", 1.0);
+    assert_within(orbit.period(), released.period(), 1e-13, "by two roads");
+    // x′² = (4/3)(1 − |x|³): T = 4·√(3/4)·∫₀¹ dx/√(1 − x³) = 4·√(3/4)·(1/3)·B(1/3, 1/2).
+    assert_within(
+        orbit.period(),
+        4.0 * 0.75_f64.sqrt() * 4.206_546_315_976_36 / 3.0,
+        1e-13,
+        "by an integral",
+    );
+}
+
+/// x = Re(e^{iνt}/(1 − ν² + iγν)), and deviations decay by e^{−γT/2}.
+#[test]
+fn a_driven_linear_oscillator_answers_as_it_must() {
+    let driven = equation("x'' = -x - x'/5 + cos(3*t/2)");
+    let period = TAU / 1.5;
+    let orbit = Orbit::driven(&driven, period, &[3.0, 0.0]).unwrap();
+    let (real, imaginary) = (1.0 - 2.25, 0.2 * 1.5);
+    let size = real * real + imaginary * imaginary;
+    let terms = orbit.harmonics(0).terms;
+    assert_within(terms[1].cosine, real / size, 2e-15, "in phase");
+    assert_within(terms[1].sine, imaginary / size, 2e-15, "a quarter behind");
+    for multiplier in &orbit.floquet().unwrap().multipliers {
+        assert_within(multiplier.abs(), libm::exp(-0.1 * period), 1e-13, "decay");
+    }
+    assert_eq!(orbit.floquet().unwrap().stability, Stability::Attracting);
+}
+
+/// The inverted pendulum on a pivot that shakes fast enough stands: a²Ω² > 2gl.
+#[test]
+fn a_shaken_pendulum_stands_upside_down() {
+    let stability = |amplitude: &str| {
+        let text = "theta'' + (1 - 900*a*cos(30*t))*sin(theta) = 0";
+        let equation = equation(text).with(&[("a", amplitude.parse().unwrap())]).unwrap();
+        let orbit = Orbit::driven(&equation, TAU / 30.0, &[PI, 0.0]).unwrap();
+        orbit.floquet().unwrap().stability
+    };
+    assert_eq!(stability("0.03"), Stability::Unstable);
+    assert_eq!(stability("0.06"), Stability::Neutral);
+}
+
+#[test]
+fn a_search_finds_the_orbit_of_each_kind() {
+    let search = |start: &[f64], period: Option<f64>, conserves_energy: bool| OrbitSearch {
+        start: start.to_vec(),
+        period,
+        conserves_energy,
+        held: None,
+    };
+    let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search);
+    let (kind, orbit) = found("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
+    assert_eq!(kind, OrbitKind::Released);
+    // Γ(1/4)²/√π over the amplitude.
+    assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
+    let (kind, orbit) = found("x'' = -x + cos(2t/3)", &search(&[0.0, 0.0], Some(3.0 * PI), false)).unwrap();
+    assert_eq!((kind, orbit.closing_error().len()), (OrbitKind::Driven, 2));
+    assert!((orbit.start()[0] - 1.8).abs() < 1e-14 && orbit.closing_error().iter().all(|it| *it < 1e-14));
+    let (kind, _) = found("x'' = (1 - x^2)*x' - x", &search(&[0.5, 0.0], None, false)).unwrap();
+    assert_eq!(kind, OrbitKind::LimitCycle);
+    let pair = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3";
+    let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![0.1, -0.1, 0.0, 0.0]));
+    assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
+    // A start beside it is none of an orbit: the largest coordinate stays.
+    let (kind, orbit) = found(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
+    assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
+    assert!((orbit.start()[1] + 0.1).abs() < 1e-12, "{:?}", orbit.start());
+    // Where no energy is known the orbits of prey and predators are a family all the same: at the start both keep their numbers.
+    let (kind, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![1.0, 2.0]));
+    assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
+}
+
+/// Periods of prey and predators by quadrature over their invariant x − ln x + y − ln y, in 40 digits.
+#[test]
+fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
+    let prey = "x' = x - x*y; y' = x*y - y";
+    for (text, start, period) in [
+        (prey, [2.0, 1.0], 6.608_482_671_235_056),
+        (prey, [20.0, 1.0], 24.401_264_932_623_52),
+        ("x' = y; y' = -x", [1.0, 0.0], TAU),
+    ] {
+        let search = OrbitSearch { start: start.to_vec(), period: None, conserves_energy: false, held: None };
+        let (kind, orbit) = Orbit::search(&equation(text), &search).unwrap();
+        assert_eq!((kind, orbit.start()), (OrbitKind::Family, start.to_vec()), "{text}");
+        let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
+        assert!(off <= stated && stated < 1e-12, "{text} {start:?}: {off:e} {stated:e}");
+        assert_eq!(orbit.floquet().unwrap().stability, Stability::Neutral);
+    }
+    // About a sun all orbits with the same energy have the same period, so that two numbers do not tell one from the other.
+    let kepler = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
+    let start = vec![0.5, 0.0, 0.0, 3_f64.sqrt()];
+    let search = OrbitSearch { start: start.clone(), period: Some(6.28), conserves_energy: true, held: None };
+    let (kind, orbit) = Orbit::search(&equation(kepler), &search).unwrap();
+    assert_eq!((kind, orbit.start()), (OrbitKind::Family, start));
+    let (off, stated) = ((orbit.period() - TAU).abs(), orbit.period_uncertainty());
+    assert!(off <= stated && stated < 1e-12, "{off:e} {stated:e}");
+}
+
+/// It misses its start by 6e-6 of what a start is beside it, and is isolated all the same.
+#[test]
+fn a_weak_limit_cycle_is_no_family() {
+    let search = OrbitSearch { start: vec![0.0, 2.0], period: None, conserves_energy: false, held: None };
+    let (kind, orbit) = Orbit::search(&equation("x'' = 1e-6*(1 - x^2)*x' - x"), &search).unwrap();
+    assert_eq!(kind, OrbitKind::LimitCycle);
+    assert!((orbit.period() - TAU).abs() < 1e-11, "{}", orbit.period());
+}
+
+#[test]
+fn a_search_without_a_period_says_what_is_missing() {
+    let search = |start: &[f64], conserves_energy: bool| OrbitSearch {
+        start: start.to_vec(),
+        period: None,
+        conserves_energy,
+        held: None,
+    };
+    let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it).unwrap_err();
+    assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), NoOrbit::NoPeriod);
+    assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), NoOrbit::NoPeriod);
+    assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), NoOrbit::Start { wanted: 2, .. }));
+    assert!(matches!(refused("x'' = -x", &search(&[0.0, 0.0], true)), NoOrbit::AtRest(_)));
+}
+
+#[test]
+fn motions_without_a_period_are_refused_for_a_reason() {
+    let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place).unwrap_err();
+    assert!(matches!(refusal("x'' = -x - x'/10", 1.0), NoOrbit::NotClosed { start: 1.0, .. }));
+    assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), NoOrbit::NoReturn { why: Lost::Rest, .. }));
+    assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
+    assert!(matches!(refusal("x'' = -1", 2.0), NoOrbit::NoReturn { why: Lost::OneWay(_), .. }));
+    assert!(matches!(refusal("x'' = x", 2.0), NoOrbit::NoReturn { .. }));
+    // x = 1/2 is on the separatrix: its motion takes for ever to come to −1.
+    assert_eq!(refusal("x'' = -x - x^2", 0.5), NoOrbit::Separatrix(0.5));
+    assert_eq!(refusal("x'' = x - x^3", 1.0), NoOrbit::AtRest(vec![1.0]));
+    assert_eq!(refusal("x'' = -x + cos(t)", 1.0), NoOrbit::DependsOnTime);
+    assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));
+    assert!(matches!(refusal("x'' = -k*x", 1.0), NoOrbit::WithoutValue(_)));
+    assert!(matches!(refusal("x'' = -x", f64::NAN), NoOrbit::Start { .. }));
+    let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start).unwrap_err();
+    assert!(matches!(cycle("x'' = -x - 3*x'", &[1.0, 0.0]), NoOrbit::NoCycle(_)));
+    assert!(matches!(
+        cycle("x'' = -x - x'/10", &[1.0, 0.0]),
+        NoOrbit::NoCycle(_) | NoOrbit::NoConvergence { .. }
+    ));
+    assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), NoOrbit::DependsOnTime));
+    assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0]).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0]).is_err());
+}
+
+/// The `f64` next to π is 1.2e-16 below the top.
+#[test]
+fn the_last_amplitude_below_the_top_has_its_period() {
+    let orbit = released(PENDULUM, PI);
+    assert_within(
+        orbit.period(),
+        pendulum(PI).period(),
+        orbit.period_uncertainty(),
+        "from the f64 next to pi",
+    );
+    assert!(orbit.period_uncertainty() < 1e-13);
+    let (start, late) = (orbit.start(), orbit.state_at(0.75 * orbit.period()));
+    assert_within(start[0], PI, 0.0, "the start");
+    assert_within(late[0], 0.0, 1e-12, "a quarter before the end");
+    assert_within(late[1], 2.0, 1e-12, "upwards");
+}
+
+/// On this side of −3 it is x″ = −x − x²; but with an absolute value there are no more bits, and next to the separatrix no answer.
+#[test]
+fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
+    let kinked = "x'' = -x - x*(abs(x + 3) - 3)";
+    for (place, period) in [(0.49, 9.207_998_623_393_865), (0.4999, 13.775_357_879_043_217)] {
+        let orbit = released(kinked, place);
+        // The place is the f64 next to the decimal: at the last half a unit there is 1e-16/(0.5 - 0.4999) of a tenth of the period.
+        let rounded = 1e-12 * period;
+        assert_within(orbit.period(), period, orbit.period_uncertainty() + rounded, "beside the closed form");
+        assert!(orbit.period_uncertainty() < 1e-9 * period, "{:e}", orbit.period_uncertainty());
+    }
+    let refusal = Orbit::released(&equation(kinked), 0.5 - 1e-10).unwrap_err();
+    let NoOrbit::Unsure { start, period, uncertainty } = refusal else { panic!("{refusal}") };
+    assert!(start == 0.5 - 1e-10 && period > 25.0 && uncertainty > 1e-4 * period, "{period} {uncertainty}");
+}
+
+/// x″ + 3x·x′ + x³ + x = 0 is an isochronous centre, although the force is not the same for the opposite velocity.
+#[test]
+fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
+    for place in [0.1, 0.5, 1.0, 3.0] {
+        let orbit = released("x'' + 3*x*x' + x^3 + x = 0", place);
+        assert_within(orbit.period(), TAU, orbit.period_uncertainty(), &format!("from {place}"));
+        assert!(orbit.period_uncertainty() < 1e-11, "{place}: {:e}", orbit.period_uncertainty());
+    }
+}
+
+/// x″ = −sign(x) falls for √(2A) four times.
+#[test]
+fn a_force_of_one_size_has_the_period_of_free_fall() {
+    for place in [1e-20, 0.5, 1.0, 2.0, 1e10] {
+        let period = 4.0 * (2.0_f64 * place).sqrt();
+        let orbit = released("x'' = -sign(x)", place);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), &format!("from {place}"));
+        assert!(orbit.period_uncertainty() < 1e-13 * period, "{place}");
+        assert_within(orbit.state_at(0.5 * orbit.period())[0], -place, 1e-14 * place, "the other side");
+    }
+}
+
+/// Where the force jumps between two steps no acceleration is uncertain: −sign(x − c) is the same motion for every c.
+#[test]
+fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
+    let period = 4.0 * 2.0_f64.sqrt() * 0.5_f64.sqrt();
+    for (centre, start) in
+        [("1", 1.5), ("2", 2.5), ("(-3)", -2.5), ("1/3", 0.8333333333333334), ("1000", 1000.5)]
+    {
+        let orbit = released(&format!("x'' = -sign(x - {centre})"), start);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), centre);
+        // As rounding the place asks, a part of 1000/0.5.
+        assert!(orbit.period_uncertainty() < 1e-10, "{centre}: {:e}", orbit.period_uncertainty());
+    }
+    // −sign(x − 2)·e^|x − 2|: v² = 2·(e^A − e^y), and the quarter period is √2·e^(−A/2)·artanh √(1 − e^(−A)).
+    let orbit = released("x'' = -sign(x - 2)*exp(abs(x - 2))", 2.5);
+    let quarter = 2.0_f64.sqrt() * libm::exp(-0.25) * libm::atanh(libm::sqrt(-libm::expm1(-0.5)));
+    assert_within(orbit.period(), 4.0 * quarter, orbit.period_uncertainty(), "with a force that grows");
+}
+
+/// (1 − c·cos x)·sin x with c = 1 − 2⁻²⁰ loses twenty bits next to the bottom: its own period by the energy integral in 60 digits.
+#[test]
+fn a_force_that_cancels_has_its_period() {
+    let orbit = released("x'' = -(1 - (1 - 2^(-20))*cos(x))*sin(x)", 1e-4);
+    let period = 6_421.371_283_740_447;
+    assert_within(orbit.period(), period, orbit.period_uncertainty(), "beside the energy integral");
+    assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
+}
+
+/// By mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the separatrix many bits are needed, and no
+/// coefficient of a step that goes over x = 2 shows the force there.
+#[test]
+fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
+    let equation = "x'' = -sin(x) + 5*exp(-20000*(x - 2)^2)".parse().unwrap();
+    let orbit = Orbit::released(&equation, 3.1415926).unwrap();
+    let error = (orbit.period() - 43.979_586_543_068_46).abs();
+    assert!(error <= orbit.period_uncertainty(), "{error:e} beside {:e}", orbit.period_uncertainty());
+    assert!(orbit.period_uncertainty() < 1e-13 * orbit.period());
+    let other_side = orbit.state_at(0.5 * orbit.period())[0];
+    assert!((other_side + 2.785_695_567_633_276_6).abs() < 1e-12, "{other_side}");
+}
+
+/// Frequencies of 2:1 couple swing and spring at any amplitude: r is largest or smallest when the angle is.
+#[test]
+fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle() {
+    // By collocation in cosines and by Taylor shooting in 130-bit floats: 30 digits; the trace of the other pair of multipliers to 9.
+    let spring =
+        equation("r'' = r*theta'^2 + cos(theta) - 3*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r");
+    let modes: [(f64, [f64; 2], f64, f64, f64); 4] = [
+        (5.0, [7.09, 1.38], 7.087437530345269647307881, 1.376323498061977629228198, 1.75407913),
+        (20.0, [6.58, 1.53], 6.583763427779130885809781, 1.531637815096400611312269, -0.774764844),
+        (5.0, [7.42, 1.29], 7.423279872261442783198011, 1.293919892111355174413307, 1.74938487),
+        (20.0, [7.93, 1.19], 7.931476467877885520678306, 1.194011222526851579063659, -0.91920993),
+    ];
+    for (degrees, [guess, place], period, start, trace) in modes {
+        let angle = f64::to_radians(degrees);
+        let search = OrbitSearch {
+            start: vec![place, angle, 0.0, 0.0],
+            period: Some(guess),
+            conserves_energy: true,
+            held: Some(1),
+        };
+        let (_, orbit) = Orbit::search(&spring, &search).unwrap();
+        assert_eq!(orbit.start()[1], angle);
+        let off = (orbit.period() / period - 1.0).abs().max((orbit.start()[0] / start - 1.0).abs());
+        assert!(off < 1e-12, "{off:e} at {degrees}");
+        // Two multipliers are 1, of deviations along the motion and along the family.
+        let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|it| it.re).sum();
+        assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
+        // What is farthest from zero is r, which would choose another one of the family.
+        let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }).unwrap().1;
+        assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
+    }
+}
+
+/// Its period is 2π(1 + μ²/16) to the second order.
+#[test]
+fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
+    for strength in [1e-3, 1e-4, 1e-5] {
+        let text = format!("x'' = {strength}*(1 - x^2)*x' - x");
+        let cycle = Orbit::limit_cycle(&equation(&text), &[0.5, 0.0]).unwrap();
+        let off = cycle.period() - TAU * (1.0 + strength * strength / 16.0);
+        assert!(off.abs() < 1e-10, "{strength}: {off:e}");
+        assert!((cycle.start()[0] - 2.0).abs() < 1e-5, "{strength}: {:?}", cycle.start());
+    }
+}
+
+#[test]
+fn rest_is_only_told_of_motions_that_come_to_it() {
+    let lost = |text: &str, start: &[f64]| match Orbit::limit_cycle(&equation(text), start).unwrap_err() {
+        NoOrbit::NoCycle(why) => why,
+        other => panic!("{other}"),
+    };
+    assert!(matches!(lost("x'' = -x - x'/10", &[1.0, 0.0]), Lost::Rest));
+    assert!(matches!(lost("x'' = 1 - x - 3*x'", &[0.5, 0.0]), Lost::Rest));
+    // The slow part of a turn takes 1.6e6 times as long as the motion is followed.
+    let slow = lost("x'' = 1e6*(1 - x^2)*x' - x", &[0.5, 0.0]);
+    assert!(matches!(slow, Lost::Slow { .. }), "{slow}");
+    assert!(matches!(lost("x'' = 0", &[0.5, 1.0]), Lost::OneWay(_)));
+}
+
+/// The hanging place of a pendulum whose pivot moves at twice its frequency is unstable.
+#[test]
+fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
+    let kapitza = equation("theta'' + 0.05*theta' + (1 - 0.4*cos(2*t))*sin(theta) = 0");
+    let from = |start: [f64; 2]| Orbit::driven(&kapitza, TAU, &start).unwrap();
+    let [far, near] = [[1.0, 0.0], [1.0, 0.1]].map(from);
+    let sizes = [&far, &near].map(|orbit| orbit.range(0).1);
+    assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
+}

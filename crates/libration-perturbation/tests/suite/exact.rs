@@ -1,0 +1,198 @@
+//! Exact values and the uncertainties they state, against energy integrals in 120 digits, on both sides of separatrices, up to 1e-12 from
+//! them and on them.
+
+use std::f64::consts::TAU;
+
+use libration::comparison::{Backbone, ExactValue, Method, NoExactValue, SeriesComparison, SeriesQuantity};
+use libration::oscillator::{NamedOscillator, Oscillator};
+use libration::perturbation::{Expansion, Gauge, expand};
+use libration::quantity::Displacement;
+use libration_testing::golden::Table;
+
+struct Known {
+    oscillator: Oscillator,
+    expansion: Expansion,
+}
+
+impl Known {
+    fn new(key: &str) -> Self {
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&oscillator, 3, &Gauge::Fundamental).unwrap();
+        Self { oscillator, expansion }
+    }
+
+    fn exact(&self, quantity: SeriesQuantity, amplitude: &str) -> Result<ExactValue, NoExactValue> {
+        SeriesComparison::new(&self.oscillator, &self.expansion, quantity)
+            .exact_from(&displacement(amplitude))
+    }
+}
+
+fn displacement(text: &str) -> Displacement {
+    let angle = text.contains("pi") || text.ends_with("deg");
+    let read = if angle { Displacement::from_angle_text } else { Displacement::from_number_text };
+    read(text).unwrap()
+}
+
+/// The error is below what is stated, but for four roundings of what it is compared with, and what is stated is a few of the last
+/// digits of a size, however near the separatrix.
+fn assert_holds(exact: &ExactValue, truth: f64, size: f64, what: &str) {
+    let error = (exact.value - truth).abs();
+    let stated = exact.uncertainty;
+    assert!(error <= stated + 4.0 * f64::EPSILON * truth.abs(), "{what}: {error:e} is more than {stated:e}");
+    assert!(stated <= 1e-12 * size, "{what}: {stated:e} is stated");
+}
+
+fn check(key: &str) {
+    let known = Known::new(key);
+    let small_period = TAU / known.oscillator.omega0_squared().to_f64().sqrt();
+    let table = Table::read("periods_near_separatrix.csv");
+    let mut rows = 0;
+    for row in table.rows().filter(|row| row.text("key") == key) {
+        let (amplitude, what) = (row.text("amplitude"), format!("{key} at {}", row.text("amplitude")));
+        let period = row.input("period");
+        let exact = known.exact(SeriesQuantity::Period, amplitude);
+        rows += 1;
+        if period.is_infinite() {
+            assert!(matches!(exact, Err(NoExactValue::Infinite(_))), "{what}: {exact:?}");
+            continue;
+        }
+        let exact = exact.unwrap_or_else(|reason| panic!("{what}: {reason}"));
+        assert_holds(&exact, period / small_period, period / small_period, &what);
+        assert_eq!(exact.method == Method::Elliptic, key == "pendulum");
+        assert_eq!(
+            exact.encloses.is_some(),
+            key == "double_well" && displacement(amplitude).to_f64() > 0.414_213_562_373_095_04
+        );
+        for (column, k) in [("a1", 1), ("a3", 3)] {
+            if !row.text(column).is_empty() {
+                let exact = known.exact(SeriesQuantity::Cosine(k), amplitude).unwrap();
+                // What the period may be wrong by counts for each harmonic, with the velocity as factor.
+                let size = 10.0 * displacement(amplitude).to_f64();
+                assert_holds(&exact, row.input(column), size, &format!("{column} of {what}"));
+            }
+        }
+    }
+    assert!(rows > 1, "{key}");
+}
+
+#[test]
+fn uncertainties_hold_for_duffings_oscillator_that_softens() {
+    check("duffing_soft");
+}
+
+#[test]
+fn uncertainties_hold_for_the_quadratic_oscillator() {
+    check("quadratic");
+}
+
+#[test]
+fn uncertainties_hold_for_the_pendulum() {
+    check("pendulum");
+}
+
+#[test]
+fn uncertainties_hold_for_the_pendulum_on_a_hoop() {
+    check("rotating_hoop");
+}
+
+#[test]
+fn uncertainties_hold_on_both_sides_of_the_barrier_between_two_wells() {
+    check("double_well");
+}
+
+#[test]
+fn uncertainties_hold_far_from_any_separatrix() {
+    for key in ["duffing", "sinh", "x_over_sqrt", "cubic_quintic", "toda"] {
+        check(key);
+    }
+}
+
+/// At 0.999999999 the decimal and the `f64` next to it differ in the ninth digit of the period.
+#[test]
+fn a_decimal_and_its_f64_are_two_amplitudes() {
+    let known = Known::new("duffing_soft");
+    let relation = SeriesComparison::new(&known.oscillator, &known.expansion, SeriesQuantity::Period);
+    let decimal = relation.exact_from(&displacement("0.999999999")).unwrap();
+    let double = relation.exact_at(0.999_999_999).unwrap();
+    assert_holds(&decimal, 62.535_279_781_833_69 / TAU, 10.0, "the decimal");
+    assert_holds(&double, 62.535_279_861_827_07 / TAU, 10.0, "its f64");
+    assert_eq!(
+        relation.exact_at(f64::NAN).map_err(|it| it.to_string()).unwrap_err(),
+        "the amplitude is NaN: give a finite number above zero"
+    );
+}
+
+#[test]
+fn a_backbone_takes_the_decimal_too() {
+    let curve = Backbone::new(&"x'' = -x + x^3".parse().unwrap(), None, 3).unwrap();
+    for (point, period) in [
+        (curve.at_displacement(&displacement("0.999999999")), 62.535_279_781_833_69),
+        (curve.at(0.999_999_999), 62.535_279_861_827_07),
+    ] {
+        let orbit = point.orbit.unwrap();
+        assert!((orbit.frequency - TAU / period).abs() <= orbit.uncertainty + f64::EPSILON * orbit.frequency);
+        assert!(orbit.uncertainty < 1e-15 && point.exact.is_none());
+    }
+    assert!(curve.at(f64::INFINITY).orbit.is_err());
+}
+
+/// Of x″ + x + x² = 0 the period has a logarithm at 1/2, on whose cut, beyond, approximants have their poles; of x″ + x + x³ = 0 it has none.
+#[test]
+fn approximants_have_their_poles_beyond_the_separatrix() {
+    let pole = |key: &str, degree: usize| {
+        let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period)
+            .approximant(degree)
+            .unwrap()
+            .first_pole()
+    };
+    assert!(pole("quadratic", 8).is_some_and(|place| (0.5..0.55).contains(&place)));
+    assert!(pole("duffing_soft", 4).is_some_and(|place| (1.0..1.25).contains(&place)));
+    assert_eq!(pole("duffing", 4), None);
+}
+
+#[test]
+fn frequencies_have_the_uncertainty_of_their_period() {
+    let known = Known::new("double_well");
+    let [period, frequency] =
+        [SeriesQuantity::Period, SeriesQuantity::Frequency].map(|it| known.exact(it, "0.4").unwrap());
+    assert!((period.value * frequency.value - 1.0).abs() <= f64::EPSILON);
+    let relative = |exact: &ExactValue| exact.uncertainty / exact.value;
+    assert!((relative(&period) / relative(&frequency) - 1.0).abs() < 1e-12);
+}
+
+/// By a Taylor method of order 55 with 260 bits: strength, period.
+const VAN_DER_POL: [(&str, f64); 6] = [
+    ("0.01", 6.283_224_576_985_483),
+    ("0.1", 6.287_111_272_288_727),
+    ("-0.1", 6.287_111_272_288_727),
+    ("0.5", 6.380_675_801_773_586),
+    ("1", 6.663_286_859_323_13),
+    ("2", 7.629_874_479_674_842),
+];
+
+#[test]
+fn limit_cycles_are_found_and_their_uncertainties_hold() {
+    let known = Known::new("van_der_pol");
+    for (strength, period) in VAN_DER_POL {
+        let exact = known.exact(SeriesQuantity::Period, strength).unwrap();
+        assert_holds(&exact, period / TAU, 1.0, strength);
+        assert_eq!(exact.method, Method::Integration);
+    }
+    let refusal = known.exact(SeriesQuantity::Period, "0").unwrap_err();
+    assert_eq!(refusal, NoExactValue::Strength(0.0));
+}
+
+#[test]
+fn motions_that_do_not_return_are_refused_for_a_reason() {
+    let from =
+        |key: &str, amplitude: &str| Known::new(key).exact(SeriesQuantity::Period, amplitude).unwrap_err();
+    assert_eq!(from("quadratic", "0.6"), NoExactValue::NoReturn(0.6));
+    assert_eq!(from("quadratic", "0.500000000001"), NoExactValue::NoReturn(0.500000000001));
+    assert!(matches!(from("duffing_soft", "1.5"), NoExactValue::NoReturn(_) | NoExactValue::NotRestoring(_)));
+    assert!(matches!(from("pendulum", "181deg"), NoExactValue::NotRestoring(_)));
+    assert!(matches!(from("rotating_hoop", "181deg"), NoExactValue::NotRestoring(_)));
+    assert_eq!(from("duffing", "-1"), NoExactValue::Amplitude(-1.0));
+    assert_eq!(from("pendulum", "0"), NoExactValue::Amplitude(0.0));
+}

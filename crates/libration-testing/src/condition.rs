@@ -1,0 +1,29 @@
+//! Final states beside their digits, and how far roundings on the way may have led from them.
+
+use crate::golden::Row;
+use crate::ulp::Truth;
+
+/// The largest error of a state beside the digits of its row.
+pub fn error(state: &[f64], row: Row) -> f64 {
+    let truths: Vec<Truth> = row.text("state").split(' ').map(Truth::from_decimal).collect();
+    assert_eq!(state.len(), truths.len());
+    let distance = |(got, truth): (&f64, &Truth)| ((got - truth.hi) - truth.lo).abs();
+    state.iter().zip(&truths).map(distance).fold(0.0, f64::max)
+}
+
+/// By how much a rounding has grown on the way, over the rows of one case after the other.
+#[derive(Debug, Default)]
+pub struct Growth {
+    case: String,
+    largest: f64,
+}
+
+impl Growth {
+    /// What a rounding has come to until this row. What is lost on the way may shrink until the end.
+    pub fn until(&mut self, case: &str, row: Row) -> f64 {
+        let here = row.input("sensitivity");
+        let largest = if self.case == case { self.largest.max(here) } else { here };
+        *self = Self { case: case.to_owned(), largest };
+        f64::EPSILON * (1.0 + row.input("size")) * (1.0 + largest)
+    }
+}

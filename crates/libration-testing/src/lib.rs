@@ -1,0 +1,7 @@
+//! What the test suites of this workspace share: golden tables and how they are read, errors in units of the last place, seeded random inputs.
+#![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
+
+pub mod condition;
+pub mod golden;
+pub mod random;
+pub mod ulp;
