@@ -1,6 +1,7 @@
 //! What can be asked for by name: entries with keys, their parameters, and the error where no entry has a key.
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::oscillator::NamedOscillator;
 //! use libration::period_formulas::PeriodFormula;
 //! use libration::systems::NamedSystem;
@@ -29,6 +30,7 @@ pub trait Named {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::catalogue::is_like_a_key;
 /// assert!(is_like_a_key("van_der_pol") && !is_like_a_key("x'' + x = 0"));
 /// ```

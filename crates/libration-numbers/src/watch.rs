@@ -5,6 +5,7 @@
 //! with `Break` it asks no more, and gives what is done or an error that says [`Interrupted`].
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::chaos::{Points, Section, section_watched};
 //! use libration::taylor::{Effort, Moment};
 //! use libration::watch::Watch;

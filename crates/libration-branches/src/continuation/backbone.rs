@@ -8,6 +8,7 @@ use libration_numbers::expression::{Equation, Expression, Function, Order, Symbo
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::continuation::free_oscillations;
 /// let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(0.8*t)".parse()?;
 /// let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("60deg".parse()?)?.period();

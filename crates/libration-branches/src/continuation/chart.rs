@@ -64,6 +64,7 @@ impl StabilityChart {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
     /// // How fast a pivot has to move up and down for the pendulum to stand on it.
     /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;

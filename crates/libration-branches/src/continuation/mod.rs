@@ -1,6 +1,7 @@
 //! Branches of periodic motions of driven and self-excited systems over a parameter, through their folds, with stability and errors.
 //!
 //! ```
+//! # extern crate libration_branches as libration;
 //! use libration::continuation::{Response, ResponseOptions, SpecialKind};
 //!
 //! let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;

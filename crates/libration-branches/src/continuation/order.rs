@@ -7,6 +7,7 @@ const MOST: u32 = 100;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::continuation::ResonanceOrder;
 /// let third: ResonanceOrder = "2/6".parse()?;
 /// assert_eq!((third.oscillations(), third.drive_periods(), third.to_string().as_str()), (1, 3, "1/3"));

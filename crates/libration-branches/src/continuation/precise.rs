@@ -44,6 +44,7 @@ impl SpecialPoint {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
     /// let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     /// let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };

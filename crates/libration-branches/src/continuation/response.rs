@@ -50,6 +50,7 @@ impl Response {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
     /// // The limit cycle of the Brusselator begins at b = 1 + a² with the period 2π/a.
     /// let brusselator = "x' = 1 + x^2*y - (b + 1)*x; y' = b*x - x^2*y".parse()?;
@@ -59,6 +60,7 @@ impl Response {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
     /// // Duffing's equation with hardening, which bends its resonance to higher frequencies.
     /// let duffing = "x'' = -0.05*x' - x - 0.1*x^3 + 0.18*cos(w*t)".parse()?;

@@ -75,6 +75,7 @@ impl Response {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
     /// use libration::watch::Watch;
     /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);

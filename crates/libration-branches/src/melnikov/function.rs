@@ -19,6 +19,7 @@ use std::f64::consts::TAU;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::melnikov::{Melnikov, PerturbedPendulum};
 /// use std::f64::consts::{PI, FRAC_PI_2};
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
@@ -171,6 +172,7 @@ pub struct Threshold {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
 /// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0])?;
 /// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);

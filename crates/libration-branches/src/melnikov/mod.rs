@@ -1,6 +1,7 @@
 //! A pendulum under a weak periodic perturbation: Melnikov's function of the separatrix, resonances of the swings and rotations, their overlap.
 //!
 //! ```
+//! # extern crate libration_branches as libration;
 //! use libration::melnikov::{Melnikov, PerturbedPendulum};
 //! let shaken = PerturbedPendulum::new(&"x'' + 0.1 x' + (1 - 0.2 cos(2t)) sin(x) = 0".parse()?)?;
 //! let [upper, lower] = Melnikov::both(&shaken);

@@ -19,6 +19,7 @@ const HARMONICS: usize = 24;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::melnikov::PerturbedPendulum;
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + 4 sin(x) = 0.3 cos(t)".parse()?)?;
 /// assert_eq!((driven.omega0(), driven.frequency()), (2.0, Some(1.0)));

@@ -62,6 +62,7 @@ impl PerturbedPendulum {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_branches as libration;
     /// use libration::melnikov::PerturbedPendulum;
     /// // A wave that runs along with the angle: the separatrix of its own resonance is 2·√0.01 away in the velocity.
     /// let driven = PerturbedPendulum::new(&"x'' + 1e-6 sin(x) = -0.01 sin(x - t)".parse()?)?;

@@ -14,6 +14,7 @@ use libration_numbers::watch::Watch;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
 /// let equation = "x'' + 0.1 x' + sin(x) = A cos(t)".parse()?;
 /// let [upper, _] = thresholds(&equation, "A", [0.0, 1.0])?[..] else { panic!() };

@@ -1,6 +1,7 @@
 //! Nonlinear normal modes: the modes of small oscillations followed to large ones, as periodic orbits with their stability.
 //!
 //! ```
+//! # extern crate libration_branches as libration;
 //! use libration::nonlinear_modes::NonlinearMode;
 //! use libration::normal_modes::NormalModes;
 //! // Two equal pendulums, coupled: in phase each swings as one alone.

@@ -1,6 +1,7 @@
 //! The slow flow of coupled oscillators near rest: normal forms with their resonances, and the exchange of energy.
 //!
 //! ```
+//! # extern crate libration_branches as libration;
 //! use libration::normal_form::{DETUNING, NormalForm};
 //! // One coordinate, no resonance: Lindstedt's frequency, 1 − a²/16.
 //! let pendulum = NormalForm::about(&"x'' = -sin(x)".parse()?, &[0.0], 3, DETUNING)?;

@@ -5,6 +5,7 @@
 //! of a mode by κa²: Lindstedt's expansion in several coordinates, to the third order.
 //!
 //! ```
+//! # extern crate libration_branches as libration;
 //! use libration::normal_modes::NormalModes;
 //!
 //! // Two equal masses between walls, on three equal springs: together at 1, against each other at √3.

@@ -21,6 +21,7 @@ use libration_numbers::watch::{Interrupted, Stage, Watch};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_branches as libration;
 /// use libration::normal_modes::NormalModes;
 /// // Two equal pendulums, one hanging from the other.
 /// let double = "theta1'' = (-3*sin(theta1) - sin(theta1 - 2*theta2) - 2*sin(theta1 - theta2)*(theta2'^2 + theta1'^2*cos(theta1 - theta2)))/(3 - cos(2*theta1 - 2*theta2));

@@ -122,6 +122,7 @@ fn each<F: Rounded>(moduli: Moduli<'_>, results: &mut [f64]) -> Result<(), Lengt
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, complete_firsts};
 /// let mut firsts = [0.0; 2];
 /// complete_firsts(Moduli::Parameters(&[0.0, 0.5]), &mut firsts)?;
@@ -143,6 +144,7 @@ pub fn complete_firsts(moduli: Moduli<'_>, firsts: &mut [f64]) -> Result<(), Len
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, complete_seconds};
 /// let mut seconds = [0.0; 2];
 /// complete_seconds(Moduli::Parameters(&[0.5, 1.0]), &mut seconds)?;
@@ -163,6 +165,7 @@ pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), L
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, nomes};
 /// let mut found = [0.0; 2];
 /// nomes(Moduli::Parameters(&[0.5, 1.0]), &mut found)?;

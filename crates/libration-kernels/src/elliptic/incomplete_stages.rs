@@ -25,6 +25,7 @@ use std::marker::PhantomData;
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, incomplete_firsts};
 /// let mut found = [0.0; 2];
 /// incomplete_firsts(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;
@@ -50,6 +51,7 @@ pub fn incomplete_firsts(
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, incomplete_seconds};
 /// let mut found = [0.0; 2];
 /// incomplete_seconds(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;

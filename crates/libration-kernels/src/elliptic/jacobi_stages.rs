@@ -32,6 +32,7 @@ pub struct JacobiSlices<'a> {
 /// The slices have different lengths.
 /// # Examples
 /// ```
+/// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{JacobiSlices, Moduli, Modulus, jacobi_functions};
 /// let (arguments, parameters) = ([0.5, 1.0, -3.0], [0.1, 0.5, 0.999]);
 /// let [mut sn, mut cn, mut dn, mut am] = [[0.0; 3]; 4];

@@ -6,6 +6,7 @@
 //! four terms.
 //!
 //! ```
+//! # extern crate libration_kernels as libration;
 //! use libration::elliptic::Modulus;
 //! let modulus = Modulus::from_parameter(0.5)?;
 //! let at = modulus.jacobi(1.0);

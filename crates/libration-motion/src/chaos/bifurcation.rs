@@ -61,6 +61,7 @@ pub enum DiagramError {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
 /// use libration::taylor::{Effort, Moment};
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;

@@ -14,6 +14,7 @@ const LONGEST: i64 = 1000;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::drive_period;
 /// use std::f64::consts::TAU;
 /// assert_eq!(drive_period(&"x'' = -sin(x) + 1.5*cos(2t/3)".parse()?), Some(1.5 * TAU));
@@ -33,6 +34,7 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::drive_frequency;
 /// let (frequency, times) = drive_frequency(&"x'' = -x + cos(2*w*t) + cos(3*w*t)".parse()?).ok_or("no drive")?;
 /// assert_eq!((frequency.to_string().as_str(), times), ("2*w", 2));

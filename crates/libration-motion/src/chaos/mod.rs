@@ -5,6 +5,7 @@
 //! part, and comes with a verdict that says `Chaotic` only on evidence.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
 //! use libration::taylor::{Effort, Moment};
 //!

@@ -117,6 +117,7 @@ pub enum SectionError {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::{Points, Section, section};
 /// use libration::taylor::{Effort, Moment};
 /// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;

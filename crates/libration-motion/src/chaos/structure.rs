@@ -11,6 +11,7 @@ pub(super) const TIME: &str = "t";
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::angles;
 /// assert_eq!(angles(&"theta'' = -sin(theta) + x; x'' = -x + cos(2 theta)".parse()?), [true, false]);
 /// # Ok::<(), libration::expression::EquationError>(())

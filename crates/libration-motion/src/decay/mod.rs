@@ -8,6 +8,7 @@
 //! fails however weak the damping is, and so it does at the end of every motion with n < 1.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::decay::{Damping, Decay, EnvelopeLaw};
 //! use libration::pendulum::Pendulum;
 //!
@@ -53,6 +54,7 @@ pub use swings::{Swings, TurningPoint};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::decay::{Damping, Decay, EnvelopeLaw};
 /// use libration::pendulum::Pendulum;
 ///

@@ -40,6 +40,7 @@ impl Orbit {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::orbit::{Orbit, Stability};
     /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0])?;
     /// assert!((orbit.period() - 6.66328685932313).abs() < 1e-13);

@@ -22,6 +22,7 @@ impl Orbit {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
     /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
     /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2])?;

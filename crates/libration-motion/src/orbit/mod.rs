@@ -5,6 +5,7 @@
 //! equations of small deviations; these also tell the Floquet multipliers.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::orbit::Orbit;
 //!
 //! // The pendulum from 60°, which this module only integrates, beside its closed form.

@@ -46,6 +46,7 @@ impl Orbit {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
     /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0)?;
     /// // Γ(1/4)²/√π over the amplitude.

@@ -24,6 +24,7 @@ impl Orbit {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::orbit::{OrbitGuess, Orbit};
     /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;

@@ -13,6 +13,7 @@ use libration_numbers::expression::{Equation, Expression};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::oscillator::centre_of;
 /// let centre = centre_of(&"x'' = -(x - 1)^3".parse()?, None).ok_or("no centre")?;
 /// assert_eq!(centre.to_f64(), 1.0);

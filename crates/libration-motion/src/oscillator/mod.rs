@@ -1,6 +1,7 @@
 //! Oscillators: an equation of motion about an equilibrium, and a catalogue of named ones.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::oscillator::{NamedOscillator, Oscillator};
 //!
 //! // A charge between two others: the equilibrium is found, exactly where it is a number that can be written.

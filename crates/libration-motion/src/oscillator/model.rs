@@ -16,6 +16,7 @@ pub(super) const MOST_PLACES: usize = 20;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::oscillator::{Kind, Oscillator};
 /// // Two wells: the equilibrium between them is unstable.
 /// let oscillator = Oscillator::new(&"x'' = x - x^3".parse()?)?;

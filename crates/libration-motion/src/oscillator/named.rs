@@ -8,6 +8,7 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::oscillator::NamedOscillator;
 /// let duffing = NamedOscillator::by_key("duffing")?;
 /// let oscillator = duffing.oscillator(&[("epsilon", "0.1".parse()?)])?;

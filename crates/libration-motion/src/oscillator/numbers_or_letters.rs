@@ -32,6 +32,7 @@ impl NumbersOrLetters {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::oscillator::NumbersOrLetters;
     /// let of = |text: &str| NumbersOrLetters::new(&text.parse().unwrap(), None);
     /// assert!(matches!(of("x'' + 2*x + x^3 = 0"), Ok(NumbersOrLetters::Numbers(_))));

@@ -11,6 +11,7 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::oscillator::PurePower;
 /// let found = PurePower::of(&"x'' + k*x*abs(x) = 0".parse()?, None).ok_or("no power")?;
 /// assert_eq!((found.exponent().to_string(), found.strength().to_string()), ("2".into(), "k".into()));

@@ -18,6 +18,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::oscillator::SymbolicOscillator;
 /// let oscillator = SymbolicOscillator::new(&"x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?)?;
 /// assert_eq!(oscillator.letters(), ["a", "b", "w"]);

@@ -1,6 +1,7 @@
 //! The spectrum of a motion: how much of each frequency is in values at evenly spaced times.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::pendulum::Pendulum;
 //! use libration::spectrum::Spectrum;
 //!
@@ -111,6 +112,7 @@ impl Spectrum {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::spectrum::Spectrum;
     /// use libration::taylor::{Effort, System, integrate_dense};
     /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;

@@ -11,6 +11,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::systems::Model;
 /// use libration::taylor::Moment;
 /// let double = Model::by_key("double_pendulum", &[("l2", "1/2".parse()?)], &[])?;

@@ -14,6 +14,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::systems::Model;
 /// use libration::taylor::Moment;
 /// let model = Model::typed("x'' = -x^3", &[], &[])?;

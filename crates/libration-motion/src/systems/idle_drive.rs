@@ -9,6 +9,7 @@ impl Model {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::systems::Model;
     /// let off = Model::by_key("driven_pendulum", &[("c", "0.1".parse()?)], &[])?;
     /// assert_eq!(off.idle_drives(), ["A"]);

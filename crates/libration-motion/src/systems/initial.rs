@@ -56,6 +56,7 @@ impl Model {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::systems::Model;
     /// let model = Model::by_key("pendulum", &[], &[])?;
     /// let start = model.initial(&[("theta", "90deg"), ("theta'", "2 rad/s")])?;

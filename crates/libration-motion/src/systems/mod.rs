@@ -2,6 +2,7 @@
 //! equations as they are typed.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::systems::Model;
 //! use libration::taylor::Moment;
 //!

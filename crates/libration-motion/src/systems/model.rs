@@ -10,6 +10,7 @@ use libration_numbers::expression::{Equation, EquationError, Expression, Functio
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::systems::Model;
 /// let model = Model::by_key("double_pendulum", &[("m2", "1/2".parse()?)], &[])?;
 /// assert_eq!(model.state_names(), ["theta1", "theta2", "theta1'", "theta2'"]);
@@ -194,6 +195,7 @@ impl Model {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::systems::Model;
     /// use libration::taylor::{Effort, integrate};
     /// let model = Model::by_key("double_pendulum", &[], &[])?;

@@ -8,6 +8,7 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::systems::{Model, NamedSystem};
 /// let named = NamedSystem::by_key("damped_pendulum")?;
 /// let model = Model::named(named, &[("c", "0.1".parse()?), ("n", "2".parse()?)], &[])?;
@@ -98,6 +99,7 @@ impl NamedSystem {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::systems::NamedSystem;
     /// let pendulum = NamedSystem::by_key("pendulum")?;
     /// let [(name, value)] = &pendulum.values_of(Some(4.0), Some(9.0))?[..] else { panic!() };

@@ -12,6 +12,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::systems::{Model, Observables};
 /// let model = Model::by_key("pendulum", &[("omega0", "2".parse()?)], &[])?;
 /// let energy = "theta'^2/2 - omega0^2*cos(theta)".parse()?;

@@ -29,6 +29,7 @@ impl Model {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::systems::Model;
     /// let model = Model::typed("x'' + k*x = 0", &[("k", "4".parse()?)], &[])?;
     /// assert_eq!(model.zero_of("x = k/8")?.to_string(), model.zero_of("x - 4/8")?.to_string());

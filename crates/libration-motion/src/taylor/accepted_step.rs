@@ -60,6 +60,7 @@ impl<'a> AcceptedStep<'a> {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Start, Effort, Moment, System, integrate_from};
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"theta'' + sin(theta) = 0".parse()?)?;

@@ -15,6 +15,7 @@ use libration_numbers::expression::WithoutValue;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, System, integrate_both_ways};
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"x' = x".parse()?)?;

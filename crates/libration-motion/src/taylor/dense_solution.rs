@@ -19,6 +19,7 @@ pub struct DenseSolution {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, System, integrate_dense};
 /// let system = System::new(&"x'' + x = 0".parse()?)?;
 /// let start = system.start(&[("x", 1.0)])?;

@@ -21,6 +21,7 @@ use super::{Effort, IntegrationError, Moment, System, integrate};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, Event, System, ending_error, integrate};
 /// let bottom = Event { ends_at: Some(3), ..Event::zero_of("x".parse()?) };
 /// let system = System::new(&"x'' = -x".parse()?)?.with_events(&[bottom])?;

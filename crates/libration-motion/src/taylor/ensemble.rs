@@ -14,6 +14,7 @@ use libration_numbers::watch::{Interrupted, Stage, Watch};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, Ensemble, Moment, System};
 /// let system = System::new(&"theta'' + theta'/2 + sin(theta) = 3/2*cos(2t/3)".parse()?)?;
 /// let starts: Vec<Moment> =

@@ -29,6 +29,7 @@ use super::{Effort, IntegrationError, Step, System};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, System, integrate};
 /// let system = System::new(&"theta'' + 0.1 theta' + sin(theta) = 0".parse()?)?;
 /// let start = system.start(&[("theta", 1.0)])?;
@@ -52,6 +53,7 @@ pub fn integrate(
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, System, integrate_watched};
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"x'' + x = 0".parse()?)?;

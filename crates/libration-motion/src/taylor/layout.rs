@@ -7,6 +7,7 @@ use libration_numbers::expression::{Equation, Order, Symbol};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::StateLayout;
 /// let thermostat = StateLayout::new(&"x'' = -x - z*x'; z' = x'^2 - 1".parse()?);
 /// assert_eq!((thermostat.coordinates(), thermostat.numbers()), (2, 3));

@@ -4,6 +4,7 @@
 //! step is a polynomial that gives the state at every time inside it.
 //!
 //! ```
+//! # extern crate libration_motion as libration;
 //! use libration::taylor::{Effort, Event, System, integrate, integrate_dense};
 //!
 //! // A damped pendulum from 2 rad: the states at two times, and when it passes the bottom.

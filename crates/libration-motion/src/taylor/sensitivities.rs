@@ -12,6 +12,7 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::{Effort, Sensitivities, System, integrate};
 /// // How x = cos(√k·t) changes with k and with x(0).
 /// let by = Sensitivities::new(&"x'' = -k*x".parse()?, &[("k", "4".parse()?)], &["k", "x"])?;

@@ -21,6 +21,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::System;
 /// let system = System::new(&"x'' = y - x; y'' = x - y".parse()?)?;
 /// assert_eq!(system.state_names(), ["x", "y", "x'", "y'"]);
@@ -90,6 +91,7 @@ impl System {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::taylor::{Effort, System, integrate};
     /// // What y is matters to nothing else.
     /// let system = System::new(&"x'' = -x; y' = x*cos(20*x)".parse()?)?;
@@ -180,6 +182,7 @@ impl System {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_motion as libration;
     /// use libration::taylor::System;
     /// let system = System::new(&"x'' = y - x; y'' = x - y".parse()?)?;
     /// assert_eq!(system.start(&[("y", 2.0), ("x'", -1.0)])?.state, [0.0, 2.0, -1.0, 0.0]);

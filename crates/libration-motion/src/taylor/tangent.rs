@@ -11,6 +11,7 @@ use libration_numbers::expression::{Equation, Expression, Order, Symbol};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::with_tangents;
 /// let duffing = with_tangents(&"x'' = -x - x^3".parse()?, 1);
 /// assert_eq!(duffing.variables(), ["x", "delta1 x"]);
@@ -27,6 +28,7 @@ pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::taylor::with_sensitivities;
 /// let damped = with_sensitivities(&"x'' = -k*x - b*x'".parse()?, &["k", "b"], 0);
 /// assert_eq!(damped.variables(), ["x", "delta1 x", "delta2 x"]);

@@ -2,6 +2,7 @@
 //! named variables, the product of integer polynomials, and complex numbers.
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::algebra::{BigFloat, Polynomial, Rational};
 //!
 //! // One third is one third, and letters stay letters.

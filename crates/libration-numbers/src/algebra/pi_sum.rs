@@ -9,6 +9,7 @@ use super::{Rational, Surd};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{PiSum, Rational, Surd};
 /// let (third, ninth) = (Rational::new(-4, 3).ok_or("zero")?, Rational::new(8, 9).ok_or("zero")?);
 /// let sum = PiSum::new(vec![(-1, Surd::from(third)), (-2, Surd::from(ninth))]);

@@ -12,6 +12,7 @@ use dashu_ratio::RBig;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::Rational;
 /// let slope: Rational = "1/16".parse()?;
 /// assert_eq!((slope.clone() * slope).to_string(), "1/256");

@@ -8,6 +8,7 @@ use super::{Function, Rational};
 /// is held by the ring, so that elements are plain data.
 ///
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{Rational, Rationals, Ring};
 ///
 /// /// 1 + a + … + aⁿ, in any ring.

@@ -8,6 +8,7 @@ use super::{Rational, Rationals, Ring};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{Rational, Surd};
 /// let surd = Surd::new(Rational::from(2), Rational::from(-1), Rational::from(8));
 /// assert_eq!(surd.to_string(), "2 - 2*sqrt(2)");

@@ -26,6 +26,7 @@ use order::own_derivatives;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::expression::Equation;
 /// let equation: Equation = "m x'' + k x = 0".parse()?;
 /// assert_eq!(equation.accelerations()[0].to_string(), "-k*x/m");
@@ -122,6 +123,7 @@ impl Equation {
     /// of the first order.
     ///
     /// ```
+    /// # extern crate libration_numbers as libration;
     /// use libration::expression::Equation;
     /// let decay: Equation = "x' = -x/2".parse()?;
     /// assert_eq!(decay.with_rates(&"x'/x".parse()?).to_string(), "-x/2/x");
@@ -217,6 +219,7 @@ impl Equation {
     /// `None` for others, and for what is not understood.
     ///
     /// ```
+    /// # extern crate libration_numbers as libration;
     /// use libration::expression::Equation;
     /// assert_eq!(Equation::read_as(r"\ddot{x} + x(1 + x^2) = 0").as_deref(), Some("x'' + x*(1 + x^2) = 0"));
     /// assert_eq!(Equation::read_as("x'' + x = 0"), None);

@@ -1,6 +1,7 @@
 //! Formulas and equations of motion as text, tree and tape.
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::expression::{Equation, Symbol};
 //!
 //! // As it is written on paper; what multiplies the highest derivatives may stand anywhere.
@@ -63,6 +64,7 @@ pub use tape::WithoutValue;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::expression::{Expression, Symbol};
 /// let force: Expression = "-ω0² sin(θ)".parse()?;
 /// assert_eq!(force.to_string(), "-omega0^2*sin(theta)");

@@ -8,6 +8,7 @@ impl Expression {
     /// where the formula holds other letters, is not analytic at the place, or has no coefficients in the ring.
     ///
     /// ```
+    /// # extern crate libration_numbers as libration;
     /// use libration::algebra::{Rational, Rationals};
     /// use libration::expression::{Expression, Symbol};
     ///

@@ -16,6 +16,7 @@ const STEPS: i32 = 56;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quadrature::double_exponential;
 /// let root = double_exponential(|x| x.powf(0.3));
 /// assert!((root.value - 1.0 / 1.3).abs() < 1e-15 && root.error < 1e-14);

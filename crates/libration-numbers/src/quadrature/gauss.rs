@@ -55,6 +55,7 @@ const fn legendre(x: f64) -> [f64; 16] {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quadrature::gauss;
 /// let smooth = gauss(|x| x.exp());
 /// assert!((smooth.value - (1.0_f64.exp() - 1.0)).abs() < 1e-15 && smooth.error < 1e-15);

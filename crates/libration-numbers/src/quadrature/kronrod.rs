@@ -39,6 +39,7 @@ const DOUBTFUL: f64 = 1e-2;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quadrature::gauss_kronrod;
 /// let kink = gauss_kronrod(|x| (x - 1.0 / 3.0).abs());
 /// assert!((kink.value - 5.0 / 18.0).abs() < 1e-15);

@@ -7,6 +7,7 @@
 //! | [`double_exponential`] | analytic between the ends, at which they may be powers | 113 |
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::quadrature::{double_exponential, gauss, gauss_kronrod};
 //!
 //! let smooth = |x: f64| 1.0 / (1.0 + x);

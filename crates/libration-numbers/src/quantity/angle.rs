@@ -21,6 +21,7 @@ const SHOWN_AS_COMPLEMENT: f64 = 1e-3;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::Angle;
 ///
 /// let nearly_upright: Angle = "pi-1e-300".parse()?;

@@ -8,6 +8,7 @@ const LETTERS: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha"
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::is_angle_name;
 /// assert!(is_angle_name("theta") && is_angle_name("theta1") && is_angle_name("phi_2"));
 /// assert!(!is_angle_name("x") && !is_angle_name("theta_x") && !is_angle_name("omega"));

@@ -7,6 +7,7 @@ use std::fmt;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::BareRadians;
 /// let doubt = BareRadians::in_text("60").unwrap();
 /// assert_eq!(doubt.to_string(), "taken as 60 rad = 9.549 turns; for degrees write 60deg");

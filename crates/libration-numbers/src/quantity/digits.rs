@@ -4,6 +4,7 @@
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::rounded;
 /// assert_eq!(rounded(2.006409292589, 5), "2.0064");
 /// ```
@@ -39,6 +40,7 @@ pub fn short(value: f64, digits: usize) -> String {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::with_uncertainty;
 /// assert_eq!(with_uncertainty(1.63712, 0.00234, "s"), "1.6371 ± 0.0023 s");
 /// ```

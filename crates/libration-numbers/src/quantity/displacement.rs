@@ -16,6 +16,7 @@ use super::{Angle, Dimension, QuantityError};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::Displacement;
 /// let nearly_upright = Displacement::from_angle_text("pi-1e-12")?;
 /// assert_eq!(nearly_upright.to_angle().map(|angle| angle.complement()), Some(1e-12));
@@ -65,6 +66,7 @@ impl Displacement {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_numbers as libration;
     /// use libration::quantity::Displacement;
     /// assert_eq!(Displacement::from_angle_text("37.3deg")?.degrees(), Some(37.3));
     /// assert_eq!(Displacement::from_angle_text("pi/3")?.degrees(), Some(60.0));

@@ -7,6 +7,7 @@
 //! converted exactly and rounded to two words.
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::quantity::{Angle, Dimension, angles, parse};
 //!
 //! // A nanoradian from the top: the complement is kept, which π − θ in `f64` has lost.
@@ -58,6 +59,7 @@ pub use rounded_complement::RoundedComplement;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::{Dimension, STANDARD_GRAVITY, parse};
 /// assert_eq!(parse("1 g", Dimension::Acceleration)?.value, STANDARD_GRAVITY);
 /// # Ok::<(), libration::quantity::QuantityError>(())

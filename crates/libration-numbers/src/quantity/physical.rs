@@ -30,6 +30,7 @@ pub struct Quantity {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::{Dimension, parse};
 ///
 /// let length = parse("120.0(3) cm", Dimension::Length)?;
@@ -55,6 +56,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::{Angle, Dimension, in_si};
 ///
 /// let angle = in_si(30.0, "deg", Dimension::Angle).ok_or("degrees measure angles")?;

@@ -15,6 +15,7 @@ use super::{Angle, Dimension, Displacement};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::AngleRange;
 ///
 /// let degrees = AngleRange::parse("0.1deg:0.9deg:0.1deg")?;

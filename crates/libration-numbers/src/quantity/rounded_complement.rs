@@ -8,6 +8,7 @@ use super::Angle;
 /// there: what is integrated from the double belongs to another start.
 ///
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::quantity::RoundedComplement;
 /// let lost = RoundedComplement::of(&"pi-1e-20".parse()?).unwrap();
 /// assert_eq!((lost.wanted, lost.rounded), (1e-20, 1.2246467991473532e-16));

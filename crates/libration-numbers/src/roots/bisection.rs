@@ -15,6 +15,7 @@ use super::Tolerance;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::roots::{Tolerance, bisect};
 /// let [holds, fails] = bisect([1.0, 2.0], Tolerance::LAST_BIT, |x| x * x <= 2.0);
 /// assert!(holds * holds <= 2.0 && fails * fails > 2.0 && fails == holds.next_up());

@@ -18,6 +18,7 @@ type Point = (f64, f64);
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::roots::{Tolerance, zero_between};
 /// let cubic = |x: f64| x * x * x - 2.0;
 /// let zero = zero_between([(0.0, cubic(0.0)), (3.0, cubic(3.0))], Tolerance::LAST_BIT, cubic);

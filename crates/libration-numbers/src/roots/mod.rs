@@ -12,6 +12,7 @@
 //! | [`polynomial_sign_changes`] | the coefficients | some sixty of each real zero of it and its derivatives |
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::roots::{Tolerance, bisect, zero_between};
 //!
 //! // Where the cosine is the angle itself.

@@ -31,6 +31,7 @@ pub struct PolynomialRoot {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::roots::polynomial_roots;
 /// // (z − 1)²(z + 3).
 /// let roots = polynomial_roots(&[3.0, -5.0, 1.0, 1.0]).ok_or("out of range")?;

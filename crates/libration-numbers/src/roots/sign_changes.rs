@@ -14,6 +14,7 @@ use super::{Tolerance, bisect};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::roots::polynomial_sign_changes;
 /// // x(x − 2)(x² + 1)
 /// assert_eq!(polynomial_sign_changes(&[0.0, -2.0, 1.0, -2.0, 1.0]), Some(vec![0.0, 2.0]));

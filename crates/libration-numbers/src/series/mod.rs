@@ -4,6 +4,7 @@
 //! exponential ones, Σ yₙxⁿ/(2n)!, so that no greatest common divisor is taken before the end.
 //!
 //! ```
+//! # extern crate libration_numbers as libration;
 //! use libration::algebra::{Function, Ring};
 //! use libration::series::PowerSeries;
 //!

@@ -8,6 +8,7 @@ use crate::algebra::{Divisor, Function, Pair, Rational, Rationals, Ring, Rule, S
 /// coefficients as their operands determine; a quotient in which powers of the variable cancel has fewer.
 ///
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{Function, Ring};
 /// use libration::series::PowerSeries;
 ///

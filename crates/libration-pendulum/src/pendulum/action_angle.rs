@@ -24,6 +24,7 @@ impl Motion {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_pendulum as libration;
     /// use libration::pendulum::Pendulum;
     /// let pendulum = Pendulum::from_angular_frequency(2.0)?;
     /// let motion = |energy| Ok::<_, libration::pendulum::PendulumError>(pendulum.with_energy_ratio(energy)?);
@@ -57,6 +58,7 @@ impl Motion {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_pendulum as libration;
     /// use libration::pendulum::Pendulum;
     /// use std::f64::consts::FRAC_PI_2;
     /// let released = Pendulum::new(1.0, 9.81)?.released_from("2.5".parse()?)?;

@@ -114,6 +114,7 @@ impl ApproximateMotion {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_pendulum as libration;
     /// use libration::pendulum::ApproximateMotion;
     /// let small_angle = ApproximateMotion::by_key("small-angle")?;
     /// assert_eq!(small_angle.angle(0.1, 0.0), 0.1);

@@ -9,6 +9,7 @@ use libration_numbers::quantity::rounded;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::pendulum::Pendulum;
 /// assert_eq!(Pendulum::new(0.994, 9.81)?.to_string(), "pendulum of 0.994 m at 9.81 m/s²");
 /// assert_eq!(Pendulum::from_angular_frequency(2.5)?.to_string(), "pendulum of ω0 = 2.5 rad/s");
@@ -29,6 +30,7 @@ impl fmt::Display for Pendulum {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::pendulum::Pendulum;
 /// let pendulum = Pendulum::new(1.0, 9.80665)?;
 /// let swing = pendulum.released_from("pi-1e-6".parse()?)?;

@@ -1,6 +1,7 @@
 //! The pendulum: period, motion in every regime, energy, action, harmonics.
 //!
 //! ```
+//! # extern crate libration_pendulum as libration;
 //! use libration::pendulum::Pendulum;
 //! use libration::quantity::Angle;
 //! let pendulum = Pendulum::new(1.0, 9.80665)?;

@@ -277,6 +277,7 @@ impl<P: PeriodFunction> Kernel for One<P> {
 /// 0.56 ulp (ledger in `tests/suite/promises.rs`).
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::pendulum::period_ratio;
 /// assert_eq!(period_ratio(std::f64::consts::FRAC_PI_2), 1.1803405990160963);
 /// ```

@@ -18,6 +18,7 @@ use libration_kernels::double_double::{DoubleDouble, fast_two_sum, pick};
 /// 0.56 ulp: T/T0 and T0 are in two words, and their product is rounded once.
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::pendulum::{Pendulum, period};
 /// assert_eq!(period(0.0, 1.0, 9.81), Pendulum::new(1.0, 9.81)?.small_angle_period());
 /// assert!((period(60f64.to_radians(), 1.0, 9.80665) - 2.1532423517838).abs() < 1e-13);

@@ -23,6 +23,7 @@ impl Pendulum {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_pendulum as libration;
     /// use libration::pendulum::{Amplitude, Pendulum};
     /// let (pendulum, amplitude) = (Pendulum::new(1.0, 9.81)?, Amplitude::new("60deg".parse()?)?);
     /// let swing = pendulum.swing_period(&amplitude);

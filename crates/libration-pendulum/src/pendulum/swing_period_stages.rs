@@ -18,6 +18,7 @@ impl Pendulum {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_pendulum as libration;
     /// use libration::pendulum::{Amplitude, Pendulum};
     /// let pendulum = Pendulum::new(1.0, 9.81)?;
     /// let amplitudes = [Amplitude::new("60deg".parse()?)?, Amplitude::new("pi-1e-9".parse()?)?];

@@ -13,6 +13,7 @@ use libration_numbers::quantity::Angle;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::period_formulas::PeriodFormula;
 /// use libration::quantity::Angle;
 /// let molina = PeriodFormula::by_key("molina")?;
@@ -222,6 +223,7 @@ impl LeadingError {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_pendulum as libration;
 /// use libration::period_formulas::{catalogue, fractional_errors};
 /// use libration::quantity::Angle;
 /// let amplitudes = [Angle::from_degrees(60.0)?, Angle::from_degrees(120.0)?];

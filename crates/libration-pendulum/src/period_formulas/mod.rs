@@ -4,6 +4,7 @@
 //! formula is written once and evaluated in `f64` or in floats of as many digits as its error needs.
 //!
 //! ```
+//! # extern crate libration_pendulum as libration;
 //! use libration::period_formulas::{ErrorTable, catalogue};
 //!
 //! // Which published formula, the simplest of all, is right to a thousandth at 90°?

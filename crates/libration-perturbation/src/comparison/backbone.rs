@@ -18,6 +18,7 @@ use libration_numbers::watch::Watch;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::comparison::Backbone;
 /// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
 /// let point = duffing.at(0.5);

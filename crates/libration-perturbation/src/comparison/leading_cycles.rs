@@ -89,6 +89,7 @@ impl LeadingLimitCycles {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_perturbation as libration;
     /// use libration::comparison::LeadingLimitCycles;
     /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
     /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None)?;

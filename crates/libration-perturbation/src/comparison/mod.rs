@@ -2,6 +2,7 @@
 //! integrated equation of motion for other oscillators.
 //!
 //! ```
+//! # extern crate libration_perturbation as libration;
 //! use libration::comparison::Backbone;
 //! use libration::elliptic::Modulus;
 //!

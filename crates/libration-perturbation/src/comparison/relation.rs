@@ -21,6 +21,7 @@ use libration_numbers::watch::Watch;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::NamedOscillator;
 /// use libration::comparison::{SeriesQuantity, SeriesComparison};
 /// use libration::perturbation::{Gauge, expand};

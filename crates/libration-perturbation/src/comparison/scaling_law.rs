@@ -16,6 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::comparison::ScalingLaw;
 /// use libration::oscillator::PurePower;
 /// let cubic = PurePower::of(&"x'' + x^3 = 0".parse()?, None).ok_or("no power")?;

@@ -14,6 +14,7 @@ use libration_numbers::watch::Watch;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::comparison::SlowDecay;
 /// use libration::decay::{Damping, Decay};
 /// use libration::pendulum::Pendulum;

@@ -42,6 +42,7 @@ const fn first_integral_order(kind: &Kind) -> usize {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand};
 /// let pendulum = Oscillator::new(&"x'' = -sin(x)".parse()?)?;
@@ -89,6 +90,7 @@ pub fn expand_watched(
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand_with_pi};
 /// let oscillator = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse()?)?;

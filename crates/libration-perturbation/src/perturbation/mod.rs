@@ -7,6 +7,7 @@
 //! [`Convergence`] and [`Pade`] what a series is worth at an amplitude.
 //!
 //! ```
+//! # extern crate libration_perturbation as libration;
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
 //!

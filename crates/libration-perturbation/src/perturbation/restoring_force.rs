@@ -14,6 +14,7 @@ use libration_numbers::{
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::restoring_force;
 /// let pendulum = Oscillator::new(&"x'' = -4*sin(x)".parse()?)?;

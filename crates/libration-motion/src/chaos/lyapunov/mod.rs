@@ -76,6 +76,7 @@ pub enum LyapunovError {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_motion as libration;
 /// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
 /// use libration::taylor::{Effort, Moment};
 /// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;

@@ -104,6 +104,7 @@ impl Function {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_numbers as libration;
     /// use libration::expression::Function;
     /// assert_eq!([Function::Asin.word(), Function::Sinh.word()], ["arcsin", "sinh"]);
     /// ```

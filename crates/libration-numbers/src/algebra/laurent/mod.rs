@@ -15,6 +15,7 @@ pub use ring::LaurentPolynomials;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{LaurentPolynomials, Ring};
 /// let ring = LaurentPolynomials::new(vec!["a".into(), "w".into()]);
 /// let (a, w) = (ring.letter(0), ring.letter(1));

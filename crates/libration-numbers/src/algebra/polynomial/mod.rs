@@ -25,6 +25,7 @@ use super::Rational;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_numbers as libration;
 /// use libration::algebra::{Polynomial, Rational};
 /// let (x, y) = (Polynomial::variable("x"), Polynomial::variable("y"));
 /// let square = (x.clone() - y.clone()).pow(2);

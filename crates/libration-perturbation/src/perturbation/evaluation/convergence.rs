@@ -13,6 +13,7 @@ use libration_numbers::algebra::{BigFloat, Rational};
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{Convergence, Singularity};
 /// // 1/(1 − x/2)² = Σ (n + 1)(x/2)ⁿ.
 /// let series: Vec<_> =

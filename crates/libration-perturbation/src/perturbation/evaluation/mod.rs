@@ -27,6 +27,7 @@ pub(crate) use stride::stride;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::period_formulas::period_in_amplitude;
 /// use libration::perturbation::{Certainty, SeriesEvaluation, pendulum_period_remainder};
 /// // T/T0 of the pendulum by even powers of θ0, here at a right angle.

@@ -11,6 +11,7 @@ use libration_numbers::{internals::roots::value_and_slope, roots::polynomial_roo
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::Pade;
 /// // T/T0 of the pendulum by powers of θ0²; [0/1] is 1/(1 − θ0²/16).
 /// let series = ["1", "1/16", "11/3072"].map(|text| text.parse().unwrap());

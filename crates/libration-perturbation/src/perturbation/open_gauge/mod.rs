@@ -37,6 +37,7 @@ pub struct Condition {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{OpenGauge, EpsilonPowers};
 /// // sin θ up to the fifth power.
 /// let sine = ["1", "0", "-1/6", "0", "1/120"].map(|text| text.parse().unwrap());

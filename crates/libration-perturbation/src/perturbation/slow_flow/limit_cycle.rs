@@ -51,6 +51,7 @@ impl SlowFlow {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_perturbation as libration;
     /// use libration::perturbation::{Gauge, slow_flow};
     /// let equation = "x'' + x = e1*((1 - x^2)*x' - x^3)".parse()?;
     /// let [cycle] = &slow_flow(&equation, None, 7, 3, &Gauge::Fundamental)?.limit_cycles()[..] else { panic!() };

@@ -20,6 +20,7 @@
 //! smaller than it; of that a slow flow knows nothing, and [`decay`](mod@libration_motion::decay) does.
 //!
 //! ```
+//! # extern crate libration_perturbation as libration;
 //! use libration::perturbation::{Gauge, slow_flow};
 //!
 //! // The drag of a fast flow on a pendulum.
@@ -146,6 +147,7 @@ fn value(series: &SlowSeries, amplitude: f64, parameter: f64) -> f64 {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{Gauge, slow_flow};
 /// // Viscous damping of a linear spring: A′ = −cA/2 and ψ′ = √(1 − c²/4), exactly.
 /// let flow = slow_flow(&"x'' + c*x' + x = 0".parse()?, None, 1, 4, &Gauge::XMax)?;

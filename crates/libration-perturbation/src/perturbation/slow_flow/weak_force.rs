@@ -27,6 +27,7 @@ impl WeakForce {
     ///
     /// # Examples
     /// ```
+    /// # extern crate libration_perturbation as libration;
     /// use libration::perturbation::WeakForce;
     /// let force = WeakForce::new(&"x'' + c*x'*abs(x') + x = 0".parse()?, None)?;
     /// assert_eq!((force.parameter.as_str(), force.kinked), ("c", true));

@@ -51,6 +51,7 @@ impl SymbolicExpansion {
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::SymbolicOscillator;
 /// use libration::perturbation::{Gauge, expand_symbolically};
 /// let oscillator = SymbolicOscillator::new(&"x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?)?;

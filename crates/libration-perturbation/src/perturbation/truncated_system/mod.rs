@@ -24,6 +24,7 @@ pub use verdict::SolutionVerdict;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{TruncatedSystem, SolutionVerdict};
 /// let sine = ["1", "0", "-1/6"].map(|text| text.parse().unwrap());
 /// let system = TruncatedSystem::new(&sine, 2, 3)?;

@@ -15,6 +15,7 @@ use odd::OddWell;
 ///
 /// # Examples
 /// ```
+/// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::PeriodMajorant;
 /// // x″ = −x + x³: here the bound is what is missing.
 /// let force = ["1", "0", "-1"].map(|text| text.parse().unwrap());
