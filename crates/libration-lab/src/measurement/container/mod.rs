@@ -1,11 +1,11 @@
 //! Files that hold several tables: Excel workbooks and archives of text files, each table as a text.
 
 mod archive;
-mod date_formats;
-mod grid;
+pub(crate) mod date_formats;
+pub(crate) mod grid;
 mod part;
-mod xls;
-mod xlsx;
+pub(crate) mod xls;
+pub(crate) mod xlsx;
 
 use super::MeasurementError;
 use super::dialect::{Delimiter, Dialect};
