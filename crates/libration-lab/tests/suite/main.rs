@@ -6,6 +6,7 @@
 mod random;
 mod synthetic_gate;
 mod synthetic_trace;
+mod zip_archive;
 
 mod continuation;
 mod fit;

@@ -2,8 +2,10 @@
 
 mod archive;
 pub(crate) mod date_formats;
+mod entry_name;
 pub(crate) mod grid;
 mod part;
+mod unpacked;
 pub(crate) mod xls;
 pub(crate) mod xlsx;
 
