@@ -1,6 +1,7 @@
 //! The statistics of samples, part by part.
 
 mod akaike;
+mod certified;
 mod chi_squared;
 mod least_squares;
 mod levenberg_marquardt;
