@@ -11,3 +11,231 @@ pub mod fit;
 pub mod measurement;
 mod parallel;
 mod statistics;
+
+/// The inner parts that the suite tests; no promise of stability.
+#[doc(hidden)]
+pub mod internals {
+    pub mod fit {
+        pub mod budget {
+            pub mod derivative {
+                pub use crate::fit::budget::derivative::{derivative, second_derivative};
+            }
+        }
+        pub mod cycles {
+            pub mod centre {
+                pub use crate::fit::cycles::centre::Centre;
+            }
+            pub mod decay_rates {
+                pub use crate::fit::cycles::decay_rates::DecayRates;
+            }
+            pub mod even {
+                pub use crate::fit::cycles::even::Even;
+            }
+            pub mod generalised {
+                pub use crate::fit::cycles::generalised::{Bands, Factor};
+            }
+            pub mod local_fit {
+                pub use crate::fit::cycles::local_fit::{LocalFit, Points, powers};
+            }
+            pub mod shape {
+                pub use crate::fit::cycles::shape::{
+                    Shape, amplitude_of_velocity, often, slope_of_amplitude,
+                };
+            }
+            pub mod swings {
+                pub use crate::fit::cycles::swings::{Stretch, swings, without_spikes};
+            }
+            pub mod turning_point {
+                pub use crate::fit::cycles::turning_point::Extreme;
+            }
+        }
+        pub mod effective_weights {
+            pub use crate::fit::effective_weights::{Weighted, settled};
+        }
+        pub mod gates {
+            pub mod directions {
+                pub use crate::fit::gates::directions::sorted;
+            }
+            pub mod passages {
+                pub use crate::fit::gates::passages::{Passage, passages};
+            }
+            pub mod speeds {
+                pub use crate::fit::gates::speeds::amplitude;
+            }
+            pub mod trend {
+                pub use crate::fit::gates::trend::at_the_beginning;
+            }
+            pub mod width {
+                pub use crate::fit::gates::width::PassingDisc;
+            }
+        }
+        pub mod law {
+            pub use crate::fit::law::Point;
+        }
+        pub mod plan {
+            pub use crate::fit::plan::FEWEST_SWINGS;
+        }
+        pub mod scatter {
+            pub use crate::fit::scatter::degrees_of_freedom;
+        }
+        pub mod spectrum {
+            pub mod theory {
+                pub use crate::fit::spectrum::theory::{Growth, Theory};
+            }
+        }
+        pub mod trace {
+            pub mod clock {
+                pub use crate::fit::trace::clock::deviation;
+            }
+            pub mod comparison {
+                pub use crate::fit::trace::comparison::simplest;
+            }
+            pub mod huber {
+                pub use crate::fit::trace::huber::{
+                    BOUND, bounded, factor, is_outlier, loss, scale, variance,
+                };
+            }
+            pub mod information {
+                pub use crate::fit::trace::information::misfit;
+            }
+            pub mod minimum {
+                pub use crate::fit::trace::minimum::{Care, Minimum, Start, descent};
+            }
+            pub mod model {
+                pub use crate::fit::trace::model::Rows;
+            }
+            pub mod noise {
+                pub use crate::fit::trace::noise::{FACTOR, Part, Rows, mean_effect, memories, times};
+            }
+            pub mod problem {
+                pub use crate::fit::trace::problem::{PATIENCE, Problem};
+            }
+            pub mod profile {
+                pub use crate::fit::trace::profile::{LEVELS, linear_intervals, students};
+            }
+            pub mod random {
+                pub use crate::fit::trace::random::Random;
+            }
+            pub mod search {
+                pub use crate::fit::trace::search::from_scratch;
+            }
+            pub mod series {
+                pub use crate::fit::trace::series::{Series, of_search, whole};
+            }
+            pub mod swing {
+                pub use crate::fit::trace::swing::{Course, EXACT, Seen, Swing};
+            }
+            pub mod systematic {
+                pub use crate::fit::trace::systematic::add;
+            }
+            pub mod uncertainty {
+                pub use crate::fit::trace::uncertainty::fit;
+            }
+            pub mod weights {
+                pub use crate::fit::trace::weights::Weights;
+            }
+        }
+        pub mod typical_amplitude {
+            pub use crate::fit::typical_amplitude::typical_amplitude;
+        }
+    }
+    pub mod measurement {
+        pub mod container {
+            pub mod date_formats {
+                pub use crate::measurement::container::date_formats::shows_date;
+            }
+            pub mod grid {
+                pub use crate::measurement::container::grid::Grid;
+            }
+            pub mod xls {
+                pub mod records {
+                    pub use crate::measurement::container::xls::records::{Record, Records, small_number};
+                }
+                pub mod strings {
+                    pub use crate::measurement::container::xls::strings::{long, short, table};
+                }
+            }
+            pub mod xlsx {
+                pub mod contents {
+                    pub use crate::measurement::container::xlsx::contents::unescaped;
+                }
+                pub mod worksheet {
+                    pub use crate::measurement::container::xlsx::worksheet::{
+                        MOST_COLUMNS, MOST_ROWS, place,
+                    };
+                }
+            }
+        }
+        pub mod counted_periods {
+            pub use crate::measurement::counted_periods::counted;
+        }
+        pub mod faults {
+            pub mod clipping {
+                pub use crate::measurement::faults::clipping::clipped;
+            }
+            pub mod even_times {
+                pub use crate::measurement::faults::even_times::{EvenTimes, centroid};
+            }
+            pub mod order {
+                pub use crate::measurement::faults::order::restarts;
+            }
+            pub mod outliers {
+                pub use crate::measurement::faults::outliers::{LONGEST, outliers};
+            }
+            pub mod significant_digits {
+                pub use crate::measurement::faults::significant_digits::SignificantDigits;
+            }
+        }
+        pub mod heading {
+            pub mod words {
+                pub use crate::measurement::heading::words::{Words, is_of_acceleration};
+            }
+        }
+        pub mod number {
+            pub use crate::measurement::number::Cell;
+        }
+        pub mod traces {
+            pub mod circle {
+                pub use crate::measurement::traces::circle::{Circle, distances};
+            }
+            pub mod gyroscope {
+                pub use crate::measurement::traces::gyroscope::{FEWEST, principal_axis};
+            }
+            pub mod sequence {
+                pub use crate::measurement::traces::sequence::Sequence;
+            }
+            pub mod turns {
+                pub use crate::measurement::traces::turns::{take_out_jumps, unwrap};
+            }
+        }
+    }
+    pub mod parallel {
+        pub use crate::parallel::{map, on_cores};
+    }
+    pub mod statistics {
+        pub use crate::statistics::count::count;
+        pub mod akaike {
+            pub use crate::statistics::akaike::{cost, of_chi_squared, of_scatter};
+        }
+        pub mod chi_squared {
+            pub use crate::statistics::chi_squared::probability_beyond;
+        }
+        pub mod least_squares {
+            pub use crate::statistics::least_squares::{
+                Design, ROUNDING, Undetermined, least_squares, weighted_least_squares,
+            };
+        }
+        pub mod levenberg_marquardt {
+            pub use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
+        }
+        pub mod robust {
+            pub use crate::statistics::robust::robust_deviation;
+        }
+        pub mod student {
+            pub use crate::statistics::student::{probability_beyond, quantile};
+        }
+        pub mod triangle {
+            pub use crate::statistics::triangle::triangle;
+        }
+    }
+}

@@ -8,7 +8,7 @@ use std::thread::{available_parallelism, scope};
 
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing; the watch is asked as
 /// often as if there were one, by this thread.
-pub(crate) fn map<T: Sync, R: Send>(
+pub fn map<T: Sync, R: Send>(
     items: &[T],
     watch: &Watch<'_>,
     work: impl Fn(&T, &Watch<'_>) -> R + Sync,
@@ -22,7 +22,8 @@ pub(crate) fn map<T: Sync, R: Send>(
     }
 }
 
-fn on_cores<T: Sync, R: Send>(
+/// The results of work on all items, in their order, by so many threads.
+pub fn on_cores<T: Sync, R: Send>(
     cores: usize,
     items: &[T],
     watch: &Watch<'_>,
@@ -58,38 +59,4 @@ fn on_cores<T: Sync, R: Send>(
     let mut done = done.into_inner().expect("no piece of work panics");
     done.sort_by_key(|(place, _)| *place);
     done.into_iter().map(|(_, result)| result).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::cell::Cell;
-
-    #[test]
-    fn results_and_questions_do_not_depend_on_the_number_of_cores() {
-        let items: Vec<usize> = (0..50).collect();
-        for cores in 1..=4 {
-            let asked = Cell::new(0);
-            let ask = |_| {
-                asked.set(asked.get() + 1);
-                ControlFlow::Continue(())
-            };
-            let squares = on_cores(cores, &items, &Watch::new(&ask), |item, watch| {
-                assert!(watch.go_on().is_ok());
-                item * item
-            });
-            assert_eq!(squares, items.iter().map(|n| n * n).collect::<Vec<_>>());
-            assert_eq!(asked.get(), items.len());
-        }
-    }
-
-    #[test]
-    fn all_are_told_to_stop() {
-        let items: Vec<usize> = (0..50).collect();
-        let ask = |_| ControlFlow::Break(());
-        let watch = Watch::new(&ask);
-        let stopped = on_cores(3, &items, &watch, |_, watch| watch.go_on().is_err());
-        assert!(stopped.into_iter().all(|stopped| stopped) && watch.is_stopped());
-        assert!(map(&[] as &[u8], &Watch::none(), |_, _| 0).is_empty());
-    }
 }

@@ -67,7 +67,8 @@ impl<'a> Law<'a> {
     }
 
     /// R and R′ of every row.
-    pub(super) fn points(&self, rows: &[Row]) -> Result<Vec<Point>, FitError> {
+    #[doc(hidden)]
+    pub fn points(&self, rows: &[Row]) -> Result<Vec<Point>, FitError> {
         let point = |row: &Row| {
             let ratio = self.ratio_at(row.amplitude);
             if !(ratio > 0.0 && ratio.is_finite()) {
@@ -82,7 +83,7 @@ impl<'a> Law<'a> {
 
 /// A row with the law at its amplitude.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point {
+pub struct Point {
     pub(super) row: Row,
     pub(super) ratio: f64,
     slope: f64,
@@ -90,7 +91,7 @@ pub(super) struct Point {
 
 impl Point {
     /// The effective variance when T changes by `scale`·R′ with the amplitude; zero when there are no weights.
-    pub(super) fn variance(&self, scale: f64) -> f64 {
+    pub fn variance(&self, scale: f64) -> f64 {
         let from_amplitude = scale * self.slope * self.row.amplitude_uncertainty;
         self.row.period_uncertainty * self.row.period_uncertainty + from_amplitude * from_amplitude
     }

@@ -13,28 +13,28 @@
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
 mod beta;
-mod budget;
+pub(crate) mod budget;
 pub mod cycles;
 mod damping_model;
-mod effective_weights;
+pub(crate) mod effective_weights;
 mod error;
 mod excess_scale;
 pub mod gates;
 mod gravity;
-mod law;
+pub(crate) mod law;
 mod lengths;
 mod outliers;
 mod period_table;
 mod periods;
 pub mod plan;
 pub mod response;
-mod scatter;
+pub(crate) mod scatter;
 mod significance;
 mod small_angle_period;
 pub mod spectrum;
 pub mod swings;
 pub mod trace;
-mod typical_amplitude;
+pub(crate) mod typical_amplitude;
 mod uncertain;
 
 pub use beta::Beta;

@@ -41,13 +41,14 @@ impl fmt::Display for Weighting {
 /// Rows of amplitude and period that a fit can use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodTable {
-    pub(super) rows: Vec<Row>,
+    #[doc(hidden)]
+    pub rows: Vec<Row>,
     weighting: Weighting,
 }
 
 /// One measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Row {
+pub struct Row {
     pub(super) amplitude: f64,
     pub(super) period: f64,
     pub(super) amplitude_uncertainty: f64,

@@ -77,7 +77,8 @@ const MEAN: [&str; 12] = [
     "per",
 ];
 
-fn counted(heading: &str) -> CountedPeriods {
+/// How many periods a column with this heading counts in each time.
+pub fn counted(heading: &str) -> CountedPeriods {
     let lower = heading.to_lowercase().replace(['×', '*', '·', '_', '-', '{', '}', '$'], " ");
     let words = words(&lower);
     let is = |list: &[&str], word: &String| list.contains(&word.as_str());
@@ -123,49 +124,4 @@ fn words(text: &str) -> Vec<String> {
     let letters: Vec<char> = text.chars().collect();
     let pieces = letters.chunk_by(|&a, &b| kind(a) == kind(b) && kind(a) != 3);
     pieces.filter(|piece| kind(piece[0]) != 0).map(|piece| piece.iter().collect()).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn headings_say_how_many_periods_a_time_lasts() {
-        for (heading, count) in [
-            ("half period (s)", 0.5),
-            ("Half-period / s", 0.5),
-            ("T/2", 0.5),
-            ("T/2 (s)", 0.5),
-            ("½ T", 0.5),
-            ("0.5T", 0.5),
-            ("mean half period (s)", 0.5),
-            ("demi-période (s)", 0.5),
-            ("halbe Schwingungsdauer", 0.5),
-            ("time of 10 periods (s)", 10.0),
-            ("time for 20 oscillations / s", 20.0),
-            ("10T", 10.0),
-            ("20 T (s)", 20.0),
-            ("5×T", 5.0),
-            ("10 Schwingungen in s", 10.0),
-            ("T", 1.0),
-            ("T (s)", 1.0),
-            ("T/s", 1.0),
-            ("mean period (s)", 1.0),
-            ("T_1", 1.0),
-        ] {
-            assert_eq!(counted(heading), CountedPeriods::Said(count), "{heading}");
-        }
-    }
-
-    #[test]
-    fn what_may_be_a_number_of_periods_is_not_guessed() {
-        for heading in
-            ["T10 (s)", "time of 10 swings", "t_{20}", "half", "mean of 10 periods (s)", "10T/10", "T/10"]
-        {
-            assert_eq!(counted(heading), CountedPeriods::Unclear(heading.into()));
-        }
-        for heading in ["", "time (s)", "trial 3", "u(x)"] {
-            assert_eq!(counted(heading), CountedPeriods::Nothing, "{heading}");
-        }
-    }
 }

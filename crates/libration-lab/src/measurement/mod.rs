@@ -10,17 +10,17 @@
 
 mod ambiguity;
 mod choices;
-mod container;
-mod counted_periods;
+pub(crate) mod container;
+pub(crate) mod counted_periods;
 mod dialect;
 mod error;
-mod faults;
+pub(crate) mod faults;
 mod fitted_pivot;
 mod gates;
 mod header;
-mod heading;
+pub(crate) mod heading;
 mod layout;
-mod number;
+pub(crate) mod number;
 mod options;
 mod recording;
 mod role;
@@ -28,7 +28,7 @@ mod sheet;
 mod table;
 mod text;
 mod trace;
-mod traces;
+pub(crate) mod traces;
 mod value_columns;
 mod written_unit;
 

@@ -2,6 +2,6 @@
 
 /// The nearest `f64`.
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2^53 rows")]
-pub(crate) fn count(things: usize) -> f64 {
+pub fn count(things: usize) -> f64 {
     things as f64
 }

@@ -8,16 +8,16 @@ use std::cell::{Cell, RefCell};
 
 /// A model at some parameters.
 #[derive(Clone, Debug)]
-pub(crate) struct Linearised {
+pub struct Linearised {
     /// What it says less the data, each times its weight: one over its standard deviation.
-    pub(crate) residuals: DVector<f64>,
+    pub residuals: DVector<f64>,
     /// Their derivatives: a row for each residual, a column for each parameter.
-    pub(crate) jacobian: DMatrix<f64>,
+    pub jacobian: DMatrix<f64>,
 }
 
 /// Why a model has no residuals at some parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NoResiduals {
+pub enum NoResiduals {
     /// It says nothing there.
     OutOfDomain,
     /// It was stopped.
@@ -26,21 +26,21 @@ pub(crate) enum NoResiduals {
 
 /// Where the sum of squares is least.
 #[derive(Clone, Debug)]
-pub(crate) struct Minimum {
-    pub(crate) parameters: DVector<f64>,
-    pub(crate) linearised: Linearised,
+pub struct Minimum {
+    pub parameters: DVector<f64>,
+    pub linearised: Linearised,
     /// Whether the way ended there, and not for want of patience.
-    pub(crate) converged: bool,
+    pub converged: bool,
 }
 
 /// How far to go.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Effort {
+pub struct Effort {
     /// The relative change of the sum of squares that is none, and of the parameters where that is less than 1e-10; not less than the residuals
     /// are exact to.
-    pub(crate) tolerance: f64,
+    pub tolerance: f64,
     /// Evaluations for each parameter and one more, as MINPACK counts them.
-    pub(crate) patience: usize,
+    pub patience: usize,
 }
 
 /// The first step is at most so many times as long as the parameters, each in units of what a residual of one makes of it. Moré
@@ -60,7 +60,7 @@ const OUT_OF_DOMAIN: f64 = 1e9;
 ///
 /// # Errors
 /// The model says nothing at the start, or was stopped.
-pub(crate) fn minimum(
+pub fn minimum(
     start: DVector<f64>,
     effort: Effort,
     mut evaluate: impl FnMut(&DVector<f64>) -> Result<Linearised, NoResiduals>,
@@ -163,91 +163,5 @@ impl Linearised {
         } else {
             f64::INFINITY
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const EFFORT: Effort = Effort { tolerance: 1e-12, patience: 100 };
-
-    /// Residuals of a·e^(−bt) at four times from 3·e^(−t/2), which has none for b above 5.
-    fn exponential(parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
-        let (a, b) = (parameters[0], parameters[1]);
-        if b > 5.0 {
-            return Err(NoResiduals::OutOfDomain);
-        }
-        let times = [0.0, 1.0, 2.0, 3.0];
-        let value = |t: f64| libm::exp(-b * t);
-        Ok(Linearised {
-            residuals: DVector::from_fn(4, |i, _| a * value(times[i]) - 3.0 * libm::exp(-0.5 * times[i])),
-            jacobian: DMatrix::from_fn(4, 2, |i, k| {
-                if k == 0 { value(times[i]) } else { -a * times[i] * value(times[i]) }
-            }),
-        })
-    }
-
-    #[test]
-    fn the_parameters_of_exact_data_come_back() {
-        let found = minimum(DVector::from_row_slice(&[1.0, 4.9]), EFFORT, exponential).unwrap();
-        let [a, b] = [found.parameters[0], found.parameters[1]];
-        assert!((a - 3.0).abs() < 1e-9 && (b - 0.5).abs() < 1e-9 && found.converged, "{a} {b}");
-        assert!(found.linearised.residuals.norm() < 1e-9);
-    }
-
-    /// Rosenbrock's valley, from its usual start.
-    #[test]
-    fn a_bent_valley_is_followed_to_its_end() {
-        let valley = |p: &DVector<f64>| {
-            Ok(Linearised {
-                residuals: DVector::from_row_slice(&[10.0 * (p[1] - p[0] * p[0]), 1.0 - p[0]]),
-                jacobian: DMatrix::from_row_slice(2, 2, &[-20.0 * p[0], 10.0, -1.0, 0.0]),
-            })
-        };
-        let found = minimum(DVector::from_row_slice(&[-1.2, 1.0]), EFFORT, valley).unwrap();
-        assert!(found.parameters.iter().all(|p| (p - 1.0).abs() < 1e-10), "{}", found.parameters);
-    }
-
-    #[test]
-    fn a_search_without_patience_does_not_converge() {
-        let effort = Effort { patience: 1, ..EFFORT };
-        assert!(!minimum(DVector::from_row_slice(&[1.0, 4.9]), effort, exponential).unwrap().converged);
-    }
-
-    #[test]
-    fn outside_and_stopped_are_told_apart() {
-        let start = |b: f64| DVector::from_row_slice(&[1.0, b]);
-        let refused = minimum(start(6.0), EFFORT, exponential).map(|_| ()).unwrap_err();
-        assert_eq!(refused, NoResiduals::OutOfDomain);
-        let mut evaluations = 0;
-        let stopped = |parameters: &DVector<f64>| {
-            evaluations += 1;
-            if evaluations > 2 { Err(NoResiduals::Stopped) } else { exponential(parameters) }
-        };
-        assert_eq!(minimum(start(1.0), EFFORT, stopped).map(|_| ()).unwrap_err(), NoResiduals::Stopped);
-    }
-
-    /// A line through its best parameters: one evaluation tells that they are, and two from elsewhere.
-    #[test]
-    fn a_search_ends_where_nothing_is_promised() {
-        let counted = |start: [f64; 2]| {
-            let mut evaluations = 0;
-            let found = minimum(DVector::from_row_slice(&start), EFFORT, |line| {
-                evaluations += 1;
-                let values = [1.0, 3.0, 2.0, 4.0];
-                let x = |i: usize| [-1.5, -0.5, 0.5, 1.5][i];
-                Ok(Linearised {
-                    residuals: DVector::from_fn(4, |i, _| line[0] + line[1] * x(i) - values[i]),
-                    jacobian: DMatrix::from_fn(4, 2, |i, k| if k == 0 { 1.0 } else { x(i) }),
-                })
-            });
-            let found = found.unwrap();
-            // By hand: the mean, and (1.5·3 + 0.5·(−1))/5.
-            assert!((found.parameters[0] - 2.5).abs() < 1e-12 && (found.parameters[1] - 0.8).abs() < 1e-12);
-            assert!(found.converged);
-            evaluations
-        };
-        assert_eq!((counted([2.5, 0.8]), counted([2.0, 1.0])), (1, 2));
     }
 }

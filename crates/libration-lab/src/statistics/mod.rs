@@ -1,10 +1,10 @@
 //! What fits and the reading of files know of samples: means, medians, least squares, distributions, criteria.
 
-mod count;
-mod least_squares;
+pub(crate) mod count;
+pub(crate) mod least_squares;
 mod mean;
-mod robust;
-mod triangle;
+pub(crate) mod robust;
+pub(crate) mod triangle;
 
 pub(crate) mod akaike;
 pub(crate) mod chi_squared;

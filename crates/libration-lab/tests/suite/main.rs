@@ -6,6 +6,7 @@ use libration_testing::random;
 
 mod synthetic_gate;
 mod synthetic_trace;
+mod zip_archive;
 
 mod continuation;
 mod fit;
@@ -18,9 +19,12 @@ mod fitted_pivot;
 mod gate_uncertainties;
 mod malformed;
 mod measurement;
+mod parallel;
 mod plan;
 mod recording;
 mod rounded_times;
+mod source;
 mod spectrum;
+mod statistics;
 mod swings;
 mod trace_fits;

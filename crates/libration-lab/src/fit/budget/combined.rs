@@ -32,12 +32,8 @@ pub struct Contribution {
 
 impl Contribution {
     /// An input whose uncertainty was judged.
-    pub(in crate::fit) fn judged(
-        input: BudgetInput,
-        value: f64,
-        uncertainty: Option<f64>,
-        sensitivity: f64,
-    ) -> Self {
+    #[doc(hidden)]
+    pub fn judged(input: BudgetInput, value: f64, uncertainty: Option<f64>, sensitivity: f64) -> Self {
         let (evaluation, degrees_of_freedom) = (Evaluation::Judgement, f64::INFINITY);
         Self { input, value, uncertainty, sensitivity, evaluation, degrees_of_freedom }
     }
@@ -73,10 +69,8 @@ pub struct CombinedUncertainty {
 }
 
 impl CombinedUncertainty {
-    pub(in crate::fit) fn new(
-        contributions: Vec<Contribution>,
-        correlations: &[Correlation],
-    ) -> Result<Self, BudgetError> {
+    #[doc(hidden)]
+    pub fn new(contributions: Vec<Contribution>, correlations: &[Correlation]) -> Result<Self, BudgetError> {
         let matrix = matrix(&contributions, correlations)?;
         let changes = DMatrix::from_fn(contributions.len(), 1, |row, _| contributions[row].change());
         let variance = (changes.transpose() * matrix * changes)[(0, 0)].max(0.0);
@@ -167,58 +161,4 @@ fn matrix(contributions: &[Contribution], correlations: &[Correlation]) -> Resul
 
 fn square(x: f64) -> f64 {
     x * x
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The example of G.4.1: relative uncertainties of 0.25 % from ten readings, 0.57 % from five and 0.82 % from fifteen.
-    #[test]
-    fn effective_degrees_of_freedom_are_those_of_the_guide() {
-        use BudgetInput::{Length, Period, Slope};
-        let contributions = [(Length, 0.25, 9.0), (Period, 0.57, 4.0), (Slope, 0.82, 14.0)].map(
-            |(input, spread, degrees_of_freedom)| Contribution {
-                degrees_of_freedom,
-                ..Contribution::judged(input, 1.0, Some(spread), 1.0)
-            },
-        );
-        let found = CombinedUncertainty::new(contributions.to_vec(), &[]).unwrap();
-        assert!((found.standard - 1.03).abs() < 5e-3 && (found.degrees_of_freedom - 19.0).abs() < 0.05);
-        // 18.98, cut down to 18 (the Guide, table G.2, 95 %).
-        assert!((found.coverage_factor() - 2.10).abs() < 5e-3, "{}", found.coverage_factor());
-    }
-
-    #[test]
-    fn a_pair_has_one_correlation() {
-        let inputs = [BudgetInput::Length, BudgetInput::Period, BudgetInput::Clock];
-        let contributions = inputs.map(|input| Contribution::judged(input, 1.0, Some(1.0), 1.0));
-        let both = |a: usize, b: usize| Correlation { between: [inputs[a], inputs[b]], coefficient: 0.5 };
-        let found =
-            |pairs: &[Correlation]| CombinedUncertainty::new(contributions.to_vec(), pairs).map(|_| ());
-        let repeated = BudgetError::CorrelationRepeated { first: inputs[1].name(), second: inputs[0].name() };
-        assert_eq!(found(&[both(0, 1), both(1, 0)]), Err(repeated));
-        assert_eq!(found(&[both(0, 1), both(1, 2), both(0, 2)]), Ok(()));
-    }
-
-    /// Three readings that are alike tell no more of their scatter than any three.
-    #[test]
-    fn no_scatter_among_few_readings_is_not_known_for_certain() {
-        let judged = Contribution::judged(BudgetInput::Period, 2.0, Some(0.0), 9.8);
-        let alike = Contribution { evaluation: Evaluation::Statistics, degrees_of_freedom: 2.0, ..judged };
-        let length = Contribution::judged(BudgetInput::Length, 1.0, Some(0.0), 9.81);
-        let found = |length| CombinedUncertainty::new(vec![length, alike], &[]).unwrap().degrees_of_freedom;
-        assert!((found(length) - 2.0).abs() < f64::EPSILON);
-        assert!(found(Contribution { uncertainty: Some(0.1), ..length }).is_infinite());
-    }
-
-    #[test]
-    fn nothing_uncertain_leaves_nothing_to_share() {
-        let known = Contribution::judged(BudgetInput::Length, 1.0, Some(0.0), 9.81);
-        let found = CombinedUncertainty::new(vec![known], &[]).unwrap();
-        for nothing in [found.standard, found.share(&known), found.share_of_correlations()] {
-            assert!(nothing.abs() < f64::MIN_POSITIVE, "{found:?}");
-        }
-        assert!(found.degrees_of_freedom.is_infinite());
-    }
 }

@@ -9,13 +9,11 @@
 
 mod apparatus;
 mod combined;
-mod derivative;
+pub(crate) mod derivative;
 mod effects;
 mod input;
 mod inputs;
 mod rows;
-#[cfg(test)]
-mod tests;
 mod warning;
 
 pub use apparatus::{AIR_DENSITY, Apparatus, MeasuredPeriod, PeriodDamping};

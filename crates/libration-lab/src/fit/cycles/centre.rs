@@ -20,22 +20,23 @@ const THREE: [f64; 3] = [0.25, 0.5, 0.25];
 
 /// The centre of a stretch.
 #[derive(Clone, Debug)]
-pub(super) struct Centre {
+pub struct Centre {
     /// The middle one of the centres of all swings.
-    pub(super) value: Uncertain,
+    pub value: Uncertain,
     /// How far the centres of single swings are from it, as a standard deviation; zero where noise explains it.
-    pub(super) wander: f64,
+    pub wander: f64,
     /// Times and centres of single swings, where the centre is followed.
     followed: Vec<(f64, f64)>,
 }
 
 impl Centre {
-    pub(super) fn fixed(value: f64) -> Self {
+    /// A centre that does not move and is known.
+    pub fn fixed(value: f64) -> Self {
         Self { value: Uncertain { value, uncertainty: 0.0 }, wander: 0.0, followed: vec![] }
     }
 
     /// The centre at a time.
-    pub(super) fn at(&self, time: f64) -> f64 {
+    pub fn at(&self, time: f64) -> f64 {
         let after = self.followed.partition_point(|node| node.0 < time);
         match (after.checked_sub(1).and_then(|before| self.followed.get(before)), self.followed.get(after)) {
             (Some(before), Some(after)) => {
@@ -47,7 +48,7 @@ impl Centre {
     }
 
     /// The centre by extremes that were measured from this one.
-    pub(super) fn renewed(&self, extremes: &[Option<Extreme>]) -> Self {
+    pub fn renewed(&self, extremes: &[Option<Extreme>]) -> Self {
         let absolute = |extreme: &Extreme| extreme.value + self.at(extreme.time);
         let smooth = self.middles(extremes, &FIVE);
         let (middles, weights) = match smooth.len() >= FEWEST_TO_FOLLOW {
@@ -89,46 +90,5 @@ impl Centre {
         let wanders = middles.len() >= FEWEST_TO_FOLLOW && scatter > WANDERING * expected;
         let (wander, followed) = if wanders { (scatter, middles) } else { (0.0, vec![]) };
         Self { value: Uncertain { value, uncertainty }, wander, followed }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn extremes(centre: impl Fn(f64) -> f64) -> Vec<Option<Extreme>> {
-        let extreme = |k: u32| {
-            let (time, side) = (f64::from(k), if k.is_multiple_of(2) { 1.0 } else { -1.0 });
-            // A decay by a hundredth a swing.
-            let value = side * (1.0 - 0.01 * time) + centre(time);
-            Some(Extreme { time, value, uncertainty: 1e-4 })
-        };
-        (0..40).map(extreme).collect()
-    }
-
-    #[test]
-    fn the_decay_does_not_move_the_centre() {
-        let centre = Centre::fixed(0.0).renewed(&extremes(|_| 0.3));
-        assert!((centre.value.value - 0.3).abs() < 1e-12 && centre.wander.to_bits() == 0, "{centre:?}");
-        assert!((centre.at(7.3) - 0.3).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_decay_that_is_no_straight_line_does_not_move_the_centre() {
-        for rate in [0.02, 0.05, 0.09] {
-            let extreme = |k: u32| {
-                let (time, side) = (f64::from(k), if k.is_multiple_of(2) { 1.0 } else { -1.0 });
-                Some(Extreme { time, value: side * libm::exp(-rate * time) + 0.1, uncertainty: 1e-4 })
-            };
-            let centre = Centre::fixed(0.0).renewed(&(0..40).map(extreme).collect::<Vec<_>>());
-            assert!((centre.value.value - 0.1).abs() < 1e-5, "{centre:?}");
-            assert!(centre.wander.to_bits() == 0, "{centre:?}");
-        }
-    }
-
-    #[test]
-    fn a_centre_that_moves_is_followed() {
-        let centre = Centre::fixed(0.0).renewed(&extremes(|t| 0.002 * t));
-        assert!(centre.wander > 0.01 && (centre.at(20.5) - 0.041).abs() < 1e-6, "{centre:?}");
     }
 }

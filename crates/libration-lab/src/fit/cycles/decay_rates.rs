@@ -17,7 +17,7 @@ const LARGEST_AMPLITUDE: f64 = 3.13;
 /// Tables of φₙ over its limit for small amplitudes, which for dry friction is constant, for linear damping A/2, and for
 /// quadratic damping 4ω0A²/3π.
 #[derive(Clone, Debug)]
-pub(super) struct DecayRates {
+pub struct DecayRates {
     step: f64,
     tables: [Vec<f64>; 3],
     omega0: f64,
@@ -25,14 +25,14 @@ pub(super) struct DecayRates {
 
 impl DecayRates {
     /// The rates up to this amplitude, in radians.
-    pub(super) fn new(omega0: f64, largest: f64) -> Self {
+    pub fn new(omega0: f64, largest: f64) -> Self {
         let step = (1.05 * largest).clamp(0.01, LARGEST_AMPLITUDE) / count(PLACES);
         let table = |exponent: f64| (0..=PLACES).map(|place| enhancement(exponent, step, place)).collect();
         Self { step, tables: [0.0, 1.0, 2.0].map(table), omega0 }
     }
 
     /// φₙ at this amplitude; for amplitudes beyond the table that of its end.
-    pub(super) fn at(&self, term: DampingKind, amplitude: f64) -> f64 {
+    pub fn at(&self, term: DampingKind, amplitude: f64) -> f64 {
         let amplitude = amplitude.max(0.0);
         match term {
             DampingKind::Dry => 2.0 / (PI * self.omega0) * self.interpolated(0, amplitude),
@@ -65,35 +65,4 @@ fn enhancement(exponent: f64, step: f64, place: usize) -> f64 {
     let Some(amplitude) = amplitude.filter(|_| place > 0) else { return 1.0 };
     let loss = cycle_integral(exponent, &amplitude) / small_cycle_integral(exponent, radians);
     loss * radians / (period_ratio(radians) * libm::sin(radians))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use libration::decay::{Damping, Decay, EnvelopeLaw};
-    use libration::pendulum::Pendulum;
-
-    /// The same fall as the averaged law, which integrates over the amplitude.
-    #[test]
-    fn the_rates_are_those_of_the_averaged_law() {
-        let (omega0, start) = (2.0, 2.5);
-        let rates = DecayRates::new(omega0, start);
-        for (term, exponent, coefficient) in [
-            (DampingKind::Dry, 0.0, 0.1),
-            (DampingKind::Linear, 1.0, 0.1),
-            (DampingKind::Quadratic, 2.0, 0.05),
-        ] {
-            let pendulum = Pendulum::from_angular_frequency(omega0).unwrap();
-            let damping = Damping::of_degree(exponent, coefficient).unwrap();
-            let decay = Decay::new(pendulum, damping, Angle::from_radians(start).unwrap()).unwrap();
-            let envelope = decay.envelope(EnvelopeLaw::Averaged);
-            for time in [0.5, 3.0, 6.0] {
-                let (before, after) =
-                    (envelope.amplitude_at(time - 1e-3), envelope.amplitude_at(time + 1e-3));
-                let rate = (before - after) / 2e-3;
-                let ours = coefficient * rates.at(term, envelope.amplitude_at(time));
-                assert!((ours / rate - 1.0).abs() < 1e-6, "{term:?} {time}: {ours} {rate}");
-            }
-        }
-    }
 }

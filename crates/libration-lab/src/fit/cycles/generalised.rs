@@ -48,7 +48,7 @@ pub(in crate::fit) struct Scatter {
 }
 
 /// Entries of a symmetric matrix next to its diagonal: with the row two before, the row before, and itself.
-type Bands = Vec<[f64; 3]>;
+pub type Bands = Vec<[f64; 3]>;
 
 /// Columns that are to explain the periods; one of them is T/T0, with the noise of the amplitudes.
 #[derive(Clone, Copy)]
@@ -172,11 +172,12 @@ impl Equations<'_> {
 }
 
 /// The lower triangle L of a covariance `L·Lᵀ`.
-struct Factor(Bands);
+#[derive(Debug)]
+pub struct Factor(Bands);
 
 impl Factor {
     /// Of the first matrix and `ratio` times the second.
-    fn new(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
+    pub fn new(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
         let mut factor: Bands = Vec::with_capacity(noise.len());
         for (n, (noise, fluctuation)) in noise.iter().zip(fluctuation).enumerate() {
             let [second, first, own] = [0, 1, 2].map(|k| noise[k] + ratio * fluctuation[k]);
@@ -193,7 +194,7 @@ impl Factor {
     }
 
     /// L⁻¹ of a column.
-    fn whitened(&self, column: &[f64]) -> DVector<f64> {
+    pub fn whitened(&self, column: &[f64]) -> DVector<f64> {
         let mut white: Vec<f64> = Vec::with_capacity(column.len());
         for (n, (&value, [second, first, own])) in column.iter().zip(&self.0).enumerate() {
             let before = |back: usize| n.checked_sub(back).map_or(0.0, |m| white[m]);
@@ -203,7 +204,7 @@ impl Factor {
     }
 
     /// The entries of (L·Lᵀ)⁻¹ in the bands, from the last row on (K. Takahashi, J. Fagan, M.-S. Chen, 8th PICA Conference, 1973).
-    fn inverse(&self) -> Bands {
+    pub fn inverse(&self) -> Bands {
         let rows = self.0.len();
         let mut inverse: Bands = vec![[0.0; 3]; rows + 2];
         for n in (0..rows).rev() {
@@ -220,7 +221,8 @@ impl Factor {
         inverse
     }
 
-    fn log_determinant(&self) -> f64 {
+    /// The logarithm of the determinant of the covariance.
+    pub fn log_determinant(&self) -> f64 {
         self.0.iter().map(|entries| 2.0 * libm::log(entries[2])).sum()
     }
 }
@@ -228,38 +230,4 @@ impl Factor {
 fn bands(rows: &[Row], covariance: impl Fn(&Row, &Row) -> f64) -> Bands {
     let entry = |n: usize, back: usize| n.checked_sub(back).map_or(0.0, |m| covariance(&rows[m], &rows[n]));
     (0..rows.len()).map(|n| [entry(n, 2), entry(n, 1), entry(n, 0)]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Against the inverse of the whole matrix.
-    #[test]
-    fn the_bands_give_what_the_whole_covariance_gives() {
-        let entries = |n: usize| [if n > 1 { -0.3 } else { 0.0 }, if n > 0 { 0.2 } else { 0.0 }, 1.5];
-        let noise: Bands = (0..6).map(entries).collect();
-        let none = vec![[0.0; 3]; 6];
-        let factor = Factor::new(&noise, &none, 1.0).unwrap();
-        let matrix = DMatrix::from_fn(6, 6, |i: usize, j: usize| match i.abs_diff(j) {
-            0 => 1.5,
-            1 => 0.2,
-            2 => -0.3,
-            _ => 0.0,
-        });
-        let column = [1.0, -2.0, 0.5, 3.0, 0.0, 1.0];
-        let white = factor.whitened(&column);
-        let square = white.norm_squared();
-        let vector = DVector::from_row_slice(&column);
-        let whole = (vector.transpose() * matrix.clone().try_inverse().unwrap() * &vector)[(0, 0)];
-        assert!((square - whole).abs() < 1e-12 * whole);
-        assert!((factor.log_determinant() - libm::log(matrix.determinant())).abs() < 1e-12);
-        let inverse = matrix.try_inverse().unwrap();
-        for (n, entries) in factor.inverse().into_iter().enumerate() {
-            for (back, entry) in entries.into_iter().rev().enumerate() {
-                let expected = n.checked_sub(back).map_or(0.0, |m| inverse[(n, m)]);
-                assert!((entry - expected).abs() < 1e-12, "{n} {back}");
-            }
-        }
-    }
 }

@@ -14,28 +14,28 @@
 
 mod error;
 
-mod shape;
+pub(crate) mod shape;
 
-mod local_fit;
+pub(crate) mod local_fit;
 
-mod swings;
-mod turning_point;
+pub(crate) mod swings;
+pub(crate) mod turning_point;
 
-mod centre;
+pub(crate) mod centre;
 mod window;
 
 mod passage;
 
-mod even;
+pub(crate) mod even;
 mod extreme;
 
 mod landmarks;
 
-mod generalised;
+pub(crate) mod generalised;
 pub(super) mod period_law;
 pub(super) mod row;
 
-mod decay_rates;
+pub(crate) mod decay_rates;
 mod envelope;
 mod fall;
 

@@ -19,7 +19,7 @@ const STEEP: f64 = 0.9;
 
 /// The shape of swings of one amplitude.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub struct Shape {
     observable: Observable,
     modulus: Modulus,
     amplitude: f64,
@@ -27,14 +27,14 @@ pub(super) struct Shape {
 
 impl Shape {
     /// The shape of this quantity at this amplitude in radians.
-    pub(super) fn new(observable: Observable, amplitude: f64) -> Self {
+    pub fn new(observable: Observable, amplitude: f64) -> Self {
         let amplitude = amplitude.clamp(SMALLEST_AMPLITUDE, LARGEST_AMPLITUDE);
         let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitude)).expect("a sine lies in [0, 1]");
         Self { observable, modulus, amplitude }
     }
 
     /// The value at `part` of a quarter period from the extreme, where it is 1; zero at ±1.
-    pub(super) fn near_extreme(&self, part: f64) -> f64 {
+    pub fn near_extreme(&self, part: f64) -> f64 {
         let quarter = self.modulus.first();
         match self.observable {
             Observable::Angle => {
@@ -46,7 +46,7 @@ impl Shape {
     }
 
     /// How far from a zero, in quarter periods, the value is this part of the extreme, within (−1, 1).
-    pub(super) fn time_since_zero(&self, value: f64) -> f64 {
+    pub fn time_since_zero(&self, value: f64) -> f64 {
         let (size, quarter) = (value.abs().min(1.0), self.modulus.first());
         let part = match self.observable {
             Observable::Angle => {
@@ -59,7 +59,7 @@ impl Shape {
     }
 
     /// The slope of [`Shape::time_since_zero`]: quarter periods per value.
-    pub(super) fn slope_of_time(&self, value: f64) -> f64 {
+    pub fn slope_of_time(&self, value: f64) -> f64 {
         let (k, complementary) = (self.modulus.modulus(), self.modulus.complementary_modulus());
         let size = value.abs().min(1.0);
         // θ′/2ω0 = √(k² − sin²(θ/2)), and v′ of cn = sn·dn.
@@ -76,14 +76,14 @@ impl Shape {
     }
 
     /// [`Self::near_extreme`] as it is asked for so often, up to some part of a quarter period.
-    pub(super) fn near_extreme_for(&self, times: usize, largest: f64) -> impl Fn(f64) -> f64 {
+    pub fn near_extreme_for(&self, times: usize, largest: f64) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let even = often(times, largest, |part| shape.near_extreme(part));
         move |part| even.as_ref().and_then(|even| even.at(part)).unwrap_or_else(|| shape.near_extreme(part))
     }
 
     /// [`Self::time_since_zero`] as it is asked for so often.
-    pub(super) fn time_since_zero_for(&self, times: usize) -> impl Fn(f64) -> f64 {
+    pub fn time_since_zero_for(&self, times: usize) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let even = often(times, STEEP, |value| shape.time_since_zero(value) / value);
         move |value| {
@@ -93,7 +93,7 @@ impl Shape {
     }
 
     /// [`Self::slope_of_time`] so far from a zero in quarter periods, but no nearer to the extreme than this, as it is asked for so often.
-    pub(super) fn slope_near_zero_for(&self, times: usize, nearest: f64) -> impl Fn(f64) -> f64 {
+    pub fn slope_near_zero_for(&self, times: usize, nearest: f64) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let slope = move |part: f64| shape.slope_of_time(shape.near_extreme((1.0 - part.abs()).max(nearest)));
         let even = often(times, 1.0 - nearest, slope);
@@ -101,7 +101,7 @@ impl Shape {
     }
 
     /// The second derivative at the extreme, per quarter period squared, as a positive number.
-    pub(super) fn curvature(&self) -> f64 {
+    pub fn curvature(&self) -> f64 {
         let quarter = self.modulus.first();
         let force = match self.observable {
             Observable::Angle => libm::sin(self.amplitude) / self.amplitude,
@@ -112,95 +112,17 @@ impl Shape {
 }
 
 /// A sum for an even function that is asked for often.
-fn often(times: usize, largest: f64, function: impl Fn(f64) -> f64) -> Option<Even> {
+pub fn often(times: usize, largest: f64, function: impl Fn(f64) -> f64) -> Option<Even> {
     if times >= Even::WORTH { Even::new(largest, function) } else { None }
 }
 
 /// The amplitude of a swing whose fastest velocity is this, in radians; none when it goes over the top.
-pub(super) fn amplitude_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
+pub fn amplitude_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
     let sine = 0.5 * velocity / omega0;
     (sine < 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
 /// The slope of that, in seconds.
-pub(super) fn slope_of_amplitude(amplitude: f64, omega0: f64) -> f64 {
+pub fn slope_of_amplitude(amplitude: f64, omega0: f64) -> f64 {
     1.0 / (omega0 * libm::cos(0.5 * amplitude))
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
-
-    use super::*;
-
-    #[test]
-    fn the_way_back_from_the_shape_is_where_it_came_from() {
-        for observable in [Observable::Angle, Observable::AngularVelocity] {
-            for amplitude in [0.01, 1.0, 2.5, 3.1] {
-                let shape = Shape::new(observable, amplitude);
-                for part in [-0.9, -0.3, 0.0, 0.2, 0.6] {
-                    let value = shape.near_extreme(part);
-                    // Distances from a zero and from the extreme add up to a quarter.
-                    let back = 1.0 - shape.time_since_zero(value);
-                    assert!(
-                        (back - f64::abs(part)).abs() < 1e-9,
-                        "{observable:?} {amplitude} {part}: {back}"
-                    );
-                }
-            }
-        }
-    }
-
-    /// Fewer than are worth a sum, and as many; of all amplitudes, those too to which no sum does.
-    #[test]
-    fn what_is_asked_for_often_is_the_same() {
-        for observable in [Observable::Angle, Observable::AngularVelocity] {
-            for amplitude in [1e-3, 0.5, 2.5, 3.1, 3.13] {
-                let shape = Shape::new(observable, amplitude);
-                for times in [1, Even::WORTH - 1, Even::WORTH, 10_000] {
-                    let near_extreme = shape.near_extreme_for(times, 0.75);
-                    let time_since_zero = shape.time_since_zero_for(times);
-                    let slope = shape.slope_near_zero_for(times, 0.1);
-                    for part in [-1.2, -0.95, -0.9, -0.5, -0.01, 0.01, 0.3, 0.75, 0.89, 0.91, 1.0] {
-                        let exact = shape.slope_of_time(shape.near_extreme((1.0 - f64::abs(part)).max(0.1)));
-                        for (found, exact) in [
-                            (near_extreme(part), shape.near_extreme(part)),
-                            (time_since_zero(part), shape.time_since_zero(part)),
-                            (slope(part), exact),
-                        ] {
-                            assert!(
-                                (found - exact).abs() < 1e-11 * (1.0 + exact.abs()),
-                                "{amplitude} {times} {part}: {found} {exact}"
-                            );
-                        }
-                    }
-                }
-            }
-        }
-        assert!(
-            often(Even::WORTH, 0.75, |part| Shape::new(Observable::Angle, 2.5).near_extreme(part)).is_some()
-        );
-    }
-
-    #[test]
-    fn slopes_and_curvatures_are_derivatives() {
-        for observable in [Observable::Angle, Observable::AngularVelocity] {
-            let shape = Shape::new(observable, 2.0);
-            let step = 1e-4;
-            let slope =
-                (shape.time_since_zero(0.5 + step) - shape.time_since_zero(0.5 - step)) / (2.0 * step);
-            assert!((slope / shape.slope_of_time(0.5) - 1.0).abs() < 1e-6, "{observable:?}");
-            let curvature = 2.0 * (1.0 - shape.near_extreme(step)) / (step * step);
-            assert!((curvature / shape.curvature() - 1.0).abs() < 1e-5, "{observable:?}");
-        }
-    }
-
-    #[test]
-    fn the_fastest_velocity_tells_the_amplitude() {
-        let omega0 = 3.0;
-        let amplitude = amplitude_of_velocity(2.0 * omega0 * libm::sin(0.7), omega0).unwrap();
-        assert!((amplitude - 1.4).abs() < 1e-14);
-        assert_eq!(amplitude_of_velocity(2.0 * omega0, omega0), None);
-        assert!((slope_of_amplitude(FRAC_PI_2, omega0) - 1.0 / (omega0 * libm::cos(PI / 4.0))).abs() < 1e-15);
-    }
 }

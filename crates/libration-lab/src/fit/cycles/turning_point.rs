@@ -2,11 +2,11 @@
 
 /// A turning point of the value.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Extreme {
+pub struct Extreme {
     /// In seconds.
-    pub(super) time: f64,
+    pub time: f64,
     /// From the centre, with its sign.
-    pub(super) value: f64,
+    pub value: f64,
     /// From the noise.
-    pub(super) uncertainty: f64,
+    pub uncertainty: f64,
 }

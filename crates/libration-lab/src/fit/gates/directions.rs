@@ -29,26 +29,26 @@ const FIRST_PERIODS: std::ops::RangeInclusive<f64> = 0.9..=2.5;
 
 /// A passage with its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placed {
-    pub(super) passage: Passage,
+pub struct Placed {
+    pub passage: Passage,
     /// To the one side (0) or the other (1).
-    pub(super) side: usize,
+    pub side: usize,
     /// Which period of its side, from zero.
-    pub(super) turn: usize,
+    pub turn: usize,
 }
 
 /// The passages in order, and what did not fit.
 #[derive(Clone, Debug, PartialEq, Default)]
-pub(super) struct Sorted {
-    pub(super) placed: Vec<Placed>,
+pub struct Sorted {
+    pub placed: Vec<Placed>,
     /// Passages that fit no side.
-    pub(super) spurious: usize,
+    pub spurious: usize,
     /// Passages that are missing.
-    pub(super) missed: usize,
+    pub missed: usize,
 }
 
 /// The passages sorted by sides, as most of them fit.
-pub(super) fn sorted(passages: &[Passage]) -> Option<Sorted> {
+pub fn sorted(passages: &[Passage]) -> Option<Sorted> {
     let typical = typical_period(passages)?;
     let seeds = (0..passages.len().saturating_sub(2).min(SEEDS)).flat_map(|first| {
         let seconds = first + 1..passages.len().min(first + 1 + SECONDS);
@@ -124,62 +124,4 @@ fn follow(passages: &[Passage], first: usize, second: usize, period: f64) -> Sor
         found.placed.push(last[side]);
     }
     found
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn passages(times: &[f64]) -> Vec<Passage> {
-        times.iter().map(|&time| Passage { time, blocked: None }).collect()
-    }
-
-    /// Passages every 0.6 s and 0.4 s, without some and with others.
-    fn times(without: &[usize], with: &[f64]) -> Vec<f64> {
-        let regular = (0..20).flat_map(|k| [f64::from(k), f64::from(k) + 0.6]).enumerate();
-        let mut times: Vec<f64> = regular
-            .filter(|(k, _)| !without.contains(k))
-            .map(|(_, time)| time)
-            .chain(with.iter().copied())
-            .collect();
-        times.sort_by(f64::total_cmp);
-        times
-    }
-
-    #[test]
-    fn a_gate_off_the_centre_has_two_sides() {
-        let found = sorted(&passages(&times(&[], &[]))).unwrap();
-        assert_eq!((found.placed.len(), found.spurious, found.missed), (40, 0, 0));
-        assert!(
-            found.placed.iter().all(|placed| placed.side == usize::from(placed.passage.time.fract() > 0.3))
-        );
-        assert_eq!(found.placed[39].turn, 19);
-    }
-
-    #[test]
-    fn double_triggers_and_missed_passages_are_counted() {
-        let found = sorted(&passages(&times(&[5, 12, 13], &[3.02, 9.61, 10.3]))).unwrap();
-        assert_eq!((found.placed.len(), found.spurious, found.missed), (37, 3, 3));
-        assert_eq!(found.placed.last().unwrap().turn, 19);
-    }
-
-    /// Half periods that fall from 1.6 to 1 times those of small swings, as from 140° on.
-    #[test]
-    fn periods_that_fall_from_large_amplitudes_are_followed() {
-        let half = |k: i32| 0.5 * (1.0 + 0.6 * libm::exp(-0.06 * f64::from(k)));
-        let mut times = vec![0.0];
-        (0..60).for_each(|k| times.push(times[times.len() - 1] + half(k)));
-        let found = sorted(&passages(&times)).unwrap();
-        assert_eq!((found.placed.len(), found.spurious, found.missed), (61, 0, 0));
-        times.remove(9);
-        times.insert(5, times[4] + 0.02);
-        let found = sorted(&passages(&times)).unwrap();
-        assert_eq!((found.placed.len(), found.spurious, found.missed), (60, 1, 1));
-    }
-
-    #[test]
-    fn a_double_trigger_at_the_beginning_is_no_side() {
-        let found = sorted(&passages(&times(&[], &[0.02]))).unwrap();
-        assert_eq!((found.placed.len(), found.spurious), (40, 1));
-    }
 }

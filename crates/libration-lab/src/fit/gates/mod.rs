@@ -6,25 +6,25 @@
 
 mod error;
 
-mod passages;
+pub(crate) mod passages;
 
-mod directions;
+pub(crate) mod directions;
 
 mod swings;
 
 mod scatter;
 
-mod speeds;
+pub(crate) mod speeds;
 
 mod amplitudes;
 
 mod rows;
-mod trend;
+pub(crate) mod trend;
 
 mod analysis;
 mod warning;
 
-mod width;
+pub(crate) mod width;
 
 mod gravity;
 

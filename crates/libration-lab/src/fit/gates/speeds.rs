@@ -12,7 +12,7 @@ const LARGEST: f64 = 3.13;
 
 /// The amplitude, in radians, of a pendulum of this ω0 that blocks a gate for this time with an angle of this width, so long
 /// from the bottom; none where it goes over the top.
-pub(super) fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64) -> Option<f64> {
+pub fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64) -> Option<f64> {
     let wanted = 0.5 * width / (blocked * omega0);
     let speed = |amplitude: f64| {
         let sine = libm::sin(0.5 * amplitude);
@@ -23,26 +23,4 @@ pub(super) fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64)
     }
     let [amplitude, _] = bisect([0.0, LARGEST], Tolerance::absolute(1e-12), |it| speed(it) < wanted);
     Some(amplitude)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use libration::pendulum::Pendulum;
-    use libration::quantity::Angle;
-
-    /// A narrow bob, 0.1 rad from the bottom.
-    #[test]
-    fn a_gate_off_the_centre_tells_the_same_amplitude() {
-        let motion = Pendulum::from_angular_frequency(3.0).unwrap();
-        let motion = motion.released_from(Angle::from_radians(0.8).unwrap()).unwrap();
-        let quarter = 0.25 * motion.period();
-        for from_bottom in [0.0, 0.04] {
-            let width = 1e-4;
-            let state = motion.state_at(quarter + from_bottom);
-            let found = amplitude(3.0, width, width / state.velocity.abs(), from_bottom).unwrap();
-            assert!((found - 0.8).abs() < 1e-7, "{found}");
-        }
-        assert_eq!(amplitude(3.0, 0.1, 0.01, 0.0), None);
-    }
 }

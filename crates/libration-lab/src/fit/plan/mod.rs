@@ -9,8 +9,6 @@
 //! frequency of a sinusoid, u(Ω)² = 24σ²/(A²NT²), is that for small amplitudes.
 
 mod information;
-#[cfg(test)]
-mod tests;
 
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::{Quantity, short};
@@ -19,7 +17,7 @@ use libration::quantity::{Quantity, short};
 pub const MOST_SWINGS: usize = 10_000;
 
 /// Fewer swings than this tell the motion from an offset too badly.
-const FEWEST_SWINGS: usize = 2;
+pub const FEWEST_SWINGS: usize = 2;
 
 /// From fewer rows in a period than this a fit of the trace finds no beginning: swings of 60° with 4.8 rows had none, with 6 they had.
 const FEWEST_ROWS: f64 = 6.0;
@@ -144,7 +142,8 @@ impl PlannedRecording {
     }
 
     /// √(g/L), in rad/s.
-    fn angular_frequency(&self) -> f64 {
+    #[doc(hidden)]
+    pub fn angular_frequency(&self) -> f64 {
         (self.gravity / self.length.value).sqrt()
     }
 

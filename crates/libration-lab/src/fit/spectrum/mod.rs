@@ -15,7 +15,7 @@ mod measured;
 mod noise;
 mod remark;
 mod tapered;
-mod theory;
+pub(crate) mod theory;
 mod window_fit;
 mod windows;
 

@@ -6,7 +6,7 @@ use crate::measurement::Trace;
 
 /// At least one trace, of angles or of velocities that a pendulum can have.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Data<'a> {
+pub struct Data<'a> {
     pub(super) traces: &'a [Trace],
 }
 

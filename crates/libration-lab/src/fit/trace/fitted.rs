@@ -77,7 +77,8 @@ pub struct TraceFit {
     /// Whether the search ended at a minimum.
     pub converged: bool,
     /// In units of the stated uncertainties, outliers at their full size.
-    pub(super) standard_residuals: Vec<f64>,
+    #[doc(hidden)]
+    pub standard_residuals: Vec<f64>,
 }
 
 impl TraceFit {

@@ -6,7 +6,7 @@ use crate::measurement::{Observable, Trace};
 /// The places of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
 /// first angle and first velocity of each trace.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Layout {
+pub struct Layout {
     terms: DampingModel,
     traces: usize,
 }
@@ -23,7 +23,7 @@ impl Layout {
         self.terms
     }
 
-    pub(super) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.scale() + 1 + Self::OWN * self.traces
     }
 
@@ -32,11 +32,11 @@ impl Layout {
     }
 
     /// How many radians are seen for each.
-    pub(super) fn scale(&self) -> usize {
+    pub fn scale(&self) -> usize {
         1 + self.terms.count()
     }
 
-    pub(super) fn offset(&self, trace: usize) -> usize {
+    pub fn offset(&self, trace: usize) -> usize {
         self.scale() + 1 + Self::OWN * trace
     }
 

@@ -15,19 +15,20 @@ use nalgebra::DVector;
 
 /// Where a search begins, and what it may do.
 #[derive(Clone, Debug)]
-pub(super) struct Start {
+pub struct Start {
     /// Of all parameters.
-    pub(super) parameters: Vec<f64>,
+    pub parameters: Vec<f64>,
     /// The places of those that are varied.
-    pub(super) free: Vec<usize>,
+    pub free: Vec<usize>,
     /// Evaluations for each free parameter and one more.
-    pub(super) patience: usize,
-    pub(super) care: Care,
+    pub patience: usize,
+    /// How exact it is.
+    pub care: Care,
 }
 
 /// How exact a search is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Care {
+pub struct Care {
     /// Of the motion.
     effort: Effort,
     /// The relative change of the sum of squares that is none.
@@ -36,7 +37,7 @@ pub(super) struct Care {
 
 impl Care {
     /// To ten times what motions are followed to.
-    pub(super) const FULL: Self = Self { effort: super::swing::EXACT, tolerance: 1e-11 };
+    pub const FULL: Self = Self { effort: super::swing::EXACT, tolerance: 1e-11 };
     /// To see which of some models is the right one: the last digits of the others are of no interest, and a sum of squares that is not
     /// made of noise comes down slowly.
     pub(super) const COMPARISON: Self = Self { tolerance: 1e-9, ..Self::FULL };
@@ -50,11 +51,11 @@ impl Care {
 
 /// The best parameters that a search has found.
 #[derive(Clone, Debug)]
-pub(super) struct Descent {
+pub struct Descent {
     /// All of them.
-    pub(super) parameters: Vec<f64>,
+    pub parameters: Vec<f64>,
     /// Of the residuals, times their weights.
-    pub(super) sum_of_squares: f64,
+    pub sum_of_squares: f64,
     /// As a part of the scatter of the rows that count.
     pub(super) unexplained: f64,
     /// Of what was seen with the motion, in the worst part of a trace: the cosine of the phase between them.
@@ -66,18 +67,19 @@ pub(super) struct Descent {
 
 /// The best parameters, and what is known there.
 #[derive(Clone, Debug)]
-pub(super) struct Minimum {
+pub struct Minimum {
     /// All of them.
-    pub(super) parameters: Vec<f64>,
+    pub parameters: Vec<f64>,
     /// By the free parameters, of all rows.
-    pub(super) linearised: Linearised,
-    pub(super) weights: Weights,
+    pub linearised: Linearised,
+    /// Of all rows.
+    pub weights: Weights,
     pub(super) converged: bool,
 }
 
 impl Minimum {
     /// The sum of the squares of the residuals.
-    pub(super) fn sum_of_squares(&self) -> f64 {
+    pub fn sum_of_squares(&self) -> f64 {
         self.linearised.residuals.norm_squared()
     }
 
@@ -96,7 +98,7 @@ impl Minimum {
 }
 
 /// The way down from where the search starts. `watch` is asked before each evaluation of the motion.
-pub(super) fn descent(
+pub fn descent(
     model: &Model,
     series: &[Series<'_>],
     start: Start,

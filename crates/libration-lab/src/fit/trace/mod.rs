@@ -13,41 +13,38 @@
 mod error;
 mod options;
 
-mod swing;
+pub(crate) mod swing;
 
 mod weak_form;
 
 mod data;
-mod huber;
+pub(crate) mod huber;
 mod layout;
-mod minimum;
-mod model;
-mod problem;
-mod search;
-mod series;
-mod weights;
+pub(crate) mod minimum;
+pub(crate) mod model;
+pub(crate) mod problem;
+pub(crate) mod search;
+pub(crate) mod series;
+pub(crate) mod weights;
 
 mod autocorrelation;
 mod bootstrap;
-mod noise;
-mod random;
+pub(crate) mod noise;
+pub(crate) mod random;
 mod response;
-mod uncertainty;
+pub(crate) mod uncertainty;
 
-mod clock;
+pub(crate) mod clock;
 mod pivot;
-mod systematic;
+pub(crate) mod systematic;
 
-mod profile;
+pub(crate) mod profile;
 
-mod comparison;
+pub(crate) mod comparison;
 mod fitted;
-mod information;
+pub(crate) mod information;
 
 mod continuation;
-
-#[cfg(test)]
-mod tests;
 
 pub use super::{DampingKind, DampingModel, DampingModelError};
 pub use autocorrelation::Autocorrelation;

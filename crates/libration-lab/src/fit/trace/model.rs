@@ -11,15 +11,15 @@ use nalgebra::{DMatrix, DVector};
 
 /// The motion of some traces, and the parameters it has.
 #[derive(Clone, Debug)]
-pub(super) struct Model {
-    pub(super) layout: Layout,
+pub struct Model {
+    pub layout: Layout,
     swing: Swing,
     free_scale: bool,
 }
 
 /// What the rows of one trace miss, with the derivatives by the parameters that they depend on.
 #[derive(Clone, Debug)]
-pub(super) struct Rows {
+pub struct Rows {
     /// Of all parameters.
     places: Vec<usize>,
     /// The derivatives, then the residuals, all times the weights.
@@ -33,13 +33,13 @@ impl Model {
     }
 
     /// The places of the parameters that are varied.
-    pub(super) fn free(&self) -> Vec<usize> {
+    pub fn free(&self) -> Vec<usize> {
         (0..self.layout.len()).filter(|&place| self.free_scale || place != self.layout.scale()).collect()
     }
 
     /// The rows at each of some sets of parameters, those of all traces one behind the other; none where the motion cannot be
     /// followed.
-    pub(super) fn rows(
+    pub fn rows(
         &self,
         series: &[Series<'_>],
         parameters: &[f64],
@@ -104,23 +104,22 @@ impl Model {
 
 impl Rows {
     /// Of all parameters, those that the rows depend on.
-    #[cfg(test)]
-    pub(super) fn places(&self) -> &[usize] {
+    pub fn places(&self) -> &[usize] {
         &self.places
     }
 
     /// The residuals, times their weights.
-    pub(super) fn residuals(&self) -> Vec<f64> {
+    pub fn residuals(&self) -> Vec<f64> {
         self.matrix.column(self.places.len()).iter().copied().collect()
     }
 
     /// All rows, by all free parameters.
-    pub(super) fn whole(rows: &[Self], free: &[usize]) -> Linearised {
+    pub fn whole(rows: &[Self], free: &[usize]) -> Linearised {
         stacked(&rows.iter().map(|rows| (&rows.places[..], &rows.matrix)).collect::<Vec<_>>(), free)
     }
 
     /// As few as there are parameters, which have the same sum of squares with the same slopes.
-    pub(super) fn few(rows: &[Self], free: &[usize]) -> Linearised {
+    pub fn few(rows: &[Self], free: &[usize]) -> Linearised {
         let few: Vec<DMatrix<f64>> = rows.iter().map(|rows| triangle(&rows.matrix)).collect();
         let parts = rows.iter().zip(&few).map(|(rows, few)| (&rows.places[..], few));
         stacked(&parts.collect::<Vec<_>>(), free)

@@ -18,11 +18,11 @@ use crate::statistics::{count, median};
 
 /// What the noise does to one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Effect {
+pub struct Effect {
     /// Its variance over the one it had if the residuals were independent.
-    pub(super) inflation: f64,
+    pub inflation: f64,
     /// Of Student's t, by which its intervals are found.
-    pub(super) degrees_of_freedom: f64,
+    pub degrees_of_freedom: f64,
 }
 
 /// White parts of the variance that are tried; 1 is white noise alone. Of 21 recordings with 0 and ½ alone one swing nearly at rest had an
@@ -32,7 +32,8 @@ const WHITE_PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.7, 0.85];
 /// Times that are tried, in steps between rows: from so short a one, each longer by this factor. From 0.2 and 0.8 on, and with a factor of
 /// 1.3, the uncertainty of T0 changed by a tenth in one of twelve recordings (`search.rs`); with 2.2 by a fifth in two.
 const SHORTEST: f64 = 0.4;
-const FACTOR: f64 = 1.6;
+/// By how much each time that is tried is longer than the one before.
+pub const FACTOR: f64 = 1.6;
 /// Longer times than this part of a trace are drift, and longer ones than so many rows cannot be distinguished from it. With 0.06 the
 /// uncertainty of T0 fell by 15 % in one of the twelve, with 0.25 it rose by 5 %; with 100 and 1600 rows nothing changed.
 const LONGEST_PART: f64 = 0.125;
@@ -67,7 +68,7 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
 }
 
 /// From the logarithms of the inflation under each noise. Those of a variance with ν degrees of freedom scatter by √(2/ν).
-fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
+pub fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
     let total: f64 = weights.iter().sum();
     let mean_of = |value: &dyn Fn(f64) -> f64| {
         logarithms.iter().zip(weights).map(|(&x, weight)| weight * value(x)).sum::<f64>() / total
@@ -79,7 +80,7 @@ fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
 }
 
 /// The times in seconds after which a noise has forgotten all but 1/e.
-fn times(traces: &[Trace]) -> Vec<f64> {
+pub fn times(traces: &[Trace]) -> Vec<f64> {
     let steps = traces.iter().flat_map(|trace| trace.times().windows(2).map(|pair| pair[1] - pair[0]));
     let Some(step) = median(steps.collect()) else { return vec![] };
     let span = |trace: &Trace| trace.times()[trace.len() - 1] - trace.times()[0];
@@ -89,7 +90,7 @@ fn times(traces: &[Trace]) -> Vec<f64> {
 }
 
 /// What is left after each step of what is remembered for so long; nothing before the first row, and of what is white.
-fn memories(time: f64, times: &[f64]) -> Vec<f64> {
+pub fn memories(time: f64, times: &[f64]) -> Vec<f64> {
     let one = |pair: &[f64]| if time > 0.0 { libm::exp((pair[0] - pair[1]) / time) } else { 0.0 };
     [0.0].into_iter().chain(times.windows(2).map(one)).collect()
 }
@@ -104,19 +105,25 @@ struct Tried {
 }
 
 /// The rows of one trace.
-struct Part<'a> {
-    times: &'a [f64],
-    first: usize,
+#[derive(Debug)]
+pub struct Part<'a> {
+    /// In seconds.
+    pub times: &'a [f64],
+    /// The place of its first row among those of all traces.
+    pub first: usize,
     /// The parameters on which these rows depend, and at the end the place of the residuals.
-    places: Vec<usize>,
+    pub places: Vec<usize>,
     /// Row by row, the derivatives by these and the residual.
-    rows: Vec<f64>,
+    pub rows: Vec<f64>,
 }
 
 /// All rows, with derivatives of the size of one.
-struct Rows<'a> {
-    parts: Vec<Part<'a>>,
-    parameters: usize,
+#[derive(Debug)]
+pub struct Rows<'a> {
+    /// Trace by trace.
+    pub parts: Vec<Part<'a>>,
+    /// How many there are.
+    pub parameters: usize,
 }
 
 impl<'a> Rows<'a> {
@@ -179,7 +186,7 @@ impl<'a> Rows<'a> {
     }
 
     /// The two parts of a Σ aᵀ for each parameter, with the row a of the response: of each row with itself, and with those before it.
-    fn spreads(&self, memories: &[Vec<f64>], response: &DMatrix<f64>) -> Vec<[f64; 2]> {
+    pub fn spreads(&self, memories: &[Vec<f64>], response: &DMatrix<f64>) -> Vec<[f64; 2]> {
         let p = self.parameters;
         let mut sums = vec![[0.0; 2]; p];
         for (part, memories) in self.parts.iter().zip(memories) {
@@ -202,7 +209,7 @@ impl<'a> Rows<'a> {
 impl Part<'_> {
     /// Adds the products of the columns, made white by Kalman's filter, and returns the logarithm of the determinant of
     /// their covariance.
-    fn add_products(&self, white: f64, memories: &[f64], products: &mut DMatrix<f64>) -> f64 {
+    pub fn add_products(&self, white: f64, memories: &[f64], products: &mut DMatrix<f64>) -> f64 {
         let (width, remembered) = (self.places.len(), 1.0 - white);
         let (mut expected, mut made_white) = (vec![0.0; width], vec![0.0; width]);
         let mut sums = vec![0.0; width * width];
@@ -238,69 +245,5 @@ impl Part<'_> {
             }
         }
         logarithm + libm::log(determinant)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::measurement::Observable;
-
-    fn part(times: &[f64]) -> Part<'_> {
-        let rows = times.iter().flat_map(|&t| [libm::sin(t), 1.0 + t * t]).collect();
-        Part { times, first: 0, places: vec![0, 1], rows }
-    }
-
-    fn covariance(times: &[f64]) -> DMatrix<f64> {
-        DMatrix::from_fn(times.len(), times.len(), |i: usize, j: usize| {
-            let memory = libm::exp(-(times[i] - times[j]).abs() / TIME);
-            (1.0 - WHITE) * memory + if i == j { WHITE } else { 0.0 }
-        })
-    }
-
-    /// Uneven times, and both parts.
-    const TIMES: [f64; 11] = [0.0, 0.3, 0.4, 1.0, 1.7, 1.9, 2.0, 2.4, 2.5, 3.0, 3.6];
-    const TIME: f64 = 0.8;
-    const WHITE: f64 = 0.3;
-
-    /// Against the inverse and the determinant of the whole matrix.
-    #[test]
-    fn the_filter_gives_what_the_whole_covariance_gives() {
-        let (part, whole) = (part(&TIMES), covariance(&TIMES));
-        let mut products = DMatrix::zeros(2, 2);
-        let logarithm = part.add_products(WHITE, &memories(TIME, &TIMES), &mut products);
-        assert!((logarithm - libm::log(whole.determinant())).abs() < 1e-12);
-        let columns = DMatrix::from_fn(TIMES.len(), 2, |row, place| part.rows[2 * row + place]);
-        let expected = columns.transpose() * whole.try_inverse().unwrap() * columns;
-        assert!((&products - &expected).norm() < 1e-13 * expected.norm());
-    }
-
-    #[test]
-    fn the_spread_is_that_of_the_whole_covariance() {
-        let response = DMatrix::from_fn(1, TIMES.len(), |_, n| libm::cos(count(n)));
-        let rows = Rows { parts: vec![part(&TIMES)], parameters: 1 };
-        let expected = (&response * covariance(&TIMES) * response.transpose())[(0, 0)];
-        let [own, shared] = rows.spreads(&[memories(TIME, &TIMES)], &response)[0];
-        assert!((own + 2.0 * (1.0 - WHITE) * shared - expected).abs() < 1e-12);
-    }
-
-    /// Half of the weight at e² times the variance: the mean is e, and the logarithms scatter by 1.
-    #[test]
-    fn noises_that_disagree_leave_few_degrees_of_freedom() {
-        let found = mean_effect(&[0.0, 2.0], &[0.5, 0.5], 1e9);
-        assert!((found.inflation - std::f64::consts::E).abs() < 1e-12);
-        assert!((found.degrees_of_freedom - 2.0).abs() < 1e-6, "{found:?}");
-        let alike = mean_effect(&[0.5, 0.5], &[0.9, 0.1], 30.0);
-        assert!((alike.degrees_of_freedom - 30.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn times_go_up_to_an_eighth_of_the_trace() {
-        let times: Vec<f64> = (0..81).map(|row| 0.1 * f64::from(row)).collect();
-        let trace =
-            Trace::new("eight seconds", Observable::Angle, times.clone(), vec![0.0; 81], None).unwrap();
-        let found = super::times(&[trace]);
-        assert!(found.iter().all(|time| (0.039..=1.0).contains(time)));
-        assert!(found.iter().any(|time| *time > 1.0 / FACTOR));
     }
 }

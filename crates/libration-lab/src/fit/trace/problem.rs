@@ -15,19 +15,21 @@ use std::f64::consts::TAU;
 
 /// Traces and a model of them.
 #[derive(Clone, Debug)]
-pub(super) struct Problem<'a> {
-    pub(super) data: Data<'a>,
-    pub(super) model: Model,
+pub struct Problem<'a> {
+    /// The traces.
+    pub data: Data<'a>,
+    /// What is fitted to them.
+    pub model: Model,
     pub(super) options: TraceOptions,
     /// Where the search of each trace begins.
     pub(super) beginnings: Vec<Beginning>,
     /// How many small periods the longest trace has.
-    pub(super) cycles: f64,
+    pub cycles: f64,
 }
 
 /// Evaluations for each parameter of a search that may have to go far, as MINPACK counts them: of 24 recordings (`search.rs`) all but
 /// one that no model describes ended alike with 10 and with 60.
-pub(super) const PATIENCE: usize = 30;
+pub const PATIENCE: usize = 30;
 /// Of one that begins near a minimum that is known: with 1, 3 and 30 the parameters of 21 fits moved by less than 2e-6 of their uncertainties.
 const PATIENCE_NEAR: usize = 8;
 /// Rounds in which the weights of outliers are renewed: with 5, 10 and 100 twelve robust fits ended alike.
@@ -41,7 +43,7 @@ const SMALL_PART: f64 = 0.01;
 
 impl<'a> Problem<'a> {
     /// Traces with rows enough for these kinds of damping.
-    pub(super) fn new(
+    pub fn new(
         traces: &'a [Trace],
         terms: DampingModel,
         options: TraceOptions,
@@ -65,7 +67,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The minimum near some parameters, robust if asked for.
-    pub(super) fn minimum_near(
+    pub fn minimum_near(
         &self,
         parameters: Vec<f64>,
         patience: usize,
@@ -126,7 +128,7 @@ impl<'a> Problem<'a> {
 
     /// The least sum of squares next to some parameters with these free, at the weights of a minimum with this sum. Where the way down is
     /// a small part of what the sum is above that, it is taken as if the model were linear.
-    pub(super) fn sum_beside(
+    pub fn sum_beside(
         &self,
         weights: &Weights,
         parameters: Vec<f64>,

@@ -2,10 +2,11 @@
 
 /// The generator of S. Vigna and others, `SplitMix64` (doi:10.1145/2660193.2660195).
 #[derive(Clone, Debug)]
-pub(super) struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
-    pub(super) fn new(seed: u64) -> Self {
+    /// The numbers that follow from a seed.
+    pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -18,7 +19,7 @@ impl Random {
     }
 
     /// A whole number below `limit`, which is not zero.
-    pub(super) fn below(&mut self, limit: usize) -> usize {
+    pub fn below(&mut self, limit: usize) -> usize {
         let limit = limit as u64;
         #[expect(clippy::cast_possible_truncation, reason = "it is below a number of rows")]
         let number = ((u128::from(self.next()) * u128::from(limit)) >> 64) as usize;

@@ -53,7 +53,7 @@ struct Followed {
 }
 
 /// Roughly the minimum, from the first swings on; `known` is the deepest that is known already.
-pub(super) fn from_scratch(
+pub fn from_scratch(
     problem: &Problem<'_>,
     known: Option<&Descent>,
     watch: &Watch<'_>,

@@ -9,12 +9,15 @@ use crate::statistics::{count, mean};
 
 /// Rows of one trace.
 #[derive(Clone, Debug)]
-pub(super) struct Series<'a> {
-    pub(super) observable: Observable,
-    pub(super) times: Cow<'a, [f64]>,
-    pub(super) values: Cow<'a, [f64]>,
+pub struct Series<'a> {
+    /// What the values are.
+    pub observable: Observable,
+    /// In seconds.
+    pub times: Cow<'a, [f64]>,
+    /// What was seen at these times.
+    pub values: Cow<'a, [f64]>,
     /// By which residuals are multiplied.
-    pub(super) weights: Cow<'a, [f64]>,
+    pub weights: Cow<'a, [f64]>,
 }
 
 /// A search wants no more rows of a small period: of 24 recordings, with all models, those that some model describes ended as with all rows.
@@ -23,7 +26,7 @@ const ROWS_OF_A_SEARCH: f64 = 64.0;
 impl Series<'_> {
     /// How alike the values and what should have been seen are in each of some parts of the rows, as a coefficient of correlation: the least
     /// of them. It does not see the amplitude, but the phase: its cosine.
-    pub(super) fn least_correlation(&self, residuals: &[f64]) -> f64 {
+    pub fn least_correlation(&self, residuals: &[f64]) -> f64 {
         /// A motion that loses a cycle is out of phase for a good part of the trace before.
         const PARTS: usize = 10;
         let rows = (residuals.len() / PARTS).max(1);
@@ -48,17 +51,12 @@ fn correlation(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// All rows of all traces.
-pub(super) fn whole<'a>(data: Data<'a>, weights: &'a Weights) -> Vec<Series<'a>> {
+pub fn whole<'a>(data: Data<'a>, weights: &'a Weights) -> Vec<Series<'a>> {
     thinned(data, &data.rows(), weights, f64::INFINITY)
 }
 
 /// The first rows of each trace, of those that a search over so much time wants, which are evenly chosen.
-pub(super) fn of_search<'a>(
-    data: Data<'a>,
-    rows: &[usize],
-    weights: &'a Weights,
-    cycles: f64,
-) -> Vec<Series<'a>> {
+pub fn of_search<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, cycles: f64) -> Vec<Series<'a>> {
     thinned(data, rows, weights, ROWS_OF_A_SEARCH * cycles.max(1.0))
 }
 
@@ -90,32 +88,4 @@ fn thinned<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, wanted: f64
         }
     };
     data.traces.iter().zip(weights.traces()).zip(rows).map(one).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn series<'a>(times: &'a [f64], values: &'a [f64], weights: &'a [f64]) -> Series<'a> {
-        let [times, values, weights] = [times, values, weights].map(Cow::Borrowed);
-        Series { observable: Observable::Angle, times, values, weights }
-    }
-
-    /// A swing that dies away against one that does not, in phase and by up to half a turn out of it in the end.
-    #[test]
-    fn the_correlation_tells_the_phase_and_not_the_amplitude() {
-        let times: Vec<f64> = (0..5000).map(|row| 0.02 * f64::from(row)).collect();
-        let values: Vec<f64> = times.iter().map(|t| libm::exp(-0.05 * t) * libm::cos(3.0 * t)).collect();
-        let weights = vec![2.0; 5000];
-        let series = series(&times, &values, &weights);
-        for (phase, expected) in [(0.0, 0.98..1.0), (0.7, 0.7..0.85), (3.1, -1.0..-0.85)] {
-            let fitted = times.iter().map(|t| libm::cos((3.0 + 0.01 * phase) * t));
-            let residuals: Vec<f64> =
-                fitted.zip(&values).map(|(fitted, value)| 2.0 * (fitted - value)).collect();
-            let found = series.least_correlation(&residuals);
-            assert!(expected.contains(&found), "{phase}: {found}");
-        }
-        let still: Vec<f64> = values.iter().map(|value| -2.0 * value).collect();
-        assert!(series.least_correlation(&still) == 0.0, "what does not move has no phase");
-    }
 }

@@ -14,11 +14,7 @@ use crate::measurement::Trace;
 use crate::statistics::{count, mean};
 
 /// The fit with its uncertainties.
-pub(super) fn fit(
-    problem: &Problem<'_>,
-    minimum: &Minimum,
-    watch: &Watch<'_>,
-) -> Result<TraceFit, TraceFitError> {
+pub fn fit(problem: &Problem<'_>, minimum: &Minimum, watch: &Watch<'_>) -> Result<TraceFit, TraceFitError> {
     let traces = problem.data.traces;
     let residuals = minimum.standard_residuals(traces);
     let scatter = Scatter::new(problem, &residuals);

@@ -5,11 +5,11 @@ use crate::measurement::Trace;
 
 /// By which the residual of each row is multiplied, trace by trace: one over its standard deviation, less for outliers.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Weights(Vec<Vec<f64>>);
+pub struct Weights(Vec<Vec<f64>>);
 
 impl Weights {
     /// One over the stated uncertainty of each row, or one.
-    pub(super) fn stated(traces: &[Trace]) -> Self {
+    pub fn stated(traces: &[Trace]) -> Self {
         let weights = |trace: &Trace| match trace.uncertainties() {
             Some(uncertainties) => uncertainties.iter().map(|uncertainty| 1.0 / uncertainty).collect(),
             None => vec![1.0; trace.len()],

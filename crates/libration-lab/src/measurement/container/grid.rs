@@ -4,7 +4,7 @@ use super::super::MeasurementError;
 
 /// Cells in any order, and the bytes their text will take.
 #[derive(Clone, Debug)]
-pub(super) struct Grid {
+pub struct Grid {
     cells: Vec<(u32, u32, String)>,
     bytes: usize,
     limit: usize,
@@ -12,17 +12,17 @@ pub(super) struct Grid {
 
 impl Grid {
     /// No cells yet, and a limit to what they may take.
-    pub(super) fn new(limit: usize) -> Self {
+    pub fn new(limit: usize) -> Self {
         Self { cells: Vec::new(), bytes: 0, limit }
     }
 
     /// Adds a number as the shortest decimal that reads back the same.
-    pub(super) fn number(&mut self, row: u32, column: u32, number: f64) -> Result<(), MeasurementError> {
+    pub fn number(&mut self, row: u32, column: u32, number: f64) -> Result<(), MeasurementError> {
         self.text(row, column, &number.to_string())
     }
 
     /// Adds words; tabs, line ends and quotes in them become blanks.
-    pub(super) fn text(&mut self, row: u32, column: u32, text: &str) -> Result<(), MeasurementError> {
+    pub fn text(&mut self, row: u32, column: u32, text: &str) -> Result<(), MeasurementError> {
         let text = text.replace(['\t', '\n', '\r', '"', '\0'], " ");
         self.bytes = self.bytes.saturating_add(text.len() + 1);
         self.check(self.bytes)?;
@@ -36,7 +36,7 @@ impl Grid {
 
     /// The text; a cell that was added twice is what it was first. Files leave out blank cells: rows that begin with a number are all as long as
     /// the longest of them.
-    pub(super) fn into_text(mut self) -> Result<String, MeasurementError> {
+    pub fn into_text(mut self) -> Result<String, MeasurementError> {
         self.cells.sort_by_key(|(row, column, _)| (*row, *column));
         self.cells.dedup_by_key(|(row, column, _)| (*row, *column));
         let rows = || self.cells.chunk_by(|one, next| one.0 == next.0);
@@ -66,28 +66,5 @@ impl Grid {
         self.check(text.len().saturating_add(times))?;
         text.extend(std::iter::repeat_n(letter, times));
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cells_keep_their_places_and_far_ones_are_refused() {
-        let mut grid = Grid::new(1000);
-        grid.number(2, 1, -0.25).unwrap();
-        grid.text(0, 0, "a\tb").unwrap();
-        assert_eq!(grid.into_text().unwrap(), "a b\n\n\t-0.25");
-        let mut blank = Grid::new(1000);
-        blank.text(0, 0, "of Monday").unwrap();
-        for (row, column) in [(1, 0), (1, 1), (2, 0), (3, 1)] {
-            blank.number(row, column, 0.5).unwrap();
-        }
-        assert_eq!(blank.into_text().unwrap(), "of Monday\n0.5\t0.5\n0.5\t\n\t0.5");
-        let mut far = Grid::new(1000);
-        far.number(0, 2000, 1.0).unwrap();
-        assert!(far.into_text().is_err());
-        assert!(Grid::new(5).text(0, 0, "abcdef").is_err());
     }
 }

@@ -1,11 +1,13 @@
 //! Files that hold several tables: Excel workbooks and archives of text files, each table as a text.
 
 mod archive;
-mod date_formats;
-mod grid;
+pub(crate) mod date_formats;
+mod entry_name;
+pub(crate) mod grid;
 mod part;
-mod xls;
-mod xlsx;
+mod unpacked;
+pub(crate) mod xls;
+pub(crate) mod xlsx;
 
 use super::MeasurementError;
 use super::dialect::{Delimiter, Dialect};

@@ -35,7 +35,7 @@ pub(super) fn stuck(values: &[f64], noise: f64) -> Vec<Plateau> {
 }
 
 /// Runs of three rows or more at the largest or the smallest value which the motion enters and leaves fast.
-pub(super) fn clipped(values: &[f64]) -> Vec<Plateau> {
+pub fn clipped(values: &[f64]) -> Vec<Plateau> {
     let step = smallest_step(values).unwrap_or(0.0);
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
     let is_clipped = |run: &Plateau| {
@@ -61,30 +61,4 @@ fn runs(values: &[f64]) -> Vec<Plateau> {
 fn neighbours(values: &[f64], run: &Plateau) -> Option<(f64, f64)> {
     let before = run.first.checked_sub(1)?;
     Some((values[before], *values.get(run.first + run.rows)?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Up to a top of so many rows and down again, in steps of 0.1, and far below.
-    fn top(rows: usize, beside: f64) -> Vec<f64> {
-        [vec![-1.0, 0.0, 0.1, 1.0 - beside], vec![1.0; rows], vec![1.0 - beside, 0.1, 0.0, -0.9]].concat()
-    }
-
-    #[test]
-    fn three_rows_at_an_end_that_the_motion_leaves_fast_are_clipped_and_two_are_not() {
-        let found: Vec<(usize, usize)> =
-            clipped(&top(3, 0.7)).iter().map(|run| (run.first, run.rows)).collect();
-        assert_eq!(found, [(4, 3)]);
-        assert_eq!(clipped(&top(2, 0.7)), []);
-        let upside_down: Vec<f64> = top(3, 0.7).iter().map(|value| -value).collect();
-        assert!((clipped(&upside_down)[0].value + 1.0).abs() < 1e-15);
-    }
-
-    #[test]
-    fn a_turning_point_within_five_steps_of_the_scale_is_no_clipping() {
-        assert_eq!(clipped(&top(3, 0.45)), []);
-        assert_eq!(clipped(&top(3, 0.55)).len(), 1);
-    }
 }

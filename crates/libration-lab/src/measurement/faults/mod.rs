@@ -4,17 +4,15 @@
 //! Rows whose time is not after the one before are to be left out ([`Faults::left_out`]), since a trace needs
 //! increasing times; everything else is only marked.
 
-mod clipping;
+pub(crate) mod clipping;
 mod clock;
-mod even_times;
+pub(crate) mod even_times;
 mod grid;
-pub(in crate::measurement) mod order;
-mod outliers;
+pub(crate) mod order;
+pub(crate) mod outliers;
 mod sentences;
-mod significant_digits;
+pub(crate) mod significant_digits;
 mod steps;
-#[cfg(test)]
-mod tests;
 
 pub use clipping::Plateau;
 pub use clock::{Clock, Gap};

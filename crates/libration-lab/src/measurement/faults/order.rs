@@ -10,7 +10,7 @@ pub(in crate::measurement) fn repeated(times: &[f64]) -> Vec<usize> {
 }
 
 /// The rows at which the times fall below all of the last ones and go on from there.
-pub(in crate::measurement) fn restarts(times: &[f64]) -> Vec<usize> {
+pub fn restarts(times: &[f64]) -> Vec<usize> {
     let begins_anew = |&row: &usize| {
         let before = &times[row.saturating_sub(WITNESSES)..row];
         let after = &times[row..times.len().min(row + WITNESSES)];
@@ -45,19 +45,4 @@ pub(in crate::measurement) fn out_of_order(times: &[f64], repeated: &[usize]) ->
         next = before[row];
     }
     rows.into_iter().filter(|&row| !kept[row]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn three_rows_after_a_fall_begin_anew_and_two_do_not() {
-        assert_eq!(restarts(&[1.0, 2.0, 3.0, 0.0, 0.5, 1.0]), [3]);
-        assert_eq!(restarts(&[1.0, 2.0, 3.0, 0.0, 0.5]), []);
-        // Times that stand still are no fall back; one row that lies before all others is no new beginning.
-        assert_eq!(restarts(&[1.0, 2.0, 3.0, 0.0, 0.0, 0.5]), [3]);
-        assert_eq!(restarts(&[1.0, 2.0, 3.0, 0.0, 3.0, 4.0]), []);
-        assert_eq!(restarts(&[2.0, 0.0, 1.0, 1.5]), [1]);
-    }
 }

@@ -6,15 +6,16 @@ const MOST: usize = 5;
 
 /// How many significant digits all times have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct SignificantDigits {
-    pub(super) count: usize,
+pub struct SignificantDigits {
+    /// So many.
+    pub count: usize,
     /// Where the first digit of the smallest time that is not zero stands: 10 to this power.
     smallest: i32,
 }
 
 impl SignificantDigits {
     /// The fewest that write all times, if they leave the largest time a coarser step than the decimal one that all have.
-    pub(super) fn detect(times: &[f64], resolution: Option<f64>) -> Option<Self> {
+    pub fn detect(times: &[f64], resolution: Option<f64>) -> Option<Self> {
         let sizes = || times.iter().map(|time| time.abs()).filter(|&time| time > 0.0);
         let (smallest, largest) = (sizes().reduce(f64::min)?, sizes().reduce(f64::max)?);
         let count = (1..=MOST).find(|&count| times.iter().all(|&time| is_written_with(count, time)))?;
@@ -23,7 +24,7 @@ impl SignificantDigits {
     }
 
     /// The step of the last digit of this time; of zero, that of the smallest other time.
-    pub(super) fn step_at(self, time: f64) -> f64 {
+    pub fn step_at(self, time: f64) -> f64 {
         let first = if time == 0.0 { self.smallest } else { exponent(time.abs()) };
         let places = i32::try_from(self.count - 1).unwrap_or(i32::MAX);
         libm::exp10(f64::from(first - places))
@@ -39,28 +40,4 @@ fn is_written_with(digits: usize, time: f64) -> bool {
 fn exponent(size: f64) -> i32 {
     let text = format!("{size:e}");
     text.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn steps_grow_with_the_decade() {
-        let times = [0.0, 0.0333, 0.0667, 0.1, 9.97, 10.0, 10.1, 100.0];
-        let digits = SignificantDigits::detect(&times, Some(1e-4)).unwrap();
-        assert_eq!(digits.count, 3);
-        for (time, step) in
-            [(0.0, 1e-4), (0.0333, 1e-4), (0.1, 1e-3), (0.999, 1e-3), (1.0, 0.01), (-10.0, 0.1)]
-        {
-            assert!((digits.step_at(time) / step - 1.0).abs() < 1e-12, "{time}");
-        }
-    }
-
-    #[test]
-    fn a_decimal_step_is_no_number_of_digits() {
-        assert_eq!(SignificantDigits::detect(&[0.05, 0.1, 9.95], Some(0.01)), None);
-        assert_eq!(SignificantDigits::detect(&[0.0, 0.0], Some(1.0)), None);
-        assert_eq!(SignificantDigits::detect(&[0.033333333, 1.5], None), None);
-    }
 }

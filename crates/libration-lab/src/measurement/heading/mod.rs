@@ -1,7 +1,7 @@
 //! A header cell → the quantity, the unit and the run that its words name.
 
 mod unit;
-mod words;
+pub(crate) mod words;
 
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
@@ -54,7 +54,8 @@ pub struct Heading {
 
 impl Heading {
     /// What these words say; `unit` is from a line of units below, `group` from a line of titles above.
-    pub(super) fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
+    #[doc(hidden)]
+    pub fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
         let text = text.trim();
         let (rest, run) = split_run(text);
         let (rest, is_uncertainty) = without_sign_of_uncertainty(rest);
@@ -76,12 +77,14 @@ impl Heading {
     }
 
     /// Whether the numbers are this quantity itself.
-    pub(super) fn is(&self, quantity: QuantityKind) -> bool {
+    #[doc(hidden)]
+    pub fn is(&self, quantity: QuantityKind) -> bool {
         self.quantity == quantity && !self.is_uncertainty
     }
 
     /// Whether it speaks of an uncertainty and does not say of what: `±`, `error (deg)`.
-    pub(super) fn is_bare_uncertainty(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_bare_uncertainty(&self) -> bool {
         self.is_uncertainty && words::without_uncertainty(&self.name).0.is_empty()
     }
 
@@ -190,90 +193,5 @@ fn quantity(named: QuantityKind, unit: Option<Unit>, unit_text: Option<&str>) ->
             QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::Gate | QuantityKind::Run,
         ) => named,
         _ => QuantityKind::Other,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn headers_of_instruments_are_understood() {
-        use QuantityKind::{Acceleration, Angle, AngularVelocity, Gate, Other, Run, Time, X};
-        for (text, quantity, unit, run) in [
-            ("Time (s)", Time, "s", None),
-            ("t [ms]", Time, "ms", None),
-            ("t / s", Time, "s", None),
-            ("time_us", Time, "us", None),
-            ("Zeit t / s", Time, "s", None),
-            ("Angle/rad", Angle, "rad", None),
-            ("θ / °", Angle, "deg", None),
-            ("winkel w / rad", Angle, "rad", None),
-            ("Angle (rad) Run #3", Angle, "rad", Some("Run #3")),
-            ("Angle (rad) Anna 0.02 1.5", Angle, "rad", Some("Anna 0.02 1.5")),
-            ("Latest: Time (s)", Time, "s", Some("Latest")),
-            ("Data Set 1:Time(s)", Time, "s", Some("Data Set 1")),
-            ("Latest: GateState", Gate, "", Some("Latest")),
-            ("Gyroscope x (rad/s)", AngularVelocity, "rad/s", None),
-            ("x (m)", X, "m", None),
-            ("x", X, "", None),
-            ("packet", Run, "", None),
-            ("Time shift (s)", Other, "s", None),
-            ("Angular Acceleration (rad/s²)", Other, "", None),
-            ("Acceleration x (m/s^2)", Acceleration, "", None),
-            ("Absolute acceleration (m/s²)", Acceleration, "", None),
-            ("a_x / m/s²", Acceleration, "", None),
-            ("Acceleration (g)", Acceleration, "", None),
-            ("t_{1}", Time, "", None),
-            ("θ_{1} (deg)", Angle, "deg", None),
-            ("timestamp (ns)", Time, "ns", None),
-            ("t / nsec", Time, "ns", None),
-            ("Angle (turns)", Angle, "turn", None),
-            ("θ [rev]", Angle, "turn", None),
-            ("T/2", Other, "", None),
-            ("Δt (s)", Other, "s", None),
-            ("Angle (furlong)", Angle, "", None),
-            ("f (Hz)", Other, "Hz", None),
-            ("Sampling rate / kHz", Other, "kHz", None),
-        ] {
-            let heading = Heading::read(text, None, None);
-            let found = heading.unit.map_or(String::new(), |unit| unit.to_string());
-            assert_eq!((heading.quantity, found.as_str()), (quantity, unit), "{text}: {heading:?}");
-            assert_eq!(heading.run.as_deref(), run, "{text}");
-        }
-    }
-
-    #[test]
-    fn uncertainties_are_told_from_what_they_belong_to() {
-        for text in [
-            "sigma_theta",
-            "θ error",
-            "σθ",
-            "err_angle (rad)",
-            "uncertainty of angle (deg)",
-            "u(θ)",
-            "u(θ) / °",
-            "U(theta) (deg)",
-            "σ(angle)",
-            "Δθ (rad)",
-            "delta_theta",
-            "u_theta",
-            "± (deg)",
-            "+/- (rad)",
-        ] {
-            let heading = Heading::read(text, None, None);
-            assert!(heading.is_uncertainty && heading.quantity == QuantityKind::Angle, "{text}: {heading:?}");
-            assert!(!heading.is(QuantityKind::Angle));
-        }
-        assert!(!Heading::read("U(V)", None, None).is_uncertainty, "a voltage");
-        let bare = |text| Heading::read(text, None, None).is_bare_uncertainty();
-        assert!(bare("±") && bare("error (deg)") && !bare("u(θ)") && !bare("θ"));
-    }
-
-    #[test]
-    fn a_line_of_units_and_a_line_of_titles_complete_the_name() {
-        let heading = Heading::read("Angle", Some("(deg)"), Some("mass_A"));
-        assert_eq!((heading.quantity, heading.unit), (QuantityKind::Angle, Some(Unit::Degree)));
-        assert_eq!(heading.run.as_deref(), Some("mass_A"));
     }
 }

@@ -77,16 +77,18 @@ const NAMES: [(QuantityKind, &[&str]); 7] = [
 
 /// What the words of a name say.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Words {
-    pub(super) quantity: QuantityKind,
+pub struct Words {
+    /// The quantity that they name.
+    pub quantity: QuantityKind,
     /// Whether they speak of the uncertainty of it.
     pub(super) is_uncertainty: bool,
     /// The number behind the symbol, as in `t_{1}` or `theta2`.
-    pub(super) index: Option<String>,
+    pub index: Option<String>,
 }
 
 impl Words {
-    pub(super) fn read(name: &str) -> Self {
+    /// What is understood of a name.
+    pub fn read(name: &str) -> Self {
         let (plain, is_uncertainty) = without_uncertainty(name);
         let (symbol, index) = without_index(&plain);
         match (named(&plain), named(&symbol)) {
@@ -177,40 +179,8 @@ fn named_as_acceleration(words: &str) -> bool {
 }
 
 /// Whether it is a unit of accelerations as instruments spell them.
-pub(super) fn is_of_acceleration(unit: &str) -> bool {
+pub fn is_of_acceleration(unit: &str) -> bool {
     let plain: String = unit.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
     ["m/s²", "m/s^2", "m/s2", "m/s/s", "m·s⁻²", "ms⁻²", "ms^-2", "m*s^-2", "cm/s²", "cm/s^2"]
         .contains(&plain.as_str())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_behind_a_symbol_are_no_part_of_it() {
-        for (name, quantity, index) in [
-            ("t_{1}", QuantityKind::Time, Some("1")),
-            ("$t_1$", QuantityKind::Time, Some("1")),
-            ("theta2", QuantityKind::Angle, Some("2")),
-            ("\\theta_{12}", QuantityKind::Angle, Some("12")),
-            ("x₃", QuantityKind::X, Some("3")),
-            ("t", QuantityKind::Time, None),
-            ("Kanal 1", QuantityKind::Other, None),
-        ] {
-            let words = Words::read(name);
-            assert_eq!((words.quantity, words.index.as_deref()), (quantity, index), "{name}");
-        }
-    }
-
-    #[test]
-    fn accelerations_are_known_by_name_and_unit() {
-        for name in ["Acceleration x", "Linear Accelerometer z", "Beschleunigung", "Absolute acceleration"] {
-            assert_eq!(Words::read(name).quantity, QuantityKind::Acceleration, "{name}");
-        }
-        for name in ["Angular acceleration", "Winkelbeschleunigung", "a"] {
-            assert_eq!(Words::read(name).quantity, QuantityKind::Other, "{name}");
-        }
-        assert!(is_of_acceleration("m/s^2") && is_of_acceleration("m / s²") && !is_of_acceleration("g"));
-    }
 }

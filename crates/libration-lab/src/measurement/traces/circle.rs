@@ -12,16 +12,19 @@ use nalgebra::{DMatrix, DVector};
 
 /// A circle fitted to points, in their unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Circle {
-    pub(super) x: f64,
-    pub(super) y: f64,
-    pub(super) radius: f64,
-    /// Root mean square of the distances of the points from the circle.
-    pub(super) scatter: f64,
-    /// One standard deviation of the radius, if the distances are independent.
-    pub(super) radius_uncertainty: f64,
+pub struct Circle {
+    /// Of the centre.
+    pub x: f64,
     /// Of the centre, likewise.
-    pub(super) covariance: [[f64; 2]; 2],
+    pub y: f64,
+    /// The length of the pendulum.
+    pub radius: f64,
+    /// Root mean square of the distances of the points from the circle.
+    pub scatter: f64,
+    /// One standard deviation of the radius, if the distances are independent.
+    pub radius_uncertainty: f64,
+    /// Of the centre, likewise.
+    pub covariance: [[f64; 2]; 2],
 }
 
 /// Distances are exact to their rounding errors.
@@ -29,7 +32,7 @@ const EFFORT: Effort = Effort { tolerance: 1e-14, patience: 100 };
 
 impl Circle {
     /// The circle that fits these points best; none for fewer than three points, or points on a line.
-    pub(super) fn fit(points: &[(f64, f64)]) -> Option<Self> {
+    pub fn fit(points: &[(f64, f64)]) -> Option<Self> {
         let (centre, size) = centre_and_size(points)?;
         // In units of their own size, about their own middle, nothing overflows or cancels.
         let scaled: Vec<_> =
@@ -73,13 +76,13 @@ impl Circle {
     }
 
     /// The angle of a point from the downward vertical, growing with x.
-    pub(super) fn angle_at(&self, (x, y): (f64, f64), y_is_down: bool) -> f64 {
+    pub fn angle_at(&self, (x, y): (f64, f64), y_is_down: bool) -> f64 {
         let below = if y_is_down { y - self.y } else { self.y - y };
         libm::atan2(x - self.x, below)
     }
 
     /// What that angle changes by with the centre.
-    pub(super) fn derivatives_at(&self, (x, y): (f64, f64), y_is_down: bool) -> [f64; 2] {
+    pub fn derivatives_at(&self, (x, y): (f64, f64), y_is_down: bool) -> [f64; 2] {
         let (dx, dy) = (x - self.x, y - self.y);
         let square = (dx * dx + dy * dy).max(f64::MIN_POSITIVE);
         if y_is_down { [-dy / square, dx / square] } else { [dy / square, -dx / square] }
@@ -105,7 +108,7 @@ fn algebraic(points: &[(f64, f64)]) -> Option<DVector<f64>> {
 }
 
 /// The distances of points from a circle.
-fn distances(points: &[(f64, f64)], circle: &DVector<f64>) -> Linearised {
+pub fn distances(points: &[(f64, f64)], circle: &DVector<f64>) -> Linearised {
     let from_centre = |i: usize| {
         let (dx, dy) = (points[i].0 - circle[0], points[i].1 - circle[1]);
         (dx, dy, libm::hypot(dx, dy))
@@ -118,85 +121,5 @@ fn distances(points: &[(f64, f64)], circle: &DVector<f64>) -> Linearised {
     Linearised {
         residuals: DVector::from_fn(points.len(), |i, _| from_centre(i).2 - circle[2]),
         jacobian: DMatrix::from_fn(points.len(), 3, derivative),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// An arc of a circle of radius 2 about (10, 5), with a ripple across it.
-    fn arc(half: f64, ripple: f64) -> Vec<(f64, f64)> {
-        let point = |n: i32| {
-            let angle = half * f64::from(n) / 50.0;
-            let radius = 2.0 + ripple * libm::sin(37.0 * f64::from(n));
-            (10.0 + radius * libm::sin(angle), 5.0 - radius * libm::cos(angle))
-        };
-        (-50..=50).map(point).collect()
-    }
-
-    #[test]
-    fn a_circle_is_found_from_an_arc_of_it() {
-        for half in [0.1, 1.0, 3.0] {
-            let circle = Circle::fit(&arc(half, 0.0)).unwrap();
-            let error = (circle.x - 10.0).abs().max((circle.y - 5.0).abs()).max((circle.radius - 2.0).abs());
-            assert!(error < 1e-9, "{half}: {circle:?}");
-        }
-    }
-
-    #[test]
-    fn the_uncertainty_of_the_radius_covers_its_error_and_grows_as_the_arc_shrinks() {
-        let mut before = 0.0;
-        for half in [1.5, 0.7, 0.3] {
-            let circle = Circle::fit(&arc(half, 0.01)).unwrap();
-            assert!((circle.radius - 2.0).abs() < 3.0 * circle.radius_uncertainty, "{half}: {circle:?}");
-            assert!((circle.scatter / 0.00707 - 1.0).abs() < 0.1, "{circle:?}");
-            assert!(circle.radius_uncertainty > before);
-            before = circle.radius_uncertainty;
-        }
-    }
-
-    #[test]
-    fn the_derivatives_of_the_distances_are_the_limit_of_differences() {
-        let points = [(12.5, 5.5), (9.0, 2.5), (10.0, 8.0)];
-        let (circle, step) = (DVector::from_row_slice(&[10.0, 5.0, 2.0]), 1e-5);
-        let jacobian = distances(&points, &circle).jacobian;
-        for parameter in 0..3 {
-            let mut change = DVector::zeros(3);
-            change[parameter] = step;
-            let residuals = |circle: DVector<f64>| distances(&points, &circle).residuals;
-            let difference = residuals(&circle + &change) - residuals(&circle - &change);
-            for row in 0..points.len() {
-                assert!((jacobian[(row, parameter)] - difference[row] / (2.0 * step)).abs() < 1e-8);
-            }
-        }
-    }
-
-    #[test]
-    fn derivatives_by_the_centre_are_the_limit_of_differences() {
-        let circle = Circle::fit(&arc(1.0, 0.0)).unwrap();
-        for y_is_down in [false, true] {
-            for point in [(10.3, 3.1), (8.5, 4.0), (11.9, 5.5)] {
-                let step = 1e-5;
-                let moved = |x: f64, y: f64| {
-                    Circle { x: circle.x + x, y: circle.y + y, ..circle }.angle_at(point, y_is_down)
-                };
-                let differences =
-                    [moved(step, 0.0) - moved(-step, 0.0), moved(0.0, step) - moved(0.0, -step)];
-                for (difference, derivative) in
-                    differences.into_iter().zip(circle.derivatives_at(point, y_is_down))
-                {
-                    assert!((difference / (2.0 * step) - derivative).abs() < 1e-8, "{point:?} {y_is_down}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn points_on_a_line_have_no_circle() {
-        let line: Vec<_> = (0..10).map(|n| (f64::from(n), 1.0)).collect();
-        assert_eq!(Circle::fit(&line), None);
-        assert_eq!(Circle::fit(&[(0.0, 0.0), (1.0, 0.0)]), None);
-        assert_eq!(Circle::fit(&[(1.0, 1.0); 5]), None);
     }
 }

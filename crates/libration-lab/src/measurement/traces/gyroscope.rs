@@ -31,11 +31,11 @@ pub(super) fn about_one_axis(sheet: &Sheet, places: &[usize]) -> Option<Value> {
 
 /// Fewer rows lie along some direction by chance: of noise alone ten rows never had 95 % of their squares along one in 20 000 trials, five
 /// one time in 330, four one in 40.
-const FEWEST: usize = 10;
+pub const FEWEST: usize = 10;
 
 /// The direction with 95 % of the variance of these rates: the rest is wobble and noise, about an axis that stays as it is in the
 /// device. Its largest part is positive. The mean is what the sensor shows at rest.
-fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
+pub fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
     if rows.len() < FEWEST {
         return None;
     }
@@ -50,35 +50,4 @@ fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
     let axis = decomposition.eigenvectors.column(place).into_owned();
     let sign = axis[axis.iamax()].signum();
     (values[place] > 0.95 * values.sum()).then(|| (axis * sign).into())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Rates about an axis, with wobble across it and what the sensor shows at rest.
-    fn rows(axis: [f64; 3], wobble: f64) -> Vec<[f64; 3]> {
-        let row = |n: u32| {
-            let (rate, across) = (libm::sin(0.1 * f64::from(n)), wobble * libm::sin(0.37 * f64::from(n)));
-            [0.3 + rate * axis[0] - across * axis[1], rate * axis[1] + across * axis[0], rate * axis[2]]
-        };
-        (0..630).map(row).collect()
-    }
-
-    #[test]
-    fn a_tilted_axis_is_found_whatever_the_sensor_shows_at_rest() {
-        let found = principal_axis(&rows([-0.6, 0.0, -0.8], 0.0)).unwrap();
-        for (part, expected) in found.iter().zip([0.6, 0.0, 0.8]) {
-            assert!((part - expected).abs() < 1e-12, "{found:?}");
-        }
-    }
-
-    #[test]
-    fn a_device_that_turns_about_several_axes_has_none() {
-        // The variance across is the square of the wobble: 4 % of that along, and 6 %, 95 % of all being 5.3 %.
-        assert!(principal_axis(&rows([0.6, 0.8, 0.0], 0.2)).is_some());
-        assert_eq!(principal_axis(&rows([0.6, 0.8, 0.0], 0.25)), None);
-        assert_eq!(principal_axis(&[]), None);
-        assert_eq!(principal_axis(&[[f64::MAX; 3], [f64::MIN; 3]].repeat(FEWEST)), None);
-    }
 }

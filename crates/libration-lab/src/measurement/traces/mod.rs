@@ -1,14 +1,14 @@
 //! A recording → traces: which columns, in which units, run by run.
 
-mod circle;
+pub(crate) mod circle;
 mod columns;
-mod gyroscope;
+pub(crate) mod gyroscope;
 mod positions;
 mod rows;
 mod runs;
-mod sequence;
+pub(crate) mod sequence;
 mod stamps;
-mod turns;
+pub(crate) mod turns;
 mod units;
 mod value;
 

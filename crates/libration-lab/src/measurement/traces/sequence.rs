@@ -13,20 +13,20 @@ const ROOM: f64 = 0.4;
 
 /// The rows of one recording in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Sequence {
+pub struct Sequence {
     /// One for each setting of the clock.
-    pub(super) pieces: Vec<Vec<usize>>,
+    pub pieces: Vec<Vec<usize>>,
     /// Rows that were put where their time belongs.
-    pub(super) moved: Vec<usize>,
+    pub moved: Vec<usize>,
     /// Rows whose time belongs nowhere.
-    pub(super) left_out: Vec<usize>,
+    pub left_out: Vec<usize>,
     /// The first rows after the clock was set back.
-    pub(super) cuts: Vec<usize>,
+    pub cuts: Vec<usize>,
 }
 
 impl Sequence {
     /// The order of these times; or the first row that goes back, where so many do that they are no times.
-    pub(super) fn new(times: &[f64]) -> Result<Self, usize> {
+    pub fn new(times: &[f64]) -> Result<Self, usize> {
         let back: Vec<usize> = (1..times.len()).filter(|&row| times[row] < times[row - 1]).collect();
         let Some(&first) = back.first() else {
             return Ok(Self { pieces: vec![(0..times.len()).collect()], ..Self::default() });
@@ -83,44 +83,5 @@ impl Sequence {
         .into_iter()
         .flatten()
         .collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn even(rows: u32) -> Vec<f64> {
-        (0..rows).map(|row| 0.01 * f64::from(row)).collect()
-    }
-
-    #[test]
-    fn rows_out_of_place_are_put_back_and_wrong_times_left_out() {
-        let mut times = even(100);
-        times.swap(40, 41);
-        times[70] = 300.0;
-        let sequence = Sequence::new(&times).unwrap();
-        assert_eq!((sequence.moved.as_slice(), sequence.left_out.as_slice()), (&[40][..], &[70][..]));
-        assert_eq!(sequence.pieces[0].len(), 99);
-        assert!(sequence.pieces[0].windows(2).all(|pair| times[pair[0]] < times[pair[1]]));
-    }
-
-    #[test]
-    fn a_clock_that_is_set_back_cuts_the_run() {
-        let mut times = even(100);
-        times[60..].iter_mut().for_each(|time| *time -= 0.2);
-        let sequence = Sequence::new(&times).unwrap();
-        assert_eq!(sequence.cuts, [60]);
-        assert_eq!(sequence.pieces.iter().map(Vec::len).collect::<Vec<_>>(), [60, 40]);
-        assert!(sequence.moved.is_empty() && sequence.left_out.is_empty());
-    }
-
-    #[test]
-    fn times_that_go_back_once_in_twenty_rows_are_times_and_more_often_none() {
-        let mut times = even(40);
-        times.swap(10, 11);
-        times.swap(30, 31);
-        assert!(Sequence::new(&times).is_ok());
-        assert_eq!(Sequence::new(&times[..39]), Err(11));
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::super::choices::Finding;
 
 /// Takes out jumps by whole turns, and whole turns of the angle of rest.
-pub(super) fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
+pub fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
     let run = if name.is_empty() { String::new() } else { format!("{name}: ") };
     let jumps = take_out_jumps(angles);
     if jumps > 0 {
@@ -25,7 +25,7 @@ pub(super) fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Findi
 }
 
 /// Only where all angles lie within one turn; a step that is no whole turn to within a quarter is no jump of the scale.
-fn take_out_jumps(angles: &mut [f64]) -> usize {
+pub fn take_out_jumps(angles: &mut [f64]) -> usize {
     let low = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let high = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if high - low > TAU * (1.0 + 1e-9) {
@@ -43,28 +43,4 @@ fn take_out_jumps(angles: &mut [f64]) -> usize {
         *angle += turns * TAU;
     }
     jumps
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_angle_over_the_top_is_made_whole() {
-        let whole: Vec<f64> = (0..400).map(|n| 2.0 * libm::sin(0.1 * f64::from(n)) + PI).collect();
-        let mut wrapped: Vec<f64> = whole.iter().map(|angle| (angle + PI) % TAU - PI).collect();
-        let mut told = Vec::new();
-        unwrap(&mut wrapped, "", &mut |finding| told.push(finding));
-        let shift = whole[0] - wrapped[0];
-        assert!(whole.iter().zip(&wrapped).all(|(whole, found)| (whole - found - shift).abs() < 1e-12));
-        assert_eq!(told.len(), 1, "{told:?}");
-    }
-
-    #[test]
-    fn what_goes_beyond_a_turn_is_left_alone() {
-        let mut rotation: Vec<f64> = (0..100).map(|n| 0.3 * f64::from(n)).collect();
-        let before = rotation.clone();
-        assert_eq!(take_out_jumps(&mut rotation), 0);
-        assert_eq!(rotation, before);
-    }
 }

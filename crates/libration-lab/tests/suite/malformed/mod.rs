@@ -1,5 +1,6 @@
 //! Hundreds of damaged files: each is refused with a message that names the place, or read right to the last bit.
 
+mod archives;
 mod damage;
 mod packed;
 mod single;
@@ -101,4 +102,9 @@ fn damaged_workbooks_and_archives_are_refused_or_read_right() {
     let cases = packed::cases();
     assert!(cases.len() >= 200, "only {}", cases.len());
     check(&cases);
+}
+
+#[test]
+fn archives_of_other_programs_are_read_and_hostile_ones_refused() {
+    check(&archives::cases());
 }

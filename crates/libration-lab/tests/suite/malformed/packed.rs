@@ -1,15 +1,13 @@
 //! Workbooks and archives, made here and damaged.
 
 use super::{Case, Expected};
-use std::io::{Cursor, Write};
-use zip::ZipWriter;
-use zip::write::SimpleFileOptions;
+use crate::zip_archive::{self, Packed};
 
 /// Written by the `xlwt` library from the header `Time (s)`, `Angle (rad)` and the rows of [`truth`], with a second
 /// sheet of words.
 const XLS: &[u8] = include_bytes!("../../data/workbook.xls");
 
-fn truth() -> Vec<(f64, f64)> {
+pub(crate) fn truth() -> Vec<(f64, f64)> {
     let row = |n: u8| (f64::from(n) / 8.0, 0.5 - f64::from(n) / 16.0);
     (0..12).map(row).collect()
 }
@@ -19,16 +17,12 @@ pub(crate) fn cases() -> Vec<Case> {
 }
 
 /// An archive of these files.
-pub(crate) fn archive(files: &[(&str, &[u8])]) -> Vec<u8> {
-    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, bytes) in files {
-        archive.start_file(*name, SimpleFileOptions::default()).unwrap();
-        archive.write_all(bytes).unwrap();
-    }
-    archive.finish().unwrap().into_inner()
+fn archive(files: &[(&str, &[u8])]) -> Vec<u8> {
+    let files: Vec<Packed> = files.iter().map(|(name, bytes)| Packed::deflated(name, bytes)).collect();
+    zip_archive::archive(&files)
 }
 
-fn csv() -> String {
+pub(crate) fn csv() -> String {
     let rows = truth().into_iter().map(|(time, angle)| format!("{time},{angle}\n"));
     format!("\"Time (s)\",\"Angle (rad)\"\n{}", rows.collect::<String>())
 }

@@ -4,9 +4,6 @@ mod average;
 mod models;
 mod standing;
 
-#[cfg(test)]
-mod tests;
-
 pub use average::ModelAverage;
 pub use models::compare;
 pub use standing::Standing;
@@ -53,7 +50,8 @@ impl Comparison {
         evidence(&self.fits[place], self.aicc_differences[place])
     }
 
-    fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn new(fits: Vec<TraceFit>, robust: bool) -> Option<Self> {
         let independent_rows = rows_that_count(fits.last()?);
         let scales = fits.iter().map(|fit| huber::scale(&fit.standard_residuals));
         let scale = scales.reduce(f64::min).filter(|&scale| robust && scale > 0.0);
@@ -86,7 +84,7 @@ fn evidence(fit: &TraceFit, excess: f64) -> f64 {
 }
 
 /// Of the models within [`Comparison::SUBSTANTIAL`] of the best one those with the fewest terms, and of these the best.
-fn simplest(counts: &[usize], evidence: &[f64]) -> usize {
+pub fn simplest(counts: &[usize], evidence: &[f64]) -> usize {
     let least = evidence.iter().copied().fold(f64::INFINITY, f64::min);
     let close = (0..counts.len()).filter(|&place| evidence[place] <= least + Comparison::SUBSTANTIAL);
     let order =

@@ -4,8 +4,8 @@
 //! Microsoft Open Specifications MS-CFB (the compound file) and MS-XLS (the records in it).
 
 mod compound_file;
-mod records;
-mod strings;
+pub(crate) mod records;
+pub(crate) mod strings;
 
 use super::super::MeasurementError;
 use super::Page;

@@ -4,18 +4,23 @@ use super::compound_file::{u16_at, u32_at};
 
 /// A record with the data of the records that continue it.
 #[derive(Clone, Debug)]
-pub(super) struct Record<'a> {
-    pub(super) kind: u16,
-    pub(super) data: &'a [u8],
-    pub(super) continued: Vec<&'a [u8]>,
+pub struct Record<'a> {
+    /// Its number in the format.
+    pub kind: u16,
+    /// Its own data.
+    pub data: &'a [u8],
+    /// Those of each record that continues it.
+    pub continued: Vec<&'a [u8]>,
 }
 
 impl Record<'_> {
     pub(super) const BEGINNING: u16 = 0x0809;
-    pub(super) const END: u16 = 0x000a;
+    /// The end of a part of a workbook.
+    pub const END: u16 = 0x000a;
     pub(super) const PASSWORD: u16 = 0x002f;
     pub(super) const WORKSHEET: u16 = 0x0085;
-    pub(super) const STRINGS: u16 = 0x00fc;
+    /// The table of shared strings.
+    pub const STRINGS: u16 = 0x00fc;
     pub(super) const FORMAT: u16 = 0x041e;
     pub(super) const CELL_STYLE: u16 = 0x00e0;
     pub(super) const NUMBER: u16 = 0x0203;
@@ -48,12 +53,13 @@ impl Record<'_> {
 
 /// The records one by one; `None` for one that is cut off, after which there are no more.
 #[derive(Clone, Debug)]
-pub(super) struct Records<'a> {
+pub struct Records<'a> {
     rest: &'a [u8],
 }
 
 impl<'a> Records<'a> {
-    pub(super) fn new(stream: &'a [u8]) -> Self {
+    /// The records of a stream from its beginning.
+    pub fn new(stream: &'a [u8]) -> Self {
         Self { rest: stream }
     }
 
@@ -88,29 +94,10 @@ impl<'a> Iterator for Records<'a> {
 }
 
 /// A number in four bytes: a whole number or the upper half of a double, perhaps in hundredths.
-pub(super) fn small_number(bytes: u32) -> f64 {
+pub fn small_number(bytes: u32) -> f64 {
     let number = match bytes & 2 {
         0 => f64::from_bits(u64::from(bytes & !3) << 32),
         _ => f64::from(bytes.cast_signed() >> 2),
     };
     if bytes & 1 == 0 { number } else { number / 100.0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn small_numbers_are_whole_or_halves_of_doubles_or_hundredths_of_these() {
-        let whole = |number: i32| (number << 2 | 2).cast_unsigned();
-        let found = [0x3ff0_0000, 0x3ff0_0001, whole(-12345), whole(12345) | 1].map(small_number);
-        assert_eq!(found.map(f64::to_bits), [1.0, 0.01, -12345.0, 123.45].map(f64::to_bits));
-    }
-
-    #[test]
-    fn a_record_that_is_cut_off_is_the_last() {
-        let mut records = Records::new(&[0x0a, 0, 0, 0, 0x03, 0x02, 9, 0, 1]);
-        assert_eq!(records.next().flatten().map(|record| record.kind), Some(Record::END));
-        assert!(matches!(records.next(), Some(None)) && records.next().is_none());
-    }
 }

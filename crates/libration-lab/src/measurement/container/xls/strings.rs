@@ -8,12 +8,12 @@ const HAS_ASIAN_PHONETICS: u8 = 4;
 const HAS_RICH_TEXT: u8 = 8;
 
 /// A string whose length is in one byte.
-pub(super) fn short(bytes: &[u8]) -> Option<String> {
+pub fn short(bytes: &[u8]) -> Option<String> {
     letters(bytes.get(2..)?, usize::from(*bytes.first()?), *bytes.get(1)?)
 }
 
 /// A string whose length is in two bytes.
-pub(super) fn long(bytes: &[u8]) -> Option<String> {
+pub fn long(bytes: &[u8]) -> Option<String> {
     letters(bytes.get(3..)?, usize::from(u16_at(bytes, 0)?), *bytes.get(2)?)
 }
 
@@ -36,7 +36,7 @@ fn units(bytes: &[u8], width: usize) -> impl Iterator<Item = u16> {
 }
 
 /// The shared strings, as many as are whole.
-pub(super) fn table(record: &Record<'_>) -> Vec<String> {
+pub fn table(record: &Record<'_>) -> Vec<String> {
     let mut reader = Reader { piece: record.data.get(8..).unwrap_or(&[]), more: record.continued.iter() };
     std::iter::from_fn(|| reader.string()).collect()
 }
@@ -97,24 +97,5 @@ impl<'a> Reader<'a> {
         }
         self.piece = &self.piece[count..];
         Some(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn strings_run_on_into_the_next_record_with_letters_of_another_width() {
-        let first = [1, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, b'a', b'b'];
-        let second = [1, 0xb8, 3, b'!', 0, 1, 0, 0, b'z'];
-        let record = Record { kind: Record::STRINGS, data: &first, continued: vec![&second] };
-        assert_eq!(table(&record), ["abθ!", "z"]);
-    }
-
-    #[test]
-    fn a_string_that_is_cut_off_is_none() {
-        assert_eq!(short(&[3, 0, b'a', b'b']), None);
-        assert_eq!(long(&[1, 0, 1, 0xb8, 3]), Some("θ".into()));
     }
 }

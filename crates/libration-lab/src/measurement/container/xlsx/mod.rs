@@ -6,9 +6,9 @@
 //! # References
 //! ECMA-376, *Office Open XML file formats*, part 1, 18: the workbook, its styles, shared strings and cells.
 
-mod contents;
+pub(crate) mod contents;
 mod elements;
-mod worksheet;
+pub(crate) mod worksheet;
 
 use super::super::MeasurementError;
 use super::Page;

@@ -8,8 +8,9 @@ use super::damaged;
 use super::elements::{Element, Onward, Piece, walk};
 
 /// The last cell of the largest worksheet is `XFD1048576`.
-const MOST_ROWS: u32 = 1_048_576;
-const MOST_COLUMNS: u32 = 16_384;
+pub const MOST_ROWS: u32 = 1_048_576;
+/// Its column, counted from one.
+pub const MOST_COLUMNS: u32 = 16_384;
 
 /// The cells as text.
 pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result<String, MeasurementError> {
@@ -114,7 +115,7 @@ impl Cell {
 }
 
 /// Row and column of an address such as `B7`, from zero, if a worksheet can have them.
-fn place(address: &str) -> Option<(u32, u32)> {
+pub fn place(address: &str) -> Option<(u32, u32)> {
     let (letters, number) = address.split_at(address.find(|letter: char| letter.is_ascii_digit())?);
     let column = letters.bytes().try_fold(0_u32, |sum, letter| {
         let place =
@@ -132,20 +133,4 @@ fn row(number: &str) -> Option<u32> {
 fn beyond(address: &str) -> MeasurementError {
     let address = libration::quantity::excerpt(address);
     damaged(format!("`{address}` in it is beyond what a worksheet can hold"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn addresses_are_held_to_what_a_worksheet_can_hold() {
-        assert_eq!(place("A1"), Some((0, 0)));
-        assert_eq!(place("ab10"), Some((9, 27)));
-        assert_eq!(place("XFD1048576"), Some((MOST_ROWS - 1, MOST_COLUMNS - 1)));
-        for bad in ["", "A", "1", "A0", "XFE1", "A1048577", "ZZZZZZZZZ1", "A99999999999", "A-1", "A1B", "µ1"]
-        {
-            assert_eq!(place(bad), None, "{bad}");
-        }
-    }
 }

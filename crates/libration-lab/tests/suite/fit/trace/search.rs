@@ -2,16 +2,16 @@
 
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration::watch::Watch;
-
-use super::comparison::compare;
-use super::minimum::{Care, Minimum};
-use super::model::Rows;
-use super::problem::{PATIENCE, Problem};
-use super::random::Random;
-use super::weights::Weights;
-use super::{DampingModel, TraceOptions, fit_traces, search, series, uncertainty};
-use crate::measurement::{Observable, Trace};
-use crate::statistics::count;
+use libration_lab::fit::DampingModel;
+use libration_lab::fit::trace::{TraceOptions, compare, fit_traces};
+use libration_lab::internals::fit::trace::minimum::{Care, Minimum};
+use libration_lab::internals::fit::trace::model::Rows;
+use libration_lab::internals::fit::trace::problem::{PATIENCE, Problem};
+use libration_lab::internals::fit::trace::random::Random;
+use libration_lab::internals::fit::trace::weights::Weights;
+use libration_lab::internals::fit::trace::{search, series, uncertainty};
+use libration_lab::internals::statistics::count;
+use libration_lab::measurement::{Observable, Trace};
 
 /// A pendulum with ω0 = 4 and a little linear and quadratic damping.
 const TRUTH: &str = "theta'' = -16*sin(theta) - 0.02*theta' - 0.01*theta'*abs(theta')";
@@ -84,7 +84,10 @@ fn the_rows_of_each_trace_are_those_of_the_trace_alone() {
         let stated = Weights::stated(&traces);
         let all = series::whole(together.data, &stated);
         let free = together.model.free();
-        let rows = together.model.rows(&all, &parameters, &free, &super::swing::EXACT).unwrap();
+        let rows = together
+            .model
+            .rows(&all, &parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
+            .unwrap();
         for (number, rows) in rows.iter().enumerate() {
             let own = &traces[number..=number];
             let alone = Problem::new(own, terms, TraceOptions::default()).unwrap();
@@ -93,7 +96,10 @@ fn the_rows_of_each_trace_are_those_of_the_trace_alone() {
             let stated = Weights::stated(own);
             let of_one = series::whole(alone.data, &stated);
             let free = alone.model.free();
-            let found = alone.model.rows(&of_one, &own_parameters, &free, &super::swing::EXACT).unwrap();
+            let found = alone
+                .model
+                .rows(&of_one, &own_parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
+                .unwrap();
             let [found] = &found[..] else { panic!() };
             let bits = |rows: &Rows| Rows::whole(std::slice::from_ref(rows), rows.places()).jacobian;
             assert_eq!((found.residuals(), bits(found)), (rows.residuals(), bits(rows)), "{terms} {number}");
@@ -110,7 +116,10 @@ fn few_rows_have_the_sums_of_all() {
     let (stated, free) = (Weights::stated(&traces), problem.model.free());
     let all = series::whole(problem.data, &stated);
     let parameters = vec![4.01, 0.02, 0.01, 1.0, 0.01, 0.4, 0.0, 0.02, 1.4, 0.0];
-    let rows = problem.model.rows(&all, &parameters, &free, &super::swing::EXACT).unwrap();
+    let rows = problem
+        .model
+        .rows(&all, &parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
+        .unwrap();
     let [whole, few] = [Rows::whole(&rows, &free), Rows::few(&rows, &free)];
     assert!(few.residuals.len() < 20 && whole.residuals.len() == 1800);
     let products = [&whole, &few].map(|it| it.jacobian.tr_mul(&it.jacobian));
@@ -138,9 +147,16 @@ fn sums_beside_a_minimum_are_those_of_the_way_down() {
         let others = problem.model.free().into_iter().filter(|&place| place != 0).collect::<Vec<_>>();
         let sum = problem.sum_beside(&minimum.weights, moved.clone(), others.clone(), least, &watch).unwrap();
         let all = series::whole(problem.data, &minimum.weights);
-        let start =
-            super::minimum::Start { parameters: moved, free: others, patience: 100, care: Care::FULL };
-        let down = super::minimum::descent(&problem.model, &all, start, &watch).unwrap().sum_of_squares;
+        let start = libration_lab::internals::fit::trace::minimum::Start {
+            parameters: moved,
+            free: others,
+            patience: 100,
+            care: Care::FULL,
+        };
+        let down =
+            libration_lab::internals::fit::trace::minimum::descent(&problem.model, &all, start, &watch)
+                .unwrap()
+                .sum_of_squares;
         assert!(((sum - least) / (down - least) - 1.0).abs() < 2e-3, "{deviations}: {sum} {down} {least}");
     }
 }

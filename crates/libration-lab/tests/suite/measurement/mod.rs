@@ -1,5 +1,14 @@
 //! Tables as instruments and people write them.
 
+mod container;
+mod counted_periods;
+mod faults;
+mod fitted_pivot;
+mod heading;
+mod number;
+mod traces;
+mod value_columns;
+
 use libration_lab::measurement::{
     Column, CountedPeriods, Delimiter, Header, MeasurementError, ReadOptions, Role, Selection, Table, Unit,
     WrittenUnit,

@@ -1,8 +1,9 @@
 //! Models as they stand beside each other.
 
-use super::*;
-use crate::fit::Uncertain;
-use crate::fit::trace::{Autocorrelation, DampingKind, DampingModel, FittedTrace, Parameter};
+use libration::decay::DampingKind;
+use libration_lab::fit::trace::{Autocorrelation, Comparison, FittedTrace, Parameter, Standing, TraceFit};
+use libration_lab::fit::{DampingModel, Uncertain};
+use libration_lab::internals::fit::trace::comparison::simplest;
 
 fn coefficient(name: &'static str, value: f64) -> Parameter {
     let estimate = Uncertain { value, uncertainty: 0.001 };
@@ -38,7 +39,7 @@ fn fit(terms: &str, omega0: f64, coefficients: &[f64], residual: f64) -> TraceFi
 
 /// The size of residuals of 100 rows by which linear damping is worse than linear and quadratic one by `excess`.
 fn residual(excess: f64) -> f64 {
-    let cost = |k: f64| crate::statistics::akaike::cost(100.0, k).unwrap();
+    let cost = |k: f64| libration_lab::internals::statistics::akaike::cost(100.0, k).unwrap();
     libm::exp((excess + cost(5.0) - cost(4.0)) / 200.0)
 }
 

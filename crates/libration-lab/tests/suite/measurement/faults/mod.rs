@@ -1,4 +1,12 @@
-use super::*;
+//! The faults that instruments leave in columns of times and values.
+
+mod clipping;
+mod even_times;
+mod order;
+mod outliers;
+mod significant_digits;
+
+use libration_lab::measurement::{Faults, unwrapped};
 
 /// A pendulum-like swing of 1 rad, sampled evenly.
 fn swing(rows: u32, interval: f64) -> (Vec<f64>, Vec<f64>) {

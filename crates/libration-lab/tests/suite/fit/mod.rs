@@ -1,5 +1,18 @@
 //! Fits of period tables: against SciPy, against the truth behind made-up tables, and against themselves.
 
+mod beta;
+mod budget;
+mod cycles;
+mod damping_model;
+mod effective_weights;
+mod gates;
+mod gravity;
+mod scatter;
+mod spectrum;
+mod trace;
+mod typical_amplitude;
+mod uncertain;
+
 use std::f64::consts::PI;
 
 use libration::pendulum::Amplitude;
@@ -10,7 +23,7 @@ use libration_lab::fit::{
 };
 use libration_lab::measurement::{Column, ReadOptions, Table};
 
-const SYNTHETIC: &[u8] = include_bytes!("../../../../examples/period_table_synthetic.csv");
+const SYNTHETIC: &[u8] = include_bytes!("../../../../../examples/period_table_synthetic.csv");
 
 fn synthetic_columns() -> Vec<Vec<f64>> {
     let table = Table::read(SYNTHETIC, &ReadOptions::default()).unwrap();

@@ -1,10 +1,13 @@
 //! The corrections against a pendulum of many point masses, and against integration.
 
+mod combined;
+mod derivative;
+
 use std::f64::consts::TAU;
 
-use super::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
+use libration_lab::fit::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
 
 const G: f64 = 9.81;
 
@@ -18,7 +21,7 @@ fn about(value: f64, uncertainty: f64) -> Quantity {
 
 /// With independent inputs.
 fn budget(apparatus: &Apparatus, period: &MeasuredPeriod) -> Result<Budget, BudgetError> {
-    super::budget(apparatus, period, &[])
+    libration_lab::fit::budget(apparatus, period, &[])
 }
 
 fn small_swings(t0: f64) -> MeasuredPeriod {

@@ -1,0 +1,32 @@
+//! The period at the beginning, from periods that fall with the amplitude.
+
+use libration_lab::internals::fit::gates::trend::at_the_beginning;
+
+#[test]
+fn a_falling_period_is_followed_to_its_beginning() {
+    let times: Vec<f64> = (1..=20).map(f64::from).collect();
+    let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.03 * libm::exp(-0.03 * t)).collect();
+    let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+    assert!((found.value - 2.03).abs() < found.uncertainty && found.uncertainty < 2e-3, "{found:?}");
+}
+
+/// The standard error of the intercept of a line, s²(1/n + t̄²/Σ(t − t̄)²) with n − 2 degrees of freedom, as in any text on
+/// regression, and by how much the mean differs.
+#[test]
+fn the_uncertainty_of_a_line_is_that_of_its_intercept() {
+    let times: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 5.0];
+    let periods = [2.011, 2.009, 2.0065, 2.0048, 2.0021];
+    let (mean_time, mean) = (3.0, periods.iter().sum::<f64>() / 5.0);
+    let slope = times.iter().zip(&periods).map(|(t, p)| (t - mean_time) * (p - mean)).sum::<f64>() / 10.0;
+    let intercept = mean - slope * mean_time;
+    let squares: f64 = times
+        .iter()
+        .zip(&periods)
+        .map(|(t, p)| (p - intercept - slope * t) * (p - intercept - slope * t))
+        .sum();
+    let standard_error = (squares / 3.0 * (1.0 / 5.0 + mean_time * mean_time / 10.0)).sqrt();
+    let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+    assert!((found.value - intercept).abs() < 1e-12, "{found:?}");
+    let expected = libm::hypot(standard_error, intercept - mean);
+    assert!((found.uncertainty / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
+}

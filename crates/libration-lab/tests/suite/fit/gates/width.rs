@@ -1,0 +1,38 @@
+//! The angle that a bob goes while it blocks the beam of a gate.
+
+use libration_lab::internals::fit::gates::width::PassingDisc;
+
+const DISCS: [PassingDisc; 4] = [
+    PassingDisc { radius: 0.0125, centre: 1.0, beam: 1.0 },
+    PassingDisc { radius: 0.0125, centre: 1.0, beam: 1.01 },
+    PassingDisc { radius: 0.3, centre: 0.5, beam: 0.25 },
+    PassingDisc { radius: 0.02, centre: 0.7, beam: 0.6801 },
+];
+
+/// At the ends of the passage the beam is one radius from the middle of the disc.
+#[test]
+fn the_beam_is_on_the_edge_where_the_passage_begins() {
+    for disc in DISCS {
+        let half = 0.5 * disc.width();
+        let (across, along) = (disc.beam * libm::sin(half), disc.beam * libm::cos(half) - disc.centre);
+        let apart = libm::hypot(across, along);
+        assert!((apart / disc.radius - 1.0).abs() < 1e-12, "{disc:?} {apart}");
+    }
+}
+
+#[test]
+fn slopes_are_what_the_width_changes_by() {
+    for disc in DISCS {
+        let step = 1e-6 * disc.radius;
+        let moved = |place: usize, by: f64| {
+            let mut sizes = [disc.radius, disc.centre, disc.beam];
+            sizes[place] += by;
+            let [radius, centre, beam] = sizes;
+            PassingDisc { radius, centre, beam }.width()
+        };
+        for (place, slope) in disc.slopes().into_iter().enumerate() {
+            let found = (moved(place, step) - moved(place, -step)) / (2.0 * step);
+            assert!((found - slope).abs() < 1e-5 * disc.slopes()[0], "{disc:?} {place}: {found} {slope}");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The harmonics of a measured swing, part by part.
+
+mod theory;

@@ -1,0 +1,21 @@
+//! The cells of a spreadsheet as text with tabs between them, a line for each row.
+
+use libration_lab::internals::measurement::container::grid::Grid;
+
+#[test]
+fn cells_keep_their_places_and_far_ones_are_refused() {
+    let mut grid = Grid::new(1000);
+    grid.number(2, 1, -0.25).unwrap();
+    grid.text(0, 0, "a\tb").unwrap();
+    assert_eq!(grid.into_text().unwrap(), "a b\n\n\t-0.25");
+    let mut blank = Grid::new(1000);
+    blank.text(0, 0, "of Monday").unwrap();
+    for (row, column) in [(1, 0), (1, 1), (2, 0), (3, 1)] {
+        blank.number(row, column, 0.5).unwrap();
+    }
+    assert_eq!(blank.into_text().unwrap(), "of Monday\n0.5\t0.5\n0.5\t\n\t0.5");
+    let mut far = Grid::new(1000);
+    far.number(0, 2000, 1.0).unwrap();
+    assert!(far.into_text().is_err());
+    assert!(Grid::new(5).text(0, 0, "abcdef").is_err());
+}

@@ -1,0 +1,4 @@
+//! Excel workbooks since 2007, part by part.
+
+mod contents;
+mod worksheet;
