@@ -1,7 +1,6 @@
 //! The command as its users meet it: run, with its answers read back.
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
 
-mod architecture;
 mod bad_input;
 mod chaos;
 mod command;

@@ -50,6 +50,14 @@ fn declared(text: &str) -> BTreeSet<String> {
     modules.chain(paths.map(|(name, _)| name.to_owned())).collect()
 }
 
+/// The module `m` of paths such as `libration_numbers::m::…` and `libration_numbers::internals::m::…`.
+fn foreign_module(path: &UsePath) -> Option<&str> {
+    const PARTS: [&str; 6] = ["kernels", "numbers", "pendulum", "motion", "perturbation", "branches"];
+    let name = path.first()?.strip_prefix("libration_")?;
+    let mut rest = path[1..].iter().map(String::as_str).skip_while(|&part| part == "internals");
+    PARTS.contains(&name).then(|| rest.next()).flatten()
+}
+
 impl Source {
     pub(crate) fn of(name: &str) -> Self {
         let root = folder(name).join("src");
@@ -100,6 +108,12 @@ impl Source {
         found.filter(|(from, to)| from != to).collect()
     }
 
+    /// Which file uses an item of which module of another crate of the mathematics.
+    pub(crate) fn foreign(&self) -> BTreeSet<(Module, String)> {
+        let uses = self.files.iter().flat_map(|(from, file)| file.used.iter().map(move |path| (from, path)));
+        uses.filter_map(|(from, path)| Some((from.clone(), foreign_module(path)?.to_owned()))).collect()
+    }
+
     /// The file in which the item stands that a module knows by a path; names that are handed on are followed.
     fn resolve(&self, from: &Module, path: &UsePath, depth: usize) -> Option<Module> {
         const DEEPEST: usize = 20;
@@ -141,9 +155,10 @@ impl File {
         // What a module hands on of its own folder is not used by it.
         let taken =
             items.into_iter().filter(|item| !item.handed_on || !is_child(&item.path)).map(|item| item.path);
-        let inline = inline_paths(text)
-            .into_iter()
-            .filter(|path| ["crate", "super", "self"].contains(&path[0].as_str()) || is_child(path));
+        let inline = inline_paths(text).into_iter().filter(|path| {
+            let first = path[0].as_str();
+            ["crate", "super", "self"].contains(&first) || is_child(path) || foreign_module(path).is_some()
+        });
         Self { declared: declared(text), imported, used: taken.chain(inline).collect() }
     }
 }

@@ -1,0 +1,65 @@
+//! The map of the crates: `crates/modules.toml`, which modules may use which, and the tables of ARCHITECTURE.md, which say what each holds.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+const MODULES: &str = include_str!("../../../modules.toml");
+const ARCHITECTURE: &str = include_str!("../../../../ARCHITECTURE.md");
+
+/// The modules of one crate with those that each may use.
+#[derive(Debug)]
+pub(crate) struct Section {
+    pub(crate) name: String,
+    pub(crate) modules: Vec<(String, Vec<String>)>,
+}
+
+#[derive(Debug)]
+pub(crate) struct Map {
+    /// The crates from the bottom up.
+    pub(crate) crates: Vec<Section>,
+    /// The modules that all modules of the mathematics may use.
+    pub(crate) common: Vec<String>,
+}
+
+/// The texts in quotation marks.
+fn quoted(text: &str, mark: char) -> Vec<String> {
+    text.split(mark).skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+impl Map {
+    pub(crate) fn read() -> Self {
+        let (mut crates, mut common): (Vec<Section>, _) = (vec![], vec![]);
+        for line in MODULES.lines().filter(|line| !line.starts_with('#') && !line.is_empty()) {
+            if let Some(name) = line.strip_prefix('[') {
+                crates.push(Section { name: name.trim_end_matches(']').to_owned(), modules: vec![] });
+                continue;
+            }
+            let (module, uses) = line.split_once(" = ").unwrap();
+            match crates.last_mut() {
+                Some(section) => section.modules.push((module.to_owned(), quoted(uses, '"'))),
+                None => common = quoted(uses, '"'),
+            }
+        }
+        Self { crates, common }
+    }
+
+    /// Whether the crate belongs to the mathematics, whose modules know each other across crates.
+    pub(crate) fn is_mathematics(&self, name: &str) -> bool {
+        let place = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
+        (place("libration-kernels")..=place("libration-branches")).contains(&place(name))
+    }
+}
+
+/// The modules that ARCHITECTURE.md describes, by crate: a heading with the crate's name, then rows that begin with the module's.
+pub(crate) fn described() -> BTreeMap<String, Vec<String>> {
+    let names: BTreeSet<String> = Map::read().crates.into_iter().map(|section| section.name).collect();
+    let (mut described, mut heading) = (BTreeMap::<String, Vec<String>>::new(), None);
+    for line in ARCHITECTURE.lines() {
+        if line.starts_with('#') {
+            heading = quoted(line, '`').into_iter().find(|name| names.contains(name));
+        }
+        if let (Some(name), true) = (&heading, line.starts_with("| `")) {
+            described.entry(name.clone()).or_default().push(quoted(line, '`').remove(0));
+        }
+    }
+    described
+}
