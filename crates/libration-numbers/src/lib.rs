@@ -24,6 +24,7 @@ pub mod internals {
             harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
             lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes},
             lanewise::{Rounded, any, convolution, integral, lanes, quotient, square},
+            ordered_map::{ordered_map, ordered_map_of_all},
             pi_powers::{PiPolynomial, PiPowers},
             prime_field::PrimeField,
             prime_fields::{PrimeFields, Residues},

@@ -2,6 +2,7 @@
 
 use libration_numbers::algebra::Complex;
 use libration_numbers::expression::{Expression, Function, Symbol};
+use libration_numbers::internals::algebra::ordered_map;
 use std::collections::BTreeMap;
 
 /// More terms than this are no closed form that is worth having.
@@ -110,11 +111,11 @@ impl Trigonometric {
             let monomial = Monomial { harmonic: -monomial.harmonic, ..*monomial };
             (monomial, Complex::new(coefficient.re, -coefficient.im))
         });
-        self.scaled(own).plus(&Self { terms: other.collect() }.scaled(conjugate))
+        self.scaled(own).plus(&Self { terms: ordered_map(other) }.scaled(conjugate))
     }
 
     fn scaled(&self, factor: Complex) -> Self {
-        Self { terms: self.terms.iter().map(|(monomial, value)| (*monomial, *value * factor)).collect() }
+        Self { terms: ordered_map(self.terms.iter().map(|(monomial, value)| (*monomial, *value * factor))) }
     }
 
     pub(super) fn plus(&self, other: &Self) -> Self {

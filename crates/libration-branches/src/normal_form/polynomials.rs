@@ -1,6 +1,7 @@
 //! Polynomials in complex amplitudes and their conjugates, over any field.
 
 use libration_numbers::algebra::{Function, Rational, Ring};
+use libration_numbers::internals::algebra::{ordered_map, ordered_map_of_all};
 use std::collections::BTreeMap;
 
 /// Powers of a₁, a₂, …, then of their conjugates.
@@ -35,7 +36,7 @@ impl<F: Ring> AmplitudePolynomials<F> {
 
     pub(super) fn scaled(&self, a: &Polynomial<F::Element>, factor: &F::Element) -> Polynomial<F::Element> {
         let scaled = a.iter().map(|(powers, value)| (powers.clone(), self.numbers.multiply(value, factor)));
-        scaled.filter(|(_, value)| !self.numbers.is_zero(value)).collect()
+        ordered_map(scaled.filter(|(_, value)| !self.numbers.is_zero(value)))
     }
 
     /// The derivative by a generator.
@@ -46,7 +47,7 @@ impl<F: Ring> AmplitudePolynomials<F> {
             lower[by] -= 1;
             (lower, self.numbers.times_integer(value, i64::from(powers[by])))
         };
-        terms.map(lowered).collect()
+        ordered_map(terms.map(lowered))
     }
 
     fn as_constant<'a>(&self, a: &'a Polynomial<F::Element>) -> Option<Option<&'a F::Element>> {
@@ -109,7 +110,7 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
     }
 
     fn negate(&self, a: &Self::Element) -> Self::Element {
-        a.iter().map(|(powers, value)| (powers.clone(), self.numbers.negate(value))).collect()
+        ordered_map(a.iter().map(|(powers, value)| (powers.clone(), self.numbers.negate(value))))
     }
 
     fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
@@ -126,7 +127,7 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
     fn times_integer(&self, a: &Self::Element, factor: i64) -> Self::Element {
         let terms =
             a.iter().map(|(powers, value)| (powers.clone(), self.numbers.times_integer(value, factor)));
-        terms.filter(|(_, value)| !self.numbers.is_zero(value)).collect()
+        ordered_map(terms.filter(|(_, value)| !self.numbers.is_zero(value)))
     }
 
     /// By constants only.
@@ -134,14 +135,14 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
         let divisor = self.as_constant(divisor)??;
         let terms =
             a.iter().map(|(powers, value)| Some((powers.clone(), self.numbers.divide(value, divisor)?)));
-        terms.collect()
+        ordered_map_of_all(terms)
     }
 
     fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {
         let terms = a
             .iter()
             .map(|(powers, value)| Some((powers.clone(), self.numbers.over_integer(value, divisor)?)));
-        terms.collect()
+        ordered_map_of_all(terms)
     }
 
     fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {

@@ -33,6 +33,8 @@ pub(crate) mod lanewise;
 mod laurent;
 mod mixed_radix;
 #[doc(hidden)]
+pub(crate) mod ordered_map;
+#[doc(hidden)]
 pub(crate) mod pi_powers;
 mod pi_sum;
 mod polynomial;

@@ -1,5 +1,6 @@
 //! Sums of whole powers of π, also negative ones, as a ring: π is taken as independent of the numbers before it.
 
+use super::ordered_map::{ordered_map, ordered_map_of_all};
 use std::collections::BTreeMap;
 
 use super::{Function, Rational, Ring};
@@ -46,7 +47,7 @@ impl<F: Ring> PiPowers<F> {
         f: impl Fn(&F::Element) -> Option<F::Element>,
     ) -> Option<PiPolynomial<F::Element>> {
         let terms = a.terms.iter().map(|(&power, number)| Some((power, f(number)?)));
-        Some(PiPolynomial { terms: terms.collect::<Option<_>>()? })
+        Some(PiPolynomial { terms: ordered_map_of_all(terms)? })
     }
 
     /// The number, when no power of π is left.
@@ -87,7 +88,7 @@ impl<F: Ring> Ring for PiPowers<F> {
 
     fn negate(&self, a: &Self::Element) -> Self::Element {
         let terms = a.terms.iter().map(|(&power, number)| (power, self.numbers.negate(number)));
-        PiPolynomial { terms: terms.collect() }
+        PiPolynomial { terms: ordered_map(terms) }
     }
 
     fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
@@ -109,7 +110,7 @@ impl<F: Ring> Ring for PiPowers<F> {
         let mut terms = divisor.terms();
         let ((shift, number), None) = (terms.next()?, terms.next()) else { return None };
         let quotient = Self::map(a, |x| self.numbers.divide(x, number))?;
-        Some(PiPolynomial { terms: quotient.terms.into_iter().map(|(p, x)| (p - shift, x)).collect() })
+        Some(PiPolynomial { terms: ordered_map(quotient.terms.into_iter().map(|(p, x)| (p - shift, x))) })
     }
 
     fn over_integer(&self, a: &Self::Element, divisor: u64) -> Option<Self::Element> {

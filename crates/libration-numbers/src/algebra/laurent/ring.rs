@@ -1,5 +1,6 @@
 //! The ring of Laurent polynomials in given letters.
 
+use super::super::ordered_map::ordered_map;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -57,7 +58,7 @@ impl LaurentPolynomials {
     pub fn part(&self, of: &LaurentPolynomial, is_such: impl Fn(&[i64]) -> bool) -> LaurentPolynomial {
         let such = |terms: &BTreeMap<HalfPowers, Rational>| {
             let such = terms.iter().filter(|(powers, _)| is_such(powers));
-            such.map(|(powers, factor)| (powers.clone(), factor.clone())).collect()
+            ordered_map(such.map(|(powers, factor)| (powers.clone(), factor.clone())))
         };
         self.element(of.terms.as_ref().map(such))
     }
@@ -73,7 +74,7 @@ impl LaurentPolynomials {
 
     fn map(&self, a: &LaurentPolynomial, change: impl Fn(&Rational) -> Rational) -> LaurentPolynomial {
         let changed = |terms: &BTreeMap<HalfPowers, Rational>| {
-            terms.iter().map(|(powers, factor)| (powers.clone(), change(factor))).collect()
+            ordered_map(terms.iter().map(|(powers, factor)| (powers.clone(), change(factor))))
         };
         self.element(a.terms.as_ref().map(changed))
     }

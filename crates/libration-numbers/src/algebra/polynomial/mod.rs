@@ -6,6 +6,7 @@ mod polynomials;
 mod text;
 mod variable;
 
+use super::ordered_map::ordered_map;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -133,7 +134,7 @@ impl<V: Ord + Clone> Polynomial<V> {
     pub fn coefficient(&self, variable: &V, power: u32) -> Self {
         let chosen = self.terms.iter().filter(|(monomial, _)| monomial.exponent(variable) == power);
         Self {
-            terms: chosen.map(|(monomial, factor)| (monomial.without(variable), factor.clone())).collect(),
+            terms: ordered_map(chosen.map(|(monomial, factor)| (monomial.without(variable), factor.clone()))),
         }
     }
 
@@ -145,7 +146,7 @@ impl<V: Ord + Clone> Polynomial<V> {
             let exponent = Rational::from(i64::from(monomial.exponent(variable)));
             monomial.divided_by(&x).map(|rest| (rest, factor.clone() * exponent))
         });
-        Self { terms: terms.collect() }
+        Self { terms: ordered_map(terms) }
     }
 
     /// The polynomial times a number.
@@ -156,7 +157,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         }
         let scale =
             |(monomial, other): (&Monomial<V>, &Rational)| (monomial.clone(), other.clone() * factor.clone());
-        Self { terms: self.terms.iter().map(scale).collect() }
+        Self { terms: ordered_map(self.terms.iter().map(scale)) }
     }
 
     /// The power with a natural exponent.
@@ -253,7 +254,7 @@ impl<V: Ord + Clone> Mul for Polynomial<V> {
 impl<V: Ord + Clone> Neg for Polynomial<V> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self { terms: self.terms.into_iter().map(|(monomial, factor)| (monomial, -factor)).collect() }
+        Self { terms: ordered_map(self.terms.into_iter().map(|(monomial, factor)| (monomial, -factor))) }
     }
 }
 
