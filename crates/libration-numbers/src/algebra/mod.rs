@@ -14,7 +14,8 @@
 
 mod big_float;
 mod big_sine;
-mod common_denominator;
+#[doc(hidden)]
+pub(crate) mod common_denominator;
 mod complex;
 mod decimal_digits;
 mod doubles;
@@ -24,13 +25,15 @@ mod floats;
 pub(crate) mod function;
 #[doc(hidden)]
 pub(crate) mod harmonics;
-mod integer_polynomial;
+#[doc(hidden)]
+pub(crate) mod integer_polynomial;
 #[doc(hidden)]
 pub(crate) mod lanes;
 #[doc(hidden)]
 pub(crate) mod lanewise;
 mod laurent;
-mod mixed_radix;
+#[doc(hidden)]
+pub(crate) mod mixed_radix;
 #[doc(hidden)]
 pub(crate) mod pi_powers;
 mod pi_sum;

@@ -14,7 +14,8 @@
 mod error;
 mod letters;
 
-mod decimal;
+#[doc(hidden)]
+pub(crate) mod decimal;
 mod lexer;
 mod members;
 mod parser;
@@ -25,7 +26,8 @@ mod precedence;
 
 mod derivative;
 mod normal_form;
-mod simplify;
+#[doc(hidden)]
+pub(crate) mod simplify;
 mod symbols;
 
 mod equation;
