@@ -39,11 +39,3 @@ pub fn rounds_once() -> bool {
     // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰, of which two roundings leave nothing of the last.
     x.fma(x, -1.0 - libm::ldexp(1.0, -29)) > 0.0
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn sums_of_products_are_rounded_once() {
-        assert!(super::rounds_once());
-    }
-}

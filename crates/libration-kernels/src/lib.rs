@@ -21,13 +21,20 @@ pub mod fused;
 /// Internals that the other crates of this workspace and the tests use. They may change at any time.
 #[doc(hidden)]
 pub mod internals {
+    pub mod elementary {
+        pub use crate::elementary::logarithm::reciprocal;
+    }
     pub mod elliptic {
         pub use crate::elliptic::{
             Expansion,
             complete::{Complete, complete},
             complete_and_nome,
+            descent::Descent,
             incomplete::first_of_point,
+            leg,
+            nearer::Nearer,
             precise::PreciseQuotients,
+            rounded::{first, second},
             swing_stages::SwingStages,
             theta::{
                 CircularSide, HyperbolicSide, Phase, PhaseClock, Side, ThetaSeries, ThetaValues, ThetaZero,

@@ -85,6 +85,3 @@ pub fn by_key<'c, E: Named + 'c>(
         otherwise: E::OTHERWISE,
     })
 }
-
-#[cfg(test)]
-mod tests;

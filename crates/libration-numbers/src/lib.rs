@@ -20,15 +20,18 @@ pub use libration_kernels::elliptic;
 pub mod internals {
     pub mod algebra {
         pub use crate::algebra::{
-            function::entry::Growth,
+            common_denominator::composition,
+            function::entry::{Domain, Growth, Parity},
             harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
+            integer_polynomial::product,
             lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes},
             lanewise::{Rounded, any, convolution, integral, lanes, quotient, square},
+            mixed_radix::{CONFIRMING_PRIMES, MixedRadix},
             ordered_map::{ordered_map, ordered_map_of_all},
             pi_powers::{PiPolynomial, PiPowers},
             prime_field::PrimeField,
-            prime_fields::{PrimeFields, Residues},
-            primes::primes_with_roots,
+            prime_fields::{LANES, PrimeFields, Residues},
+            primes::{is_prime, primes_with_roots},
             quadratic_field::{Quadratic, QuadraticField},
             reconstruction::{Images, Place, Stopped, reconstruct},
             sampled_harmonics::{SampledHarmonics, Symmetry},
@@ -43,9 +46,11 @@ pub mod internals {
     }
     pub mod expression {
         pub use crate::expression::{
+            decimal::{from_digits, to_decimal},
             instruction::{Evaluator, Instruction, Value, Weighted},
             jet::{Jet, NoSeries},
             side::Side,
+            simplify::difference,
             tape::{Operation, Tape},
         };
     }
@@ -60,14 +65,21 @@ pub mod internals {
     pub mod quadrature {
         pub use crate::quadrature::{
             equal_steps::equal_steps,
+            kronrod::Rules,
             running::{POINTS, points, running_integrals},
         };
+    }
+    pub mod quantity {
+        pub use crate::quantity::{decimal::Decimal, pi_combination::PiCombination};
     }
     pub mod roots {
         pub use crate::roots::{polynomial::value_and_slope, sign_changes::sign_change};
     }
     pub mod series {
-        pub use crate::series::{even_reciprocal, exponential};
+        pub use crate::series::{
+            even_reciprocal, exponential,
+            online::{Convolution, Weight},
+        };
         pub mod truncated {
             pub use crate::series::truncated::{
                 SeriesPowers, composition, next_square_root, powers, powers_of_inverse, product, reciprocal,

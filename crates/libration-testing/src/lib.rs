@@ -4,4 +4,5 @@
 pub mod condition;
 pub mod golden;
 pub mod random;
+pub mod sources;
 pub mod ulp;

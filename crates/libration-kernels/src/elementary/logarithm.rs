@@ -80,7 +80,8 @@ const RECIPROCAL: [f64; 4] = [1.97034285, -1.44853978, 0.470943465, -0.057135023
 /// 1/x for 1 + √½ ≤ x ≤ 1 + √2 within 1.2·2⁻⁵² of itself, by Newton's method: of the time that eight periods took side by side, a
 /// sixth went into waiting for a division.
 #[inline(always)]
-pub(super) fn reciprocal(x: f64) -> f64 {
+#[doc(hidden)]
+pub fn reciprocal(x: f64) -> f64 {
     let start = polynomial(x, &RECIPROCAL);
     let better = start * (2.0 - x * start);
     better.fma((-x).fma(better, 1.0), better)

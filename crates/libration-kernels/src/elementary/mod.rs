@@ -14,7 +14,7 @@ mod exponential;
 mod fine_logarithm;
 mod fine_sine;
 mod hyperbolic;
-mod logarithm;
+pub(crate) mod logarithm;
 mod sine;
 
 pub use arctangent::{ReducedArctangent, atan_of_ratio};
@@ -70,6 +70,3 @@ const ROUNDER: f64 = 6755399441055744.0;
 fn power_of_two(n: f64) -> f64 {
     f64::from_bits((n + (ROUNDER + 1023.0)).to_bits() << 52)
 }
-
-#[cfg(test)]
-mod tests;

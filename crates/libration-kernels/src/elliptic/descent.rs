@@ -30,7 +30,7 @@ const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676
 
 /// What is left after two steps, and what they were.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Descent {
+pub struct Descent {
     /// (1 + r)², four times the mean.
     mean: DoubleDouble,
     /// ε, raised as the parameter is.
@@ -41,7 +41,7 @@ pub(crate) struct Descent {
 
 impl Descent {
     #[inline(always)]
-    pub(crate) fn new(nearer: &Nearer) -> Self {
+    pub fn new(nearer: &Nearer) -> Self {
         let mean = (DoubleDouble::ONE.plus_smaller(nearer.root.sqrt())).square();
         let divisor = (DoubleDouble::ONE.plus_smaller(nearer.root) * mean).scaled(2.0);
         let epsilon = nearer.smaller.over(divisor);
@@ -63,19 +63,19 @@ impl Descent {
 
     /// K(√p).
     #[inline(always)]
-    pub(crate) fn near_quarter(&self) -> DoubleDouble {
+    pub fn near_quarter(&self) -> DoubleDouble {
         (series(self.fourth, &QUARTER) * DoubleDouble::PI.scaled(2.0)).over(self.mean)
     }
 
     /// 1/4K(√p), turns in a unit of the argument.
     #[inline(always)]
-    pub(crate) fn near_frequency(&self) -> DoubleDouble {
+    pub fn near_frequency(&self) -> DoubleDouble {
         self.inverse_of_quarter() * FRAC_1_PI.scaled(0.125)
     }
 
     /// 1/4K(c), given ln(1/q); zero for q = 0.
     #[inline(always)]
-    pub(crate) fn far_frequency(&self, log: DoubleDouble) -> DoubleDouble {
+    pub fn far_frequency(&self, log: DoubleDouble) -> DoubleDouble {
         self.inverse_of_quarter().scaled(0.125).over(log)
     }
 
@@ -87,7 +87,7 @@ impl Descent {
 
     /// K(c), given K(√p) and ln(1/q); infinite for q = 0.
     #[inline(always)]
-    pub(crate) fn far_quarter(near: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+    pub fn far_quarter(near: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
         let product = near * FRAC_1_PI * log;
         // The second word of an infinite product is none.
         if log.hi < f64::INFINITY { product } else { log }
@@ -95,7 +95,7 @@ impl Descent {
 
     /// ln(1/q), infinite for q = 0; relative error below 2⁻¹⁰⁰.
     #[inline(always)]
-    pub(crate) fn log_inverse_nome(&self, raised: bool) -> DoubleDouble {
+    pub fn log_inverse_nome(&self, raised: bool) -> DoubleDouble {
         self.log_from(&fine_logarithm(self.epsilon), raised)
     }
 
@@ -112,18 +112,18 @@ impl Descent {
 
     /// q, raised as the parameter is; relative error below 2⁻⁶⁹.
     #[inline(always)]
-    pub(crate) fn nome(&self) -> DoubleDouble {
+    pub fn nome(&self) -> DoubleDouble {
         self.epsilon * short_series(self.fourth, &NOME)
     }
 
     /// √q, given by what the root of the parameter is to be lowered; relative error below 2⁻⁶⁹.
     #[inline(always)]
-    pub(crate) fn root_of_nome(&self, lowering: f64) -> DoubleDouble {
+    pub fn root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * short_series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
     /// The same to 2⁻¹⁰².
-    pub(crate) fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
+    pub fn precise_root_of_nome(&self, lowering: f64) -> DoubleDouble {
         (self.epsilon.sqrt() * series(self.fourth, &ROOT_OF_NOME)).scaled(lowering)
     }
 
@@ -165,65 +165,4 @@ fn from_power<const N: usize>(power: usize, x: f64, coefficients: &[f64; N]) -> 
         sum = x.fma(sum, coefficients[i]);
     }
     sum
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use libration_numbers::algebra::BigFloat;
-
-    const BITS: usize = 300;
-
-    fn big(x: DoubleDouble) -> BigFloat {
-        BigFloat::from_words(x, BITS)
-    }
-
-    fn word(x: f64) -> BigFloat {
-        big(DoubleDouble::from(x))
-    }
-
-    fn relative(got: DoubleDouble, exact: &BigFloat) -> f64 {
-        ((big(got) - exact.clone()) / exact.clone()).to_f64().abs()
-    }
-
-    /// Smaller parameters of every size, many next to one half, where the series are longest.
-    fn parameters() -> impl Iterator<Item = f64> {
-        (1..=200)
-            .map(|i| (f64::from(i) * 0.618_033_988_749_894_8).fract())
-            .flat_map(|x| [0.5 * x, 0.5 - 0.01 * x, libm::exp10(-100.0 * x), libm::exp10(-200.0 - 100.0 * x)])
-    }
-
-    fn quarter(complementary: BigFloat) -> BigFloat {
-        BigFloat::pi(BITS).halved() / word(1.0).agm(&complementary)
-    }
-
-    #[test]
-    fn quarter_periods_and_nome_are_good_to_a_hundred_and_two_bits() {
-        for m in parameters().chain([0.5, 0.5_f64.next_down(), 1e-200, 1e-200_f64.next_down()]) {
-            let nearer = Nearer::from_parameter(m);
-            let descent = Descent::new(&nearer);
-            let log = descent.log_inverse_nome(nearer.raised);
-            let (near, far) = (quarter((word(1.0) - word(m)).sqrt()), quarter(word(m).sqrt()));
-            let exact_log = BigFloat::pi(BITS) * far.clone() / near.clone();
-            let nome = (word(0.0) - exact_log.clone()).exp();
-            let raise = word(nearer.lowering());
-            let nome_raised = nome.clone() / (raise.clone() * raise);
-            let [root, precise_root] = [Descent::root_of_nome, Descent::precise_root_of_nome]
-                .map(|root| relative(root(&descent, nearer.lowering()), &nome.clone().sqrt()));
-            // The lower half of a second word may be below the smallest number.
-            let short = [relative(descent.nome(), &nome_raised), if m > 1e-200 { root } else { 0.0 }];
-            assert!(short.iter().all(|error| *error < libm::exp2(-69.0)), "{m:e}: {short:?}");
-            let errors = [
-                relative(descent.near_quarter(), &near),
-                relative(descent.near_frequency(), &(word(0.25) / near.clone())),
-                relative(log, &exact_log),
-                relative(Descent::far_quarter(descent.near_quarter(), log), &far),
-                relative(descent.far_frequency(log), &(word(0.25) / far)),
-                if m > 1e-200 { precise_root } else { 0.0 },
-            ];
-            for error in errors {
-                assert!(error < libm::exp2(-102.0), "{m:e}: {errors:?}");
-            }
-        }
-    }
 }

@@ -19,7 +19,8 @@ pub(crate) mod complete;
 
 mod carlson;
 mod complete_stages;
-mod descent;
+#[doc(hidden)]
+pub(crate) mod descent;
 #[doc(hidden)]
 pub(crate) mod incomplete;
 mod incomplete_stages;
@@ -27,10 +28,12 @@ mod jacobi;
 mod jacobi_stages;
 mod moduli;
 mod modulus_stages;
-mod nearer;
+#[doc(hidden)]
+pub(crate) mod nearer;
 #[doc(hidden)]
 pub(crate) mod precise;
-mod rounded;
+#[doc(hidden)]
+pub(crate) mod rounded;
 #[doc(hidden)]
 pub(crate) mod swing_stages;
 #[doc(hidden)]
@@ -400,7 +403,8 @@ fn nome(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> f64 {
 
 /// √(1 − x²) as √((1 − x)(1 + x)).
 #[inline(always)]
-fn leg(x: DoubleDouble) -> DoubleDouble {
+#[doc(hidden)]
+pub fn leg(x: DoubleDouble) -> DoubleDouble {
     ((DoubleDouble::ONE - x) * (DoubleDouble::ONE + x)).sqrt()
 }
 

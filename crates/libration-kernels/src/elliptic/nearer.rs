@@ -8,13 +8,13 @@ use crate::double_double::{DoubleDouble, fast_two_sum, pick};
 
 /// The smaller of m and 1 − m, and the root of the larger.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Nearer {
+pub struct Nearer {
     /// Whether m is the larger, above one half.
-    pub(crate) above: bool,
+    pub above: bool,
     /// The smaller, times `RAISE`² where it is `raised`.
     pub(crate) smaller: DoubleDouble,
     /// Whether the smaller is below 1e-200, where its second word and what is divided from it would underflow.
-    pub(crate) raised: bool,
+    pub raised: bool,
     /// √(1 − smaller).
     pub(crate) root: DoubleDouble,
 }
@@ -28,7 +28,7 @@ const SMALL_MODULUS: f64 = 1e-100;
 impl Nearer {
     /// Of the parameter m, 0 ≤ m ≤ 1.
     #[inline(always)]
-    pub(crate) fn from_parameter(m: f64) -> Self {
+    pub fn from_parameter(m: f64) -> Self {
         let above = m > 0.5;
         // Above one half the difference is exact.
         Self::from_smaller(above, if above { 1.0 - m } else { m })
@@ -36,7 +36,7 @@ impl Nearer {
 
     /// Of the complementary parameter 1 − m.
     #[inline(always)]
-    pub(crate) fn from_complementary_parameter(complementary: f64) -> Self {
+    pub fn from_complementary_parameter(complementary: f64) -> Self {
         let above = complementary < 0.5;
         Self::from_smaller(above, if above { complementary } else { 1.0 - complementary })
     }
@@ -63,7 +63,7 @@ impl Nearer {
 
     /// Of the modulus k beside its complement k′.
     #[inline(always)]
-    pub(crate) fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
+    pub fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         let above = modulus.hi > complementary.hi;
         let (small, root) = if above { (complementary, modulus) } else { (modulus, complementary) };
         let raised = small.hi < SMALL_MODULUS;
@@ -77,7 +77,7 @@ impl Nearer {
 
     /// 1/`RAISE` where the smaller is raised.
     #[inline(always)]
-    pub(crate) fn lowering(&self) -> f64 {
+    pub fn lowering(&self) -> f64 {
         if self.raised { 1.0 / RAISE } else { 1.0 }
     }
 

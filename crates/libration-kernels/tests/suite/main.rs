@@ -1,8 +1,8 @@
 //! The evidence for the kernels: golden tables, published numbers and identities.
 #![expect(clippy::unwrap_used, reason = "a test that cannot read its table should stop there")]
-#![expect(clippy::float_cmp, reason = "exact values and equal bits are what some tests claim")]
 
 // Tests read as users of the crate `libration` write.
 extern crate libration_kernels as libration;
 
 mod elliptic_batches;
+mod unit;

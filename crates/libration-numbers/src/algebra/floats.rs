@@ -10,7 +10,8 @@ pub struct Floats {
 }
 
 impl Floats {
-    fn integer(self, value: i64) -> BigFloat {
+    #[doc(hidden)]
+    pub fn integer(self, value: i64) -> BigFloat {
         BigFloat::from_integer(value, self.precision)
     }
 
@@ -120,61 +121,5 @@ const fn largest_exponent(growth: Growth) -> isize {
         Growth::Exponential | Growth::Hyperbolic => 20,
         Growth::Power => isize::MAX,
         Growth::Bounded => 40,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn functions_and_their_inverses_meet() {
-        let floats = Floats { precision: 200 };
-        let at = floats.rational(&Rational::new(3, 7).unwrap()).unwrap();
-        let value = |function, at: &BigFloat| floats.value(function, at).unwrap();
-        let close = |a: &BigFloat, b: &BigFloat| {
-            (a.clone() - b.clone()).exponent().is_none_or(|exponent| exponent < -190)
-        };
-        for (function, inverse) in [
-            (Function::Sin, Function::Asin),
-            (Function::Cos, Function::Acos),
-            (Function::Tan, Function::Atan),
-            (Function::Exp, Function::Ln),
-        ] {
-            assert!(close(&value(inverse, &value(function, &at)), &at), "{function:?}");
-        }
-        let (s, c) = (value(Function::Sinh, &at), value(Function::Cosh, &at));
-        assert!(close(&(c.clone() * c - s.clone() * s), &floats.integer(1)));
-        let root = floats.power(&at, &Rational::new(1, 3).unwrap()).unwrap();
-        assert!(close(&(root.clone() * root.clone() * root), &at));
-    }
-
-    #[test]
-    fn powers_of_zero_and_of_negative_numbers_are_those_of_the_real_line() {
-        let floats = Floats { precision: 200 };
-        let power = |base: i64, n: i64, d: i64| {
-            let value = floats.power(&floats.integer(base), &Rational::new(n, d).unwrap());
-            value.map(|value| value.to_f64())
-        };
-        assert_eq!(power(0, 5, 2), Some(0.0));
-        assert_eq!(power(0, 10_001, 1), Some(0.0));
-        assert_eq!([power(0, -1, 2), power(0, 0, 1), power(-2, 1, 2)], [None; 3]);
-        assert_eq!(
-            [power(-2, 3, 1), power(-2, 4, 1), power(-2, -1, 1)],
-            [Some(-8.0), Some(16.0), Some(-0.5)]
-        );
-    }
-
-    #[test]
-    fn what_would_take_too_long_is_refused() {
-        let floats = Floats { precision: 200 };
-        let at = |exponent| floats.rational(&Rational::from(10).integer_power(exponent).unwrap()).unwrap();
-        assert!(
-            floats.value(Function::Exp, &at(5)).is_some() && floats.value(Function::Ln, &at(60)).is_some()
-        );
-        for function in [Function::Exp, Function::Sinh, Function::Tanh] {
-            assert_eq!(floats.value(function, &at(9)), None, "{function:?}");
-        }
-        assert_eq!(floats.power(&at(1), &Rational::from(1_000_000_000)), None);
     }
 }

@@ -7,21 +7,21 @@ use super::prime_fields::{LANES, PRODUCTS, Residues, Sums};
 use libration_kernels::dispatch::{Kernel, dispatch_slices};
 
 /// Primes that an answer must agree with although it could be told without them.
-pub(super) const CONFIRMING_PRIMES: usize = 5;
+pub const CONFIRMING_PRIMES: usize = 5;
 
 /// Numbers modulo the product of some primes, in the form d₀ + d₁p₀ + d₂p₀p₁ + …, found digit by digit in machine
 /// words. A small integer has few digits, and a small negative one ends in digits p − 1.
 ///
 /// Reference: H. L. Garner, *The residue number system*, IRE Trans. Electron. Comput. EC-8, 140 (1959).
 #[derive(Clone, Debug, Default)]
-pub(super) struct MixedRadix {
-    places: Vec<Place>,
+pub struct MixedRadix {
+    pub places: Vec<Place>,
 }
 
 /// A prime, with the products of those before it.
 #[derive(Clone, Debug)]
-struct Place {
-    field: PrimeField,
+pub struct Place {
+    pub field: PrimeField,
     /// p₀⋯pⱼ₋₁ modulo this prime, by j, in Montgomery form.
     products: Vec<u32>,
     /// The inverse of the product of all before it.
@@ -30,7 +30,7 @@ struct Place {
 
 impl MixedRadix {
     /// Takes in another prime.
-    pub(super) fn push(&mut self, prime: u32) {
+    pub fn push(&mut self, prime: u32) {
         let field = PrimeField::new(prime);
         let mut product = field.unit();
         let mut products = Vec::with_capacity(self.places.len());
@@ -47,7 +47,7 @@ impl MixedRadix {
     }
 
     /// An integer modulo each prime, in Montgomery form.
-    pub(super) fn residues(&self, value: &UBig) -> Vec<u32> {
+    pub fn residues(&self, value: &UBig) -> Vec<u32> {
         self.places.iter().map(|place| place.field.integer(value % place.field.prime())).collect()
     }
 
@@ -58,7 +58,7 @@ impl MixedRadix {
 
     /// The digits of eight numbers times a factor, by their residues modulo the k-th prime and those of the factor: as many digits as show
     /// that all are small integers, or all of them.
-    pub(super) fn digits(&self, residues: impl Fn(usize) -> Residues, factor: &[u32]) -> Vec<Residues> {
+    pub fn digits(&self, residues: impl Fn(usize) -> Residues, factor: &[u32]) -> Vec<Residues> {
         let mut digits: Vec<Residues> = Vec::with_capacity(self.places.len());
         let mut ends = Ends::default();
         for (k, place) in self.places.iter().enumerate() {
@@ -72,7 +72,7 @@ impl MixedRadix {
     }
 
     /// The integer of a lane, if its last digits say that it is small.
-    pub(super) fn small_integer(&self, digits: &[Residues], lane: usize) -> Option<IBig> {
+    pub fn small_integer(&self, digits: &[Residues], lane: usize) -> Option<IBig> {
         let negative = digits.last()?[lane] != 0;
         let prime = |k: usize| self.places[k].field.prime();
         let is_end = |k: usize| digits[k][lane] == if negative { prime(k) - 1 } else { 0 };
@@ -104,7 +104,7 @@ impl MixedRadix {
     }
 
     /// The product of the first primes.
-    pub(super) fn modulus(&self, primes: usize) -> UBig {
+    pub fn modulus(&self, primes: usize) -> UBig {
         let mut words = vec![1];
         for place in &self.places[..primes] {
             multiply_add(&mut words, u64::from(place.field.prime()), 0);
@@ -188,60 +188,5 @@ impl Kernel for NextDigits<'_> {
             *next = field.product(field.difference(residue, known), self.place.inverse);
         }
         next
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::primes_with_roots;
-    use super::*;
-
-    fn radix(primes: usize) -> MixedRadix {
-        let mut radix = MixedRadix::default();
-        primes_with_roots(12).take(primes).for_each(|prime| radix.push(prime));
-        radix
-    }
-
-    #[test]
-    fn integers_of_either_sign_come_back_until_the_primes_run_out() {
-        let radix = radix(12);
-        let one = radix.residues(&UBig::ONE);
-        let negative = |value: &UBig| {
-            let residues = radix.residues(value).into_iter().zip(&radix.places);
-            residues.map(|(a, place)| place.field.difference(0, a)).collect::<Vec<u32>>()
-        };
-        for power in [0, 1, 29, 30, 31, 59, 60, 61, 180, 206] {
-            for value in [(UBig::ONE << power) - 1_u8, UBig::ONE << power, (UBig::ONE << power) + 1_u8] {
-                let (plus, minus) = (radix.residues(&value), negative(&value));
-                let digits = radix
-                    .digits(|k| std::array::from_fn(|lane| if lane < 5 { plus[k] } else { minus[k] }), &one);
-                assert_eq!(radix.small_integer(&digits, 4), Some(IBig::from(value.clone())));
-                assert_eq!(radix.small_integer(&digits, 5), Some(-IBig::from(value.clone())));
-                let needed = (0..8).find(|&primes| radix.modulus(primes) > value).unwrap();
-                assert_eq!(digits.len(), needed + CONFIRMING_PRIMES);
-            }
-        }
-        // Seven primes are left when five confirm.
-        let found = |value: &UBig| {
-            let residues = radix.residues(value);
-            radix.small_integer(&radix.digits(|k| [residues[k]; LANES], &one), 0)
-        };
-        let (less, more) = (radix.modulus(7) * 2_u8 / 3_u8, radix.modulus(7) * 4_u8 / 3_u8);
-        assert_eq!(found(&less), Some(IBig::from(less.clone())));
-        assert_eq!((found(&more), found(&(UBig::ONE << 300))), (None, None));
-    }
-
-    #[test]
-    fn digits_are_those_of_the_product_with_the_factor() {
-        let radix = radix(9);
-        let (third, factor) = (UBig::from(12_345_678_901_234_567_u64), UBig::from(3_u8));
-        let thirds: Vec<u32> = radix
-            .residues(&third)
-            .iter()
-            .zip(&radix.places)
-            .map(|(&a, place)| place.field.product(a, place.field.inverse(place.field.integer(3)).unwrap()))
-            .collect();
-        let digits = radix.digits(|k| [thirds[k]; LANES], &radix.residues(&factor));
-        assert_eq!(radix.small_integer(&digits, 7), Some(IBig::from(third)));
     }
 }

@@ -15,7 +15,8 @@
 
 mod big_float;
 mod big_sine;
-mod common_denominator;
+#[doc(hidden)]
+pub(crate) mod common_denominator;
 mod complex;
 mod decimal_digits;
 mod doubles;
@@ -25,13 +26,15 @@ mod floats;
 pub(crate) mod function;
 #[doc(hidden)]
 pub(crate) mod harmonics;
-mod integer_polynomial;
+#[doc(hidden)]
+pub(crate) mod integer_polynomial;
 #[doc(hidden)]
 pub(crate) mod lanes;
 #[doc(hidden)]
 pub(crate) mod lanewise;
 mod laurent;
-mod mixed_radix;
+#[doc(hidden)]
+pub(crate) mod mixed_radix;
 #[doc(hidden)]
 pub(crate) mod ordered_map;
 #[doc(hidden)]

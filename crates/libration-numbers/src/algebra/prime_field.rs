@@ -44,11 +44,11 @@ impl PrimeField {
     }
 
     #[inline(always)]
-    pub(crate) fn prime(&self) -> u32 {
+    pub fn prime(&self) -> u32 {
         self.prime
     }
 
-    pub(crate) fn unit(&self) -> u32 {
+    pub fn unit(&self) -> u32 {
         self.unit
     }
 
@@ -81,39 +81,39 @@ impl PrimeField {
     }
 
     #[inline(always)]
-    pub(crate) fn product(&self, a: u32, b: u32) -> u32 {
+    pub fn product(&self, a: u32, b: u32) -> u32 {
         self.reduced(u64::from(a) * u64::from(b))
     }
 
     #[inline(always)]
-    pub(crate) fn sum(&self, a: u32, b: u32) -> u32 {
+    pub fn sum(&self, a: u32, b: u32) -> u32 {
         self.below(a + b)
     }
 
     #[inline(always)]
-    pub(crate) fn difference(&self, a: u32, b: u32) -> u32 {
+    pub fn difference(&self, a: u32, b: u32) -> u32 {
         let difference = a.wrapping_sub(b);
         difference.min(difference.wrapping_add(self.prime))
     }
 
     /// Any word as an element: 2³² times what reduces it is allowed.
     #[inline(always)]
-    pub(crate) fn integer(&self, value: u32) -> u32 {
+    pub fn integer(&self, value: u32) -> u32 {
         self.product(value, self.radix_squared)
     }
 
     /// The residue of a number that may be longer than a word.
-    pub(crate) fn residue(&self, value: u64) -> u32 {
+    pub fn residue(&self, value: u64) -> u32 {
         self.integer(u32::try_from(value % u64::from(self.prime)).expect("it is below the prime"))
     }
 
     /// The representative between 0 and p − 1.
     #[inline(always)]
-    pub(crate) fn representative(&self, a: u32) -> u32 {
+    pub fn representative(&self, a: u32) -> u32 {
         self.reduced(u64::from(a))
     }
 
-    pub(crate) fn raised(&self, a: u32, exponent: u32) -> u32 {
+    pub fn raised(&self, a: u32, exponent: u32) -> u32 {
         let (mut result, mut square, mut rest) = (self.unit, a, exponent);
         while rest > 0 {
             if rest & 1 == 1 {
@@ -126,12 +126,12 @@ impl PrimeField {
     }
 
     /// `None` for zero.
-    pub(crate) fn inverse(&self, a: u32) -> Option<u32> {
+    pub fn inverse(&self, a: u32) -> Option<u32> {
         (a != 0).then(|| self.raised(a, self.prime - 2))
     }
 
     /// An element of multiplicative order `order`, a power of two that divides p − 1.
-    pub(crate) fn root_of_unity(&self, order: u32) -> Option<u32> {
+    pub fn root_of_unity(&self, order: u32) -> Option<u32> {
         if order < 2 {
             return Some(self.unit);
         }
@@ -179,44 +179,5 @@ impl PrimeField {
             }
         }
         (self.product(root, root) == a).then_some(root)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::primes_with_roots;
-    use super::*;
-
-    fn fields() -> impl Iterator<Item = PrimeField> {
-        primes_with_roots(16).take(3).map(PrimeField::new)
-    }
-
-    #[test]
-    fn residues_keep_the_field_laws() {
-        for field in fields() {
-            let p = u64::from(field.prime());
-            for (a, b) in [(3_u32, 5_u32), (field.prime() - 1, field.prime() - 2), (u32::MAX, 1_234_567_890)]
-            {
-                let expected = u32::try_from(u64::from(a) * u64::from(b) % p).unwrap();
-                let (x, y) = (field.integer(a), field.integer(b));
-                assert_eq!(field.representative(field.product(x, y)), expected);
-                assert_eq!(field.sum(field.difference(x, y), y), x);
-                assert_eq!(field.product(field.inverse(x).unwrap(), x), field.unit());
-                assert_eq!(field.residue(u64::from(a) + 7 * p), x);
-            }
-        }
-    }
-
-    #[test]
-    fn roots_have_their_order_and_squares_their_roots() {
-        for field in fields() {
-            let root = field.root_of_unity(1 << 16).unwrap();
-            assert_eq!(field.raised(root, 1 << 16), field.unit());
-            assert_eq!(field.root_of_unity(1 << 29), None);
-            let found = (2..40).filter_map(|n| field.square_root(field.integer(n)).map(|root| (n, root)));
-            let found: Vec<(u32, u32)> = found.collect();
-            assert!(found.iter().all(|&(n, root)| field.product(root, root) == field.integer(n)));
-            assert!(found.len() > 10 && found.len() < 38 && found.iter().any(|&(n, _)| n == 36));
-        }
     }
 }

@@ -12,7 +12,7 @@ pub fn primes_with_roots(k: u32) -> impl Iterator<Item = u32> {
 /// Miller and Rabin's test, with the bases that decide below 3.2·10⁹.
 ///
 /// Reference: G. Jaeschke, Math. Comp. 61, 915 (1993), doi:10.1090/S0025-5718-1993-1192971-8.
-pub(super) fn is_prime(n: u32) -> bool {
+pub fn is_prime(n: u32) -> bool {
     const BASES: [u32; 4] = [2, 3, 5, 7];
     if let Some(&small) = BASES.iter().find(|&&base| n.is_multiple_of(base)) {
         return n == small;
@@ -36,25 +36,4 @@ pub(super) fn is_prime(n: u32) -> bool {
             })
     };
     n > 1 && BASES.iter().all(|&base| passes(base, (n - 1).trailing_zeros()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn small_primes_are_told_from_composites() {
-        let primes: Vec<u32> = (0..60).filter(|&n| is_prime(n)).collect();
-        assert_eq!(primes, [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59]);
-        // The least strong pseudoprime to the first three bases, and 2³¹ − 1.
-        assert!(!is_prime(25_326_001));
-        assert!(is_prime((1 << 31) - 1));
-    }
-
-    #[test]
-    fn primes_for_the_longest_series_are_plenty() {
-        for k in [3, 9, 11, 14] {
-            assert!(primes_with_roots(k).take(3000).all(|p| p % (1 << k) == 1 && p >> 29 == 1), "{k}");
-        }
-    }
 }

@@ -10,7 +10,7 @@ pub(super) const LONGEST: usize = 1000;
 const ZEROS: usize = 20;
 
 /// digits · 10^exponent, of decimal digits; `None` beyond [`LONGEST`].
-pub(super) fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
+pub fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
     let significant = digits.trim_start_matches('0').trim_end_matches('0');
     if significant.is_empty() {
         return Some(Rational::from(0));
@@ -30,7 +30,7 @@ pub(super) fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
 }
 
 /// A number that is not negative as a decimal such as `12`, `0.125` or `1e-30`; `None` when it does not end.
-pub(super) fn to_decimal(value: &Rational) -> Option<String> {
+pub fn to_decimal(value: &Rational) -> Option<String> {
     let (numerator, denominator) = value.parts();
     let places = decimal_places(denominator)?;
     let scaled = numerator * IBig::from(UBig::from(10u8).pow(places) / denominator);
@@ -60,27 +60,4 @@ fn decimal_places(denominator: &UBig) -> Option<usize> {
         fives += 1;
     }
     rest.is_one().then_some(twos.max(fives))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn decimals_are_read_exactly_and_written_back() {
-        let cases = [("12", 0, "12"), ("125", -3, "0.125"), ("1", -300, "1e-300"), ("100", 30, "1e32")];
-        for (digits, exponent, text) in cases {
-            assert_eq!(to_decimal(&from_digits(digits, exponent).unwrap()).unwrap(), text);
-        }
-        assert_eq!(from_digits("25", -2), Rational::new(1, 4));
-        assert_eq!(from_digits("000", -99999), Some(Rational::from(0)));
-    }
-
-    #[test]
-    fn numbers_beyond_the_limits_are_none() {
-        assert_eq!(from_digits("1", 1001), None);
-        assert_eq!(from_digits("1", i64::MIN), None);
-        assert_eq!(from_digits(&"1".repeat(1001), 0), None);
-        assert_eq!(to_decimal(&Rational::new(1, 3).unwrap()), None);
-    }
 }

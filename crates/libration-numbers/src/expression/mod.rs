@@ -15,7 +15,8 @@
 mod error;
 mod letters;
 
-mod decimal;
+#[doc(hidden)]
+pub(crate) mod decimal;
 mod lexer;
 mod members;
 mod parser;
@@ -26,7 +27,8 @@ mod precedence;
 
 mod derivative;
 mod normal_form;
-mod simplify;
+#[doc(hidden)]
+pub(crate) mod simplify;
 mod symbols;
 
 mod equation;

@@ -183,6 +183,3 @@ fn value_of(function: Function, argument: NormalForm) -> NormalForm {
     let value = NormalForm::polynomial(Polynomial::from_variable(Atom::Call(function, Box::new(argument))));
     if odd { value.negated() } else { value }
 }
-
-#[cfg(test)]
-mod tests;

@@ -95,7 +95,7 @@ pub(super) fn sum(a: Expression, b: Expression) -> Expression {
     }
 }
 
-pub(super) fn difference(a: Expression, b: Expression) -> Expression {
+pub fn difference(a: Expression, b: Expression) -> Expression {
     if a == b {
         return Expression::from(0);
     }

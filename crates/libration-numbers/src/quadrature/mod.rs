@@ -24,7 +24,7 @@ mod double_exponential;
 #[doc(hidden)]
 pub(crate) mod equal_steps;
 mod gauss;
-mod kronrod;
+pub(crate) mod kronrod;
 #[doc(hidden)]
 pub(crate) mod running;
 
@@ -41,6 +41,3 @@ pub struct Integral {
     /// An estimate of how much was not reached, beside the roundings of a sum.
     pub error: f64,
 }
-
-#[cfg(test)]
-mod tests;

@@ -47,21 +47,3 @@ pub fn running_integrals(values: &[f64; POINTS]) -> ([f64; POINTS], f64) {
     };
     (std::array::from_fn(upto), 0.5 * coefficients[0])
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn integrals_of_polynomials_are_exact() {
-        for degree in 0..POINTS {
-            let power = |x: f64, n: usize| (0..n).fold(1.0, |product, _| product * x);
-            let (upto, all) = running_integrals(&points().map(|x| power(x, degree)));
-            let exact = |x: f64| power(x, degree + 1) / count(degree + 1);
-            assert!((all - exact(1.0)).abs() < 1e-15, "{degree}");
-            for (x, found) in points().into_iter().zip(upto) {
-                assert!((found - exact(x)).abs() < 1e-15, "{degree} {x}: {found}");
-            }
-        }
-    }
-}

@@ -10,7 +10,7 @@ const LARGEST_EXPONENT: i32 = 500;
 
 /// A decimal number: digits · 10^exponent.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Decimal {
+pub struct Decimal {
     digits: IBig,
     exponent: i32,
     nearest: f64,
@@ -19,14 +19,14 @@ pub(super) struct Decimal {
 impl Decimal {
     /// The whole text as a decimal number such as `-1.25e-3`; nothing when it is none, when it is too long or
     /// when it is beyond the range of `f64`.
-    pub(super) fn parse(text: &str) -> Option<Self> {
+    pub fn parse(text: &str) -> Option<Self> {
         let (number, rest) = Self::split_from(text.strip_prefix('-').unwrap_or(text))?;
         let number = if text.starts_with('-') { number.negated() } else { number };
         rest.is_empty().then_some(number)
     }
 
     /// The `f64` nearest to the whole text, if that is a decimal number that [`Self::parse`] reads.
-    pub(super) fn nearest_to(text: &str) -> Option<f64> {
+    pub fn nearest_to(text: &str) -> Option<f64> {
         let unsigned = text.strip_prefix('-').unwrap_or(text);
         let exponent = unsigned.find(['e', 'E']).map_or("0", |place| &unsigned[place + 1..]);
         let is_bounded = exponent.parse::<i32>().is_ok_and(|e| e.abs() <= LARGEST_EXPONENT);
@@ -35,7 +35,7 @@ impl Decimal {
     }
 
     /// The unsigned decimal number that the text begins with, and the text after it.
-    pub(super) fn split_from(text: &str) -> Option<(Self, &str)> {
+    pub fn split_from(text: &str) -> Option<(Self, &str)> {
         let (number, rest) = text.split_at(number_length(text));
         let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -47,7 +47,7 @@ impl Decimal {
     }
 
     /// The decimal itself.
-    pub(super) fn exact(&self) -> RBig {
+    pub fn exact(&self) -> RBig {
         let power = UBig::from(10u8).pow(self.exponent.unsigned_abs() as usize);
         if self.exponent < 0 {
             return RBig::from_parts(self.digits.clone(), power);
@@ -61,7 +61,7 @@ impl Decimal {
     }
 
     /// The nearest `f64`.
-    pub(super) fn nearest(&self) -> f64 {
+    pub fn nearest(&self) -> f64 {
         self.nearest
     }
 
@@ -94,80 +94,5 @@ pub(super) fn exponent_length(bytes: &[u8]) -> usize {
     match bytes[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count() {
         0 => 0,
         digits => 1 + sign + digits,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_decimal_is_kept_exactly() {
-        let number = Decimal::parse("-0.1").unwrap();
-        assert_eq!(number.exact() * RBig::from(10), -RBig::ONE);
-        assert_eq!(number.nearest().to_bits(), (-0.1f64).to_bits());
-        assert_eq!(Decimal::parse("1.5e2").unwrap().exact(), RBig::from(150));
-    }
-
-    #[test]
-    fn a_number_is_read_quickly_if_it_is_read_at_all() {
-        for text in [
-            "0",
-            "-0",
-            "-0.0",
-            "1.5",
-            ".5",
-            "5.",
-            "-2.5e-3",
-            "1E5",
-            "1e+5",
-            "1e-500",
-            "1e-400",
-            "1e308",
-            "1e309",
-            "1e500",
-            "1e501",
-            "1e-501",
-            "1e99999999999",
-            "",
-            "-",
-            ".",
-            "e5",
-            "1e",
-            "1e+",
-            "+1",
-            "--1",
-            "1 ",
-            "1_0",
-            "nan",
-            "inf",
-            "infinity",
-            "0x1",
-            "1.5rad",
-            "1,5",
-            "٣",
-        ] {
-            let exact = Decimal::parse(text).map(|number| number.nearest().to_bits());
-            assert_eq!(Decimal::nearest_to(text).map(f64::to_bits), exact, "{text}");
-        }
-        assert_eq!(Decimal::nearest_to(&"9".repeat(129)), None);
-        assert!(Decimal::nearest_to(&"9".repeat(128)).is_some());
-    }
-
-    #[test]
-    fn what_follows_the_number_is_left() {
-        for (text, rest) in [("60deg", "deg"), ("1e", "e"), ("2e-x", "e-x"), ("1.e3m", "m"), (".5", "")] {
-            assert_eq!(Decimal::split_from(text).unwrap().1, rest, "{text}");
-        }
-    }
-
-    #[test]
-    fn texts_that_are_no_number_are_refused() {
-        for text in
-            ["", "-", ".", "e5", "+-1", "1e501", "1e400", "1e-999999999", "1e99999999999", "٣", "nan", "inf"]
-        {
-            assert_eq!(Decimal::parse(text), None, "{text}");
-        }
-        assert_eq!(Decimal::parse(&"9".repeat(1_000_000)), None);
     }
 }

@@ -42,7 +42,7 @@ impl Angle {
 
 impl PiCombination {
     /// The nearest angle in two words; the caller keeps the turns within an `i64`.
-    pub(super) fn to_angle(&self) -> Angle {
+    pub fn to_angle(&self) -> Angle {
         if let Some(angle) = self.to_angle_within_half_turn() {
             return angle;
         }

@@ -23,7 +23,8 @@ mod angle;
 mod angle_name;
 mod angle_text;
 mod bare_radians;
-mod decimal;
+#[doc(hidden)]
+pub(crate) mod decimal;
 mod digits;
 mod dimension;
 mod displacement;
@@ -33,7 +34,8 @@ mod excerpt;
 mod fraction;
 mod nearest;
 mod physical;
-mod pi_combination;
+#[doc(hidden)]
+pub(crate) mod pi_combination;
 mod progression;
 mod range;
 mod range_error;
@@ -65,6 +67,3 @@ pub use rounded_complement::RoundedComplement;
 /// # Ok::<(), libration::quantity::QuantityError>(())
 /// ```
 pub const STANDARD_GRAVITY: f64 = 9.80665;
-
-#[cfg(test)]
-mod tests;

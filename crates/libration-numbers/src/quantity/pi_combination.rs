@@ -29,7 +29,7 @@ pub(super) static SHORT_PI: LazyLock<IBig> = LazyLock::new(|| IBig::from(&*PI >>
 
 /// The angle a·π + b radians, exactly.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct PiCombination {
+pub struct PiCombination {
     /// a, in units of π.
     pub(super) pi_multiple: RBig,
     /// b, in radians.
@@ -38,7 +38,7 @@ pub(super) struct PiCombination {
 
 impl PiCombination {
     /// Exactly this finite number of radians.
-    pub(super) fn radians(radians: f64) -> Self {
+    pub fn radians(radians: f64) -> Self {
         Self { pi_multiple: RBig::ZERO, rest: exact(radians) }
     }
 

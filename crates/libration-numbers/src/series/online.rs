@@ -10,7 +10,7 @@ pub(super) const BLOCK: usize = 1024;
 
 /// What stands under a coefficient: Σ yₙxⁿ/wₙ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Weight {
+pub enum Weight {
     /// wₙ = 1.
     Ordinary,
     /// wₙ = (2n)!.
@@ -21,17 +21,18 @@ pub(super) enum Weight {
 /// answers already found: solved by halves, the first half entering the second by one product.
 ///
 /// Reference: J. van der Hoeven, *Relax, but don't be too lazy*, J. Symbolic Comput. 34, 479 (2002), section 4.1.
-pub(super) struct Convolution<'a> {
-    pub(super) known: &'a [IBig],
-    pub(super) weight: Weight,
-    pub(super) finish: &'a dyn Fn(usize, IBig) -> IBig,
+#[expect(missing_debug_implementations, reason = "a function has none")]
+pub struct Convolution<'a> {
+    pub known: &'a [IBig],
+    pub weight: Weight,
+    pub finish: &'a dyn Fn(usize, IBig) -> IBig,
     /// Stretches up to this long are solved one by one.
-    pub(super) block: usize,
+    pub block: usize,
 }
 
 impl Convolution<'_> {
     /// The first `length` answers; coefficients that `known` does not reach are zero.
-    pub(super) fn solve(&self, first: IBig, length: usize) -> Vec<IBig> {
+    pub fn solve(&self, first: IBig, length: usize) -> Vec<IBig> {
         let mut answers = vec![IBig::ZERO; length];
         if length > 0 {
             self.fill(&mut answers, 0, length, &first);
@@ -120,20 +121,4 @@ fn even_binomials(n: usize) -> impl Iterator<Item = IBig> {
         binomial = &binomial * over / under;
         binomial.clone()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn solving_by_halves_gives_what_solving_one_by_one_gives() {
-        let known: Vec<IBig> = (0..90_i64).map(|n| IBig::from(3 - n).pow(3)).collect();
-        for weight in [Weight::Ordinary, Weight::EvenFactorial] {
-            let solve = |block| {
-                Convolution { known: &known, weight, finish: &|_, sum| -sum, block }.solve(IBig::ONE, 120)
-            };
-            assert_eq!(solve(7), solve(1000), "{weight:?}");
-        }
-    }
 }

@@ -19,7 +19,7 @@ pub(super) struct Entry {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Parity {
+pub enum Parity {
     Even,
     Odd,
 }
@@ -40,8 +40,8 @@ pub enum Growth {
 /// Where a function has real values.
 #[derive(Clone, Copy, Debug)]
 pub struct Domain {
-    pub(crate) low: Option<i64>,
-    pub(crate) high: Option<i64>,
+    pub low: Option<i64>,
+    pub high: Option<i64>,
     pub(crate) why: &'static str,
 }
 

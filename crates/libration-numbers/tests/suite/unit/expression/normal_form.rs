@@ -1,4 +1,5 @@
-use super::*;
+use libration::algebra::Rational;
+use libration::expression::{Expression, Symbol};
 
 fn formula(text: &str) -> Expression {
     text.parse().unwrap()

@@ -1,11 +1,13 @@
 //! The kernels against the multi-precision library, whose functions agree with MPFR.
 
-use super::logarithm::reciprocal;
-use super::{
+mod rough;
+
+use libration::double_double::{DoubleDouble, two_prod};
+use libration::elementary::{
     LARGEST_ANGLE, atan_of_ratio, exp, fine_logarithm, fine_sin_cos, sin_cos, sin_cos_of_turns, sinh_cosh,
     split_logarithm, two_word,
 };
-use crate::double_double::{DoubleDouble, two_prod};
+use libration::internals::elementary::reciprocal;
 use libration_numbers::algebra::BigFloat;
 
 const BITS: usize = 300;

@@ -2,7 +2,12 @@
 
 #![expect(clippy::approx_constant, reason = "golden numbers stand as mpmath printed them")]
 
-use super::{Angle, Displacement, QuantityError, RangeError, exact_angles, exact_numbers};
+mod bare_radians;
+mod decimal;
+mod digits;
+
+use libration::internals::quantity::PiCombination;
+use libration::quantity::{Angle, Displacement, QuantityError, RangeError, exact_angles, exact_numbers};
 use libration_kernels::double_double::DoubleDouble;
 
 /// Text, turns, and the two words each of the angle in the turn and of the complement (mpmath 1.4.1).
@@ -151,10 +156,7 @@ fn the_fast_road_and_the_exact_road_agree() {
     for k in 0..=3000 {
         let x = DoubleDouble::PI.hi * f64::from(k) / 3000.0;
         for x in [x, -x, x * 1e-9, DoubleDouble::PI.hi - x * 1e-12] {
-            let (fast, exact) = (
-                Angle::from_radians(x).unwrap(),
-                super::pi_combination::PiCombination::radians(x).to_angle(),
-            );
+            let (fast, exact) = (Angle::from_radians(x).unwrap(), PiCombination::radians(x).to_angle());
             assert_eq!(fast.in_turn_words(), exact.in_turn_words(), "{x:e}");
             let complement = exact.complement_words();
             assert!(same_words(fast.complement_words(), complement.hi, complement.lo), "{x:e}");

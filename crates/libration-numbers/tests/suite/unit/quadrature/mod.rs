@@ -1,6 +1,9 @@
 //! The rules beside integrals that are known.
 
-use super::*;
+mod kronrod;
+mod running;
+
+use libration::quadrature::{Integral, double_exponential, gauss, gauss_kronrod};
 
 /// A function and its integral from 0 to 1.
 type Case = (Box<dyn Fn(f64) -> f64>, f64);

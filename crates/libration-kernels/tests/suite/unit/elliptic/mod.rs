@@ -1,0 +1,3 @@
+mod descent;
+mod rounded;
+mod theta;

@@ -1,0 +1,56 @@
+use libration::algebra::Complex;
+use libration::internals::linear::eigenvalues;
+
+fn close(found: &[Complex], expected: &[(f64, f64)], tolerance: f64) {
+    assert_eq!(found.len(), expected.len());
+    for (re, im) in expected {
+        let nearest = found.iter().map(|z| (*z - Complex::new(*re, *im)).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < tolerance, "{re} + {im}i: {nearest:e} in {found:?}");
+    }
+}
+
+#[test]
+fn eigenvalues_of_a_companion_are_the_roots() {
+    // (z − 1)(z − 2)(z + 3)(z² + 4): z⁵ − 3z³ + 6z² − 28z + 24.
+    let coefficients = [24.0, -28.0, 6.0, -3.0, 0.0];
+    let entry = |i: usize, j: usize| match j {
+        4 => -coefficients[i],
+        _ => f64::from(u8::from(i == j + 1)),
+    };
+    let companion: Vec<Vec<f64>> = (0..5).map(|i| (0..5).map(|j| entry(i, j)).collect()).collect();
+    let roots = [(1.0, 0.0), (2.0, 0.0), (-3.0, 0.0), (0.0, 2.0), (0.0, -2.0)];
+    close(&eigenvalues(&companion).unwrap(), &roots, 1e-13);
+}
+
+#[test]
+fn eigenvalues_of_a_full_matrix_are_those_of_its_diagonal_form() {
+    // S·diag(16, 32, 48, −64)·S⁻¹ with S = ((1, 2, 0, 1), (0, 1, 3, 1), (1, 2, 1, 0), (2, 0, 1, 1)), whose determinant is 16.
+    let full = [
+        [-31.0, -20.0, 73.0, -13.0],
+        [-81.0, 20.0, 87.0, -3.0],
+        [-2.0, 8.0, 30.0, -6.0],
+        [-65.0, -12.0, 71.0, 13.0],
+    ];
+    let expected = [(16.0, 0.0), (32.0, 0.0), (48.0, 0.0), (-64.0, 0.0)];
+    close(&eigenvalues(&full.map(Vec::from)).unwrap(), &expected, 1e-12);
+}
+
+#[test]
+fn rotations_and_permutations_have_the_roots_of_unity() {
+    let cycle: Vec<Vec<f64>> =
+        (0..6).map(|i| (0..6).map(|j| f64::from(u8::from(i == (j + 1) % 6))).collect()).collect();
+    let found = eigenvalues(&cycle).unwrap();
+    for k in 0..6 {
+        let root = Complex::unit(std::f64::consts::TAU * f64::from(k) / 6.0);
+        assert!(found.iter().any(|z| (*z - root).abs() < 1e-14), "{found:?}");
+    }
+    close(&eigenvalues(&[vec![0.0, 1.0], vec![-1.0, 0.0]]).unwrap(), &[(0.0, 1.0), (0.0, -1.0)], 1e-15);
+}
+
+#[test]
+fn triangular_and_zero_matrices_show_their_diagonal() {
+    close(&eigenvalues(&[vec![3.0, 7.0], vec![0.0, -1.0]]).unwrap(), &[(3.0, 0.0), (-1.0, 0.0)], 1e-15);
+    close(&eigenvalues(&vec![vec![0.0; 3]; 3]).unwrap(), &[(0.0, 0.0); 3], 1e-300);
+    assert_eq!(eigenvalues(&[]), Some(vec![]));
+    assert_eq!(eigenvalues(&[vec![f64::NAN]]), None);
+}

@@ -1,0 +1,34 @@
+use libration::algebra::{Doubles, Rational, Rationals};
+use libration::internals::linear::{null_space, solve};
+
+#[test]
+fn equations_are_solved_exactly() {
+    // Hilbert's matrix times (1, 2, 3).
+    let entry = |i: i64, j: i64| Rational::new(1, i + j + 1).unwrap();
+    let matrix: Vec<Vec<Rational>> = (0..3).map(|i| (0..3).map(|j| entry(i, j)).collect()).collect();
+    let sum = |i: i64| (0..3).fold(Rational::from(0), |sum, j| sum + entry(i, j) * Rational::from(j + 1));
+    let right: Vec<Rational> = (0..3).map(sum).collect();
+    let found = solve(&Rationals, Rational::to_f64, &matrix, &right).unwrap();
+    assert_eq!(found, [1, 2, 3].map(Rational::from));
+    let singular = vec![vec![Rational::from(1); 2]; 2];
+    assert_eq!(solve(&Rationals, Rational::to_f64, &singular, &[1, 2].map(Rational::from)), None);
+}
+
+#[test]
+fn null_spaces_of_every_dimension_are_found() {
+    // x ↦ x − a(b·x) with a·b = 1 has the null space of a; its complement has the plane across b.
+    let (a, b) = ([0.5, -1.0, 2.0], [2.0, 2.0, 1.0]);
+    let projector: Vec<Vec<f64>> = (0..3).map(|i| (0..3).map(|j| a[i] * b[j]).collect()).collect();
+    let complement: Vec<Vec<f64>> =
+        (0..3).map(|i| (0..3).map(|j| f64::from(u8::from(i == j)) - projector[i][j]).collect()).collect();
+    let size = |x: &f64| x.abs();
+    let line = null_space(&Doubles, size, &complement, 1).unwrap();
+    for i in 0..3 {
+        assert!((line[0][i] / line[0][2] - a[i] / a[2]).abs() < 1e-15);
+    }
+    let plane = null_space(&Doubles, size, &projector, 2).unwrap();
+    for vector in plane {
+        let product: f64 = vector.iter().zip(b).map(|(x, y)| x * y).sum();
+        assert!(product.abs() < 1e-15);
+    }
+}

@@ -1,0 +1,4 @@
+mod characteristic;
+mod eigenvalues;
+mod elimination;
+mod least_squares;

@@ -1,0 +1,4 @@
+mod bisection;
+mod interpolation;
+mod polynomial;
+mod sign_changes;
