@@ -26,7 +26,7 @@
 //! ```
 
 mod drive;
-mod structure;
+pub(crate) mod structure;
 
 mod section;
 
@@ -34,7 +34,7 @@ mod bifurcation;
 
 mod extent;
 
-mod lyapunov;
+pub(crate) mod lyapunov;
 
 pub use bifurcation::{
     Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram, bifurcation_diagram_watched,

@@ -34,7 +34,8 @@ mod envelope;
 mod turning;
 
 mod ending;
-mod half_swing;
+#[doc(hidden)]
+pub(crate) mod half_swing;
 mod swings;
 
 use cycle::Cycle;
