@@ -20,7 +20,35 @@ pub use libration_pendulum::{pendulum, period_formulas};
 /// Internals that the other crates of this workspace and the tests use. They may change at any time.
 #[doc(hidden)]
 pub mod internals {
+    pub mod chaos {
+        pub use crate::chaos::{
+            lyapunov::{record::Record, verdict::Evidence},
+            structure::{has_jumps, theorem},
+        };
+    }
+    pub mod decay {
+        pub use crate::decay::half_swing::{EFFORT, Frame, HalfSwing};
+    }
     pub mod orbit {
-        pub use crate::orbit::{place::ReleasePlace, released::depends_on_time};
+        pub use crate::orbit::{
+            acceleration::Acceleration, place::ReleasePlace, precise::Motion, released::depends_on_time,
+        };
+    }
+    pub mod oscillator {
+        pub use crate::oscillator::roots::zeros;
+    }
+    pub mod spectrum {
+        pub use crate::spectrum::{
+            fourier::{part, transform},
+            window::bessel_i0,
+        };
+    }
+    pub mod taylor {
+        pub use crate::taylor::{
+            expander::{Expander, Surroundings},
+            largest_change::{largest_change, largest_changes},
+            sign_change::{first_sign_change, scaled, sign_changes},
+            state_names::named_state,
+        };
     }
 }

@@ -9,3 +9,27 @@ pub mod period_formulas;
 pub use libration_kernels::elliptic;
 #[doc(hidden)]
 pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+
+/// Internals that the other crates of this workspace and the tests use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub mod pendulum {
+        pub use crate::pendulum::{
+            approximate_motion::{FREQUENCY, HARMONICS},
+            period::{
+                Nearer, PeriodFunction, RatioNearTop, excess_below, log_inverse_nome, nearer_of_amplitude,
+                ratio_above,
+            },
+            table::{DEGREE, ROWS, rows},
+        };
+    }
+    pub mod period_formulas {
+        pub use crate::period_formulas::{
+            error::Exact,
+            family::Family,
+            maximum::maximum_between,
+            quick::Quick,
+            swing::{NEAREST_BOTTOM, NEAREST_TOP, Swing, SwingAmplitude},
+        };
+    }
+}

@@ -27,7 +27,7 @@
 //! ```
 
 mod drive;
-mod structure;
+pub(crate) mod structure;
 
 mod section;
 
@@ -35,7 +35,7 @@ mod bifurcation;
 
 mod extent;
 
-mod lyapunov;
+pub(crate) mod lyapunov;
 
 pub use bifurcation::{
     Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram, bifurcation_diagram_watched,

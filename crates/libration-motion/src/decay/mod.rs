@@ -35,7 +35,8 @@ mod envelope;
 mod turning;
 
 mod ending;
-mod half_swing;
+#[doc(hidden)]
+pub(crate) mod half_swing;
 mod swings;
 
 use cycle::Cycle;

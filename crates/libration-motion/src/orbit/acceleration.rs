@@ -10,8 +10,8 @@ use libration_numbers::{
 
 /// The acceleration as a function of position and velocity.
 #[derive(Debug)]
-pub(super) struct Acceleration {
-    pub(super) tape: Tape,
+pub struct Acceleration {
+    pub tape: Tape,
     /// Whether it is one of the place only, which conserves an energy.
     pub(super) is_free_of_velocity: bool,
 }
@@ -23,7 +23,7 @@ const PRECISION: usize = 128;
 
 impl Acceleration {
     /// That of the first coordinate, which is the only one.
-    pub(super) fn new(equation: &Equation) -> Result<Self, WithoutValue> {
+    pub fn new(equation: &Equation) -> Result<Self, WithoutValue> {
         let name = equation.variables().first().map_or("", String::as_str);
         let velocity = Symbol::plain(name).with_primes(1);
         let formula = &equation.accelerations()[0];

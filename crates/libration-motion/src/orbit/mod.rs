@@ -29,10 +29,12 @@ mod periodic;
 
 mod floquet;
 
-mod acceleration;
+#[doc(hidden)]
+pub(crate) mod acceleration;
 #[doc(hidden)]
 pub(crate) mod place;
-mod precise;
+#[doc(hidden)]
+pub(crate) mod precise;
 #[doc(hidden)]
 pub(crate) mod released;
 

@@ -29,16 +29,17 @@ struct Series {
 }
 
 /// A motion from rest to the next rest.
-pub(super) struct HalfPeriod {
+#[derive(Debug)]
+pub struct HalfPeriod {
     pub(super) steps: Vec<OwnedStep>,
-    pub(super) duration: BigFloat,
+    pub duration: BigFloat,
     /// The place at the end.
-    pub(super) end: BigFloat,
+    pub end: BigFloat,
 }
 
 /// Why there is no such motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum NoHalfPeriod {
+pub enum NoHalfPeriod {
     /// It comes so near an equilibrium that these bits do not tell what it does there.
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
@@ -48,7 +49,8 @@ pub(super) enum NoHalfPeriod {
 }
 
 /// An acceleration as a function of position and velocity.
-pub(super) struct Motion<'a> {
+#[derive(Debug)]
+pub struct Motion<'a> {
     system: &'a System,
     tape: &'a Tape,
     ring: Floats,
@@ -67,14 +69,14 @@ const UNSEEN: f64 = 1e-12;
 const MOST_HALVINGS: u32 = 60;
 
 impl<'a> Motion<'a> {
-    pub(super) fn new(system: &'a System, tape: &'a Tape, precision: usize, watch: &'a Watch<'a>) -> Self {
+    pub fn new(system: &'a System, tape: &'a Tape, precision: usize, watch: &'a Watch<'a>) -> Self {
         // With p/3 terms a step is an eighth of the radius of convergence, near the best for products of series.
         let order = u32::try_from(precision / 3).unwrap_or(u32::MAX);
         Self { system, tape, ring: Floats { precision }, order, watch }
     }
 
     /// The motion that is released from rest at a place, at a time that its steps begin to count from.
-    pub(super) fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, NoHalfPeriod> {
+    pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, NoHalfPeriod> {
         let size = place.exponent().unwrap_or(0);
         let mut state = State { x: place.clone(), velocity: self.ring.zero() };
         let (mut steps, mut duration) = (vec![], self.ring.zero());
@@ -274,32 +276,4 @@ fn owned_step(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
 #[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]
 fn real_exponent(exponent: isize) -> f64 {
     exponent as f64
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::orbit::acceleration::Acceleration;
-
-    /// How long a motion takes from rest to rest, and where that is.
-    fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
-        let equation = equation.parse().unwrap();
-        let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
-        let half =
-            Motion::new(&system, &acceleration.tape, 128, &Watch::none()).half_period(place, 0.0).unwrap();
-        [half.duration, half.end]
-    }
-
-    /// At the other end, −147.4, e^x is below the last of 128 bits, and the coefficients of a step that begins there are tiny.
-    #[test]
-    fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
-        let equation = "x'' = 1 - exp(x)";
-        let [there, end] = half_period(equation, &BigFloat::from_integer(5, 128));
-        let [back, start] = half_period(equation, &end);
-        assert!((there.clone() - back).to_f64().abs() < 1e-30, "{there:?}");
-        assert!((start.to_f64() - 5.0).abs() < 1e-15, "{start:?}");
-        // The energy, e^x − x, is the same at both ends.
-        let energy = libm::exp(5.0) - 5.0;
-        assert!((libm::exp(end.to_f64()) - end.to_f64() - energy).abs() < 1e-12);
-    }
 }

@@ -21,7 +21,8 @@ mod constant;
 mod equilibrium;
 mod force;
 mod neighbourhood;
-mod roots;
+#[doc(hidden)]
+pub(crate) mod roots;
 mod sides;
 
 mod error;
@@ -41,6 +42,3 @@ pub use neighbourhood::{Roughness, Tendency};
 pub use numbers_or_letters::{NumbersOrLetters, NumbersOrLettersError};
 pub use pure_power::PurePower;
 pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};
-
-#[cfg(test)]
-mod tests;

@@ -10,15 +10,16 @@ const PIECES: i32 = 2000;
 pub(super) const LARGEST_DEGREE: usize = 40;
 
 /// What a search has seen of a function.
-pub(super) struct Scan {
+#[derive(Debug)]
+pub struct Scan {
     /// Where it changes its sign through zero, ascending.
-    pub(super) zeros: Vec<f64>,
+    pub zeros: Vec<f64>,
     /// Whether it has a value anywhere.
-    pub(super) has_values: bool,
+    pub has_values: bool,
 }
 
 /// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`].
-pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Scan {
+pub fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
     let mut found: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
@@ -32,17 +33,4 @@ pub(super) fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     }
     found.sort_by(f64::total_cmp);
     Scan { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn poles_are_no_zeros() {
-        assert!(zeros(|x| 1.0 / (x - 0.123)).zeros.is_empty());
-        assert!(!zeros(|_| f64::NAN).has_values);
-        let found = zeros(|x| libm::exp(x) - 2.0).zeros;
-        assert!((found[0] - core::f64::consts::LN_2).abs() < 1e-15 && found.len() == 1);
-    }
 }

@@ -4,7 +4,7 @@ use libration_numbers::algebra::Complex;
 use std::f64::consts::TAU;
 
 /// Σ xₙ e^{−2πikn/N} for all k, where N is a power of two (Cooley and Tukey, Math. Comp. 19, 297, 1965).
-pub(super) fn transform(values: &[Complex]) -> Vec<Complex> {
+pub fn transform(values: &[Complex]) -> Vec<Complex> {
     let length = values.len();
     debug_assert!(length.is_power_of_two(), "a transform of {length} numbers");
     let mut sums = bit_reversed(values);
@@ -31,26 +31,6 @@ fn bit_reversed(values: &[Complex]) -> Vec<Complex> {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "lengths of lists, far below 2^53")]
-fn part(k: usize, of: usize) -> f64 {
+pub fn part(k: usize, of: usize) -> f64 {
     k as f64 / of as f64
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn it_is_the_sum_of_its_definition() {
-        for length in [1, 2, 4, 64] {
-            let values: Vec<Complex> =
-                (0..length).map(|n| Complex::new(libm::sin(part(n * n, 3)), part(n % 5, 7))).collect();
-            let fast = transform(&values);
-            for (k, fast) in fast.iter().enumerate() {
-                let slow = values.iter().enumerate().fold(Complex::default(), |sum, (n, x)| {
-                    sum + *x * Complex::unit(-TAU * part(k * n % length, length))
-                });
-                assert!((*fast - slow).abs() < 1e-13, "{length} {k}");
-            }
-        }
-    }
 }

@@ -15,8 +15,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod fourier;
-mod window;
+#[doc(hidden)]
+pub(crate) mod fourier;
+#[doc(hidden)]
+pub(crate) mod window;
 
 use crate::taylor::DenseSolution;
 use libration_numbers::algebra::Complex;
@@ -222,6 +224,3 @@ fn padded(values: &[f64]) -> Vec<Complex> {
 fn float(number: usize) -> f64 {
     number as f64
 }
-
-#[cfg(test)]
-mod tests;

@@ -41,6 +41,3 @@ pub use model::Model;
 pub use named::{NamedBody, NamedCoordinate, NamedSystem, NoSuchPendulum, VelocityPower};
 pub use observables::{NoObservable, Observables};
 pub use zero::NoZero;
-
-#[cfg(test)]
-mod tests;

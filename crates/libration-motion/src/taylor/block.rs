@@ -30,14 +30,14 @@ impl Row {
 
 /// The series of one step in N lanes: of all coordinates, then of all velocities, then whatever they come from.
 #[derive(Debug)]
-pub(super) struct Block<const N: usize> {
+pub struct Block<const N: usize> {
     pub(super) start: [f64; N],
-    pub(super) end: [f64; N],
+    pub end: [f64; N],
     /// The unit of time in which the series are powers, a power of two: whatever the units of the equations, coefficients
     /// neither overflow nor underflow.
-    pub(super) unit: [f64; N],
+    pub unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
-    pub(super) coefficients: Aligned,
+    pub coefficients: Aligned,
     /// For machine code.
     scratch: Aligned,
     /// What the first coefficients lack of the state.
@@ -49,7 +49,7 @@ pub(super) struct Block<const N: usize> {
 
 /// The lengths of steps in units of their time, and what these lack in the unit of the equations.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lengths<const N: usize> {
+pub struct Lengths<const N: usize> {
     pub(super) units: [f64; N],
     remainders: [f64; N],
 }
@@ -117,7 +117,7 @@ impl<const N: usize> Block<N> {
 
     /// The series of one number of the state.
     #[inline(always)]
-    pub(super) fn series(&self, number: usize) -> &[[f64; N]] {
+    pub fn series(&self, number: usize) -> &[[f64; N]] {
         &self[self.row(number)]
     }
 
@@ -128,7 +128,7 @@ impl<const N: usize> Block<N> {
     }
 
     /// Brings a lane to a time and a state.
-    pub(super) fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
+    pub fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
             self.place(number, lane, value, 0.0);
@@ -149,7 +149,7 @@ impl<const N: usize> Block<N> {
 
     /// How long the steps are.
     #[inline(always)]
-    pub(super) fn lengths(&self) -> Lengths<N> {
+    pub fn lengths(&self) -> Lengths<N> {
         let [mut units, mut remainders] = [[0.0; N]; 2];
         for lane in 0..N {
             (units[lane], remainders[lane]) = elapsed(self.start[lane], self.end[lane]);
@@ -160,7 +160,7 @@ impl<const N: usize> Block<N> {
 
     /// One number of the state at the ends of the steps, the lengths of which these are.
     #[inline(always)]
-    pub(super) fn ends(&self, number: usize, Lengths { units, remainders }: &Lengths<N>) -> Ends<N> {
+    pub fn ends(&self, number: usize, Lengths { units, remainders }: &Lengths<N>) -> Ends<N> {
         let series = self.series(number);
         let slope_low = self.layout.velocity(number).map_or([0.0; N], |velocity| self.low[velocity]);
         let higher = higher(self.terms, |n| series[n], units);
@@ -181,7 +181,7 @@ impl<const N: usize> Block<N> {
     }
 
     /// Begins the next steps where these end, in the states there and in these units.
-    pub(super) fn begin_at_end(&mut self, states: &[Ends<N>], unit: &[f64; N]) {
+    pub fn begin_at_end(&mut self, states: &[Ends<N>], unit: &[f64; N]) {
         for (number, ends) in states.iter().enumerate() {
             let row = self.row(number);
             self[row][0] = ends.high;
@@ -196,7 +196,7 @@ impl<const N: usize> Block<N> {
     }
 
     /// The step of one lane.
-    pub(super) fn step(&self, lane: usize) -> Step<'_> {
+    pub fn step(&self, lane: usize) -> Step<'_> {
         Step {
             start: self.start[lane],
             end: self.end[lane],

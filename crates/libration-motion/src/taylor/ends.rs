@@ -2,7 +2,7 @@
 
 /// One number of the state at the ends of the steps, in two words.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ends<const N: usize> {
+pub struct Ends<const N: usize> {
     pub(super) high: [f64; N],
     pub(super) low: [f64; N],
 }

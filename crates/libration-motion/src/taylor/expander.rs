@@ -17,29 +17,29 @@ use libration_numbers::{algebra::Ring, internals::algebra::prepared_reciprocal};
 
 /// What the tape is given beside the state.
 #[derive(Clone, Debug)]
-pub(super) struct Surroundings<const N: usize> {
+pub struct Surroundings<const N: usize> {
     /// The values of the parameters that were left open.
-    pub(super) parameters: Vec<[f64; N]>,
+    pub parameters: Vec<[f64; N]>,
     /// The sign of what stands in each |…|.
-    pub(super) signs: Vec<[f64; N]>,
+    pub signs: Vec<[f64; N]>,
     /// Whether that is a velocity that friction keeps at zero.
-    pub(super) sticks: Vec<[bool; N]>,
+    pub sticks: Vec<[bool; N]>,
 }
 
 /// Makes series about one state after the other, always in the same memory.
 #[derive(Debug)]
-pub(super) struct Expander<'a> {
+pub struct Expander<'a> {
     pub(super) system: &'a System,
-    pub(super) plan: Arc<Plan>,
+    pub plan: Arc<Plan>,
 }
 
 impl<'a> Expander<'a> {
-    pub(super) fn new(system: &'a System, order: usize, lanes: usize) -> Self {
+    pub fn new(system: &'a System, order: usize, lanes: usize) -> Self {
         Self { system, plan: system.plans().find(order, lanes, || plan(system, order, lanes)) }
     }
 
     /// The memory that the series need.
-    pub(super) fn block<const N: usize>(&self) -> Block<N> {
+    pub fn block<const N: usize>(&self) -> Block<N> {
         let mut block = Block::new(self.plan.program.rows, self.system.shared_layout(), self.plan.order);
         for &(row, value) in &self.plan.program.constants {
             block[row][0] = [value; N];
@@ -48,7 +48,7 @@ impl<'a> Expander<'a> {
     }
 
     /// Fills in the coefficients up to the order, of the coordinates and then of the velocities, whose first are given.
-    pub(super) fn expand<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
+    pub fn expand<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         if surroundings.sticks.iter().flatten().any(|sticks| *sticks) {
             return self.expand_sticking(block, surroundings);
         }
@@ -56,7 +56,7 @@ impl<'a> Expander<'a> {
     }
 
     /// The same with or without machine code.
-    pub(super) fn expand_by<const N: usize>(
+    pub fn expand_by<const N: usize>(
         &self,
         block: &mut Block<N>,
         surroundings: &Surroundings<N>,

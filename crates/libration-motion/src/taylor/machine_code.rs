@@ -7,7 +7,7 @@ use libration_jit::{Compiled, StraightLine};
 
 /// That for one order and number of lanes, once it pays.
 #[derive(Debug)]
-pub(super) struct MachineCode {
+pub struct MachineCode {
     lanes: usize,
     /// How many are still done without it.
     without: AtomicUsize,
@@ -25,7 +25,7 @@ impl MachineCode {
     }
 
     /// The code, with the unit of time as argument, given what it does; the same bits come out without it.
-    pub(super) fn compiled(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
+    pub fn compiled(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
         if let Some(known) = self.compiled.get() {
             return known.as_ref();
         }

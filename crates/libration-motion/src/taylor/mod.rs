@@ -24,7 +24,8 @@ mod allowance;
 mod error;
 mod event;
 mod larger;
-mod largest_change;
+#[doc(hidden)]
+pub(crate) mod largest_change;
 mod layout;
 mod system;
 mod tangent;
@@ -34,19 +35,21 @@ mod moduli;
 mod passage;
 mod quotients;
 mod sensitivities;
-mod sign_change;
+#[doc(hidden)]
+pub(crate) mod sign_change;
 
 mod block;
 mod ends;
 mod program;
 mod solution;
-mod state_names;
+pub(crate) mod state_names;
 mod trajectory;
 
 mod boundary;
 mod checkpoint;
 
-mod expander;
+#[doc(hidden)]
+pub(crate) mod expander;
 mod machine_code;
 mod owned_step;
 mod plan;
@@ -90,9 +93,6 @@ mod gathered;
 mod ending;
 
 mod ensemble;
-
-#[cfg(test)]
-mod tests;
 
 pub use accepted_step::{AcceptedStep, Start, integrate_from};
 pub use both_ways::integrate_both_ways;

@@ -28,10 +28,10 @@ impl Plans {
 
 /// That for one order and number of lanes.
 #[derive(Debug)]
-pub(super) struct Plan {
+pub struct Plan {
     pub(super) order: usize,
     pub(super) lanes: usize,
-    pub(super) program: Program,
+    pub program: Program,
     /// Where the accelerations end, and what stands in |…|.
     pub(super) boundaries: Vec<Boundary<Row>>,
     /// Of what the accelerations are steep functions.
@@ -39,5 +39,5 @@ pub(super) struct Plan {
     /// For the zeroth coefficients of all but functions, and what these need.
     pub(super) beginning: MachineCode,
     /// For those of higher order.
-    pub(super) expansion: MachineCode,
+    pub expansion: MachineCode,
 }

@@ -17,7 +17,7 @@ use libration_numbers::{
 
 /// Instructions for the coefficients of the formulas on a tape.
 #[derive(Clone, Debug)]
-pub(super) struct Program {
+pub struct Program {
     /// Rows that are the same in all steps.
     pub(super) constants: Vec<(Row, f64)>,
     /// How the zeroth coefficients of functions come about, and of all that these need.
@@ -81,7 +81,7 @@ impl Program {
 
     /// The zeroth coefficients, those of the inputs being known.
     #[inline(always)]
-    pub(super) fn begin<const N: usize>(&self, block: &mut Block<N>, arithmetic: Option<&Compiled>) {
+    pub fn begin<const N: usize>(&self, block: &mut Block<N>, arithmetic: Option<&Compiled>) {
         begin_rows(&self.functions, block);
         match arithmetic {
             Some(compiled) => block.run(compiled),

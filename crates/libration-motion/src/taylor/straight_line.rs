@@ -17,7 +17,7 @@ use libration_numbers::{
 impl Expander<'_> {
     /// What is done for the zeroth coefficients when those of functions are known; `None` where code gains nothing: a single double
     /// pendulum's steps take 0.96 of the time with it, those of sixteen side by side 1.02.
-    pub(super) fn beginning(&self) -> Option<StraightLine> {
+    pub fn beginning(&self) -> Option<StraightLine> {
         const FEWEST: usize = 4;
         const MOST_PLACES: usize = 1 << 20;
         let (program, terms) = (&self.plan.program, self.plan.order + 1);
@@ -40,7 +40,7 @@ impl Expander<'_> {
     }
 
     /// What an expansion does when the zeroth coefficients are known; `None` where that depends on the values, or is too much for code.
-    pub(super) fn straight_line(&self) -> Option<StraightLine> {
+    pub fn straight_line(&self) -> Option<StraightLine> {
         /// Instructions times half the square of the number of terms. Springs in a row: code for 0.2 million (64 masses at order 33) takes a
         /// quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; when inner products were not
         /// packed yet it took 0.7 for 1.2 million (400 at order 33) and 5.4 for 2.1 million.

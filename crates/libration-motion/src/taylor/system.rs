@@ -257,7 +257,8 @@ impl System {
     }
 
     /// How many different |…| there are.
-    pub(super) fn moduli(&self) -> usize {
+    #[doc(hidden)]
+    pub fn moduli(&self) -> usize {
         self.driven_in_moduli.len()
     }
 

@@ -21,3 +21,4 @@ mod sensitivities;
 mod systems;
 mod taylor;
 mod tolerances;
+mod unit;

@@ -15,7 +15,7 @@
 //! Angles are radians from the downward vertical, times seconds, lengths metres, velocities rad/s. A batch
 //! equals its own scalar function bit for bit.
 
-mod period;
+pub(crate) mod period;
 mod period_stages;
 mod periods;
 
@@ -35,7 +35,8 @@ mod rotation;
 mod separatrix;
 
 mod prepared;
-mod table;
+#[doc(hidden)]
+pub(crate) mod table;
 
 mod swing_period;
 mod swing_period_stages;
@@ -43,7 +44,7 @@ mod swing_period_stages;
 mod varying;
 mod varying_stages;
 
-mod approximate_motion;
+pub(crate) mod approximate_motion;
 mod display;
 mod fourier;
 

@@ -93,7 +93,8 @@ fn complement_of(amplitude: f64) -> DoubleDouble {
 
 /// G(s) − 1 for u = s²; the second word is below 0.4 % of the first, not below its last bit.
 #[inline(always)]
-pub(super) fn excess_below(u: DoubleDouble) -> DoubleDouble {
+#[doc(hidden)]
+pub fn excess_below(u: DoubleDouble) -> DoubleDouble {
     excess_with(u, polynomial(u.hi, &EXCESS))
 }
 
@@ -112,7 +113,8 @@ fn slope<const N: usize>(u: f64, leading: f64, tail: &[f64; N]) -> f64 {
 
 /// ln(1/q) of the amplitude s, u = s²; the second word is below 1 % of the first, not below its last bit.
 #[inline(always)]
-pub(super) fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
+#[doc(hidden)]
+pub fn log_inverse_nome(s: DoubleDouble, u: DoubleDouble) -> DoubleDouble {
     log_inverse_nome_with(&split_logarithm(s), u, polynomial(u.hi, &LOG_NOME))
 }
 
@@ -139,7 +141,8 @@ pub(super) fn root_of_nome(s: DoubleDouble, u: f64) -> DoubleDouble {
 
 /// T/T0 above π/2 from the excess and the log of the nome of the complement.
 #[inline(always)]
-pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
+#[doc(hidden)]
+pub fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDouble {
     let gauss = fast_two_sum(1.0, excess.hi);
     let product = two_prod(gauss.hi, log.hi);
     let gauss_lo = gauss.lo + excess.lo;
@@ -150,10 +153,11 @@ pub(super) fn ratio_above(excess: DoubleDouble, log: DoubleDouble) -> DoubleDoub
 }
 
 /// The smaller of the amplitude and its complement, with its square.
-#[derive(Clone, Copy)]
-pub(super) struct Nearer {
-    pub(super) s: DoubleDouble,
-    pub(super) u: DoubleDouble,
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct Nearer {
+    pub s: DoubleDouble,
+    pub u: DoubleDouble,
 }
 
 impl Nearer {
@@ -169,7 +173,8 @@ impl Nearer {
 }
 
 /// A quantity of the period as a function of one number.
-pub(super) trait PeriodFunction: Copy {
+#[doc(hidden)]
+pub trait PeriodFunction: Copy {
     /// The nearer side for an argument; anything outside the domain.
     fn nearer(argument: f64) -> Nearer;
     /// The value, from the period of the nearer side; NaN outside the domain.
@@ -182,7 +187,8 @@ pub(super) fn amplitude_above(amplitude: f64) -> bool {
 }
 
 #[inline(always)]
-pub(super) fn nearer_of_amplitude(amplitude: f64) -> Nearer {
+#[doc(hidden)]
+pub fn nearer_of_amplitude(amplitude: f64) -> Nearer {
     let size = amplitude.abs();
     Nearer::new(amplitude_above(size), DoubleDouble::from(size), complement_of(size))
 }
@@ -239,8 +245,9 @@ impl<R: Rounding> PeriodFunction for OfAmplitude<R> {
 }
 
 /// T/T0 of the amplitude π − δ.
-#[derive(Clone, Copy)]
-pub(super) struct RatioNearTop;
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct RatioNearTop;
 
 impl PeriodFunction for RatioNearTop {
     #[inline(always)]
@@ -344,6 +351,3 @@ fn ratio_at_the_top(complement: f64) -> f64 {
     let log = DoubleDouble::LN_2 * 3.0 - two_word::ln(DoubleDouble::from(complement));
     (log * DoubleDouble::FRAC_2_PI).to_f64()
 }
-
-#[cfg(test)]
-mod tests;

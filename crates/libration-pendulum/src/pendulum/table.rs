@@ -13,10 +13,10 @@ use libration_kernels::elementary::two_word;
 use libration_kernels::fused::FusedMultiplyAdd;
 use libration_kernels::{elliptic::Modulus, internals::elliptic::PreciseQuotients};
 
-const DEGREE: usize = 12;
+pub const DEGREE: usize = 12;
 
 /// Powers of y² that are kept.
-const ROWS: usize = DEGREE / 2;
+pub const ROWS: usize = DEGREE / 2;
 
 /// z¹² as Σ cₖ z²ᵏ within 2⁻¹¹ for |z| ≤ 1: what T₁₂(z)/2¹¹ leaves of it.
 const TWELFTH_POWER: [f64; ROWS] =
@@ -187,7 +187,7 @@ impl Segment {
 
 /// The rows of a segment, highest power first: xₖ for the angle, k·xₖ·rate for the velocity, the first two of
 /// these given.
-fn rows(x: &[f64; DEGREE + 1], rate: f64, leading: [f64; 2]) -> [[f64; 4]; ROWS] {
+pub fn rows(x: &[f64; DEGREE + 1], rate: f64, leading: [f64; 2]) -> [[f64; 4]; ROWS] {
     let mut slopes = [0.0; DEGREE];
     let mut k = 1.0;
     for (slope, x) in slopes.iter_mut().zip(&x[1..]) {
@@ -227,31 +227,4 @@ fn taylor(start: [f64; 2], [sin, cos]: [f64; 2], factor: f64) -> [f64; DEGREE + 
         (s[j + 1], c[j + 1]) = (ds / order, dc / order);
     }
     x
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Sums of powers of y from the rows of a segment: of the angle and of the velocity.
-    fn sums(rows: &[[f64; 4]; ROWS], y: f64) -> [f64; 2] {
-        let value = |lane: usize| rows.iter().fold(0.0, |sum, row| sum * (y * y) + row[lane]);
-        [value(0) + y * value(1), value(2) + y * value(3)]
-    }
-
-    /// The twelfth power alone, as large as the others, so that what is wrong with it is not below their rounding.
-    #[test]
-    fn the_last_term_is_spread_over_lower_ones() {
-        let mut x = [0.0; DEGREE + 1];
-        x[DEGREE] = 4096.0;
-        let rows = rows(&x, 1.0, [0.0, 0.0]);
-        for i in -100..=100 {
-            let z = f64::from(i) / 100.0;
-            let [angle, velocity] = sums(&rows, 0.5 * z);
-            let chebyshev = libm::cos(12.0 * libm::acos(z)) / 2048.0;
-            assert!((angle - (libm::pow(z, 12.0) - chebyshev)).abs() < 1e-14, "{z}: {angle}");
-            // The velocity has its eleventh power.
-            assert!((velocity - 12.0 * 2.0 * libm::pow(z, 11.0)).abs() < 1e-13, "{z}: {velocity}");
-        }
-    }
 }

@@ -11,14 +11,15 @@ pub const MOST_TERMS: usize = 1000;
 
 /// A series that gives one formula for each number of corrections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Family {
+#[doc(hidden)]
+pub enum Family {
     PowerSeries,
     FourierPerturbation,
     SineSquared,
 }
 
 impl Family {
-    pub(super) const ALL: [Self; 3] = [Self::PowerSeries, Self::FourierPerturbation, Self::SineSquared];
+    pub const ALL: [Self; 3] = [Self::PowerSeries, Self::FourierPerturbation, Self::SineSquared];
 
     /// The key without its number.
     pub(super) fn stem(self) -> &'static str {
@@ -39,7 +40,7 @@ impl Family {
     }
 
     /// The formula with this many corrections, at least one.
-    pub(super) fn formula(self, corrections: usize) -> PeriodFormula {
+    pub fn formula(self, corrections: usize) -> PeriodFormula {
         let mut coefficients = self.coefficients(corrections + 1);
         let next = coefficients.pop().unwrap_or_else(|| Rational::from(0));
         let latex = self.latex(&coefficients);

@@ -117,6 +117,11 @@ impl PeriodFormula {
         SwingAmplitude::from_radians(amplitude).map_or(f64::NAN, |amplitude| self.error(amplitude))
     }
 
+    #[doc(hidden)]
+    pub const fn law(&self) -> &Law {
+        &self.law
+    }
+
     fn ratio(&self, amplitude: SwingAmplitude) -> f64 {
         self.law.ratio(&Swing::new(amplitude))
     }

@@ -6,7 +6,7 @@ use super::swing::Swing;
 
 /// A formula for T/T0.
 #[derive(Clone, Debug)]
-pub(super) enum Law {
+pub enum Law {
     SmallAngle,
     /// A polynomial in θ².
     PowerSeries(Coefficients),
@@ -35,7 +35,7 @@ pub(super) enum Law {
 }
 
 impl Law {
-    pub(super) fn ratio<R: Real>(&self, swing: &Swing<R>) -> R {
+    pub fn ratio<R: Real>(&self, swing: &Swing<R>) -> R {
         match self {
             Self::SmallAngle => swing.number(1),
             Self::PowerSeries(coefficients) => swing.amplitude.square().polynomial(coefficients),

@@ -16,18 +16,22 @@
 //! ```
 
 mod catalogue;
-mod error;
+#[doc(hidden)]
+pub(crate) mod error;
 mod expansion;
-mod family;
+pub(crate) mod family;
 mod formula;
 mod grid;
 mod known;
 mod law;
-mod maximum;
-mod quick;
+#[doc(hidden)]
+pub(crate) mod maximum;
+#[doc(hidden)]
+pub(crate) mod quick;
 mod real;
 mod search;
-mod swing;
+#[doc(hidden)]
+pub(crate) mod swing;
 
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 pub use family::MOST_TERMS;

@@ -8,10 +8,10 @@ use libration_kernels::double_double::{DoubleDouble, pick};
 use libration_kernels::elementary::two_word;
 
 /// What the formulas take, and the exact ratio.
-#[derive(Clone, Copy)]
-pub(super) struct Quick {
-    pub(super) swing: Swing<DoubleDouble>,
-    pub(super) exact: DoubleDouble,
+#[derive(Clone, Copy, Debug)]
+pub struct Quick {
+    pub swing: Swing<DoubleDouble>,
+    pub exact: DoubleDouble,
 }
 
 /// 2⁻⁹⁶: what two words are off, relatively, with all formulas of the catalogue and distances of 2⁻² to 2⁻³⁹ from the top is 2⁻⁹⁹·⁸ at most.
@@ -21,17 +21,17 @@ const FULL_ABOVE: f64 = 0.25;
 
 impl Quick {
     /// `None` where two words were not tried.
-    pub(super) fn new(amplitude: SwingAmplitude) -> Option<Self> {
+    pub fn new(amplitude: SwingAmplitude) -> Option<Self> {
         amplitude.suits_two_words().then(|| dispatch(One(amplitude)))
     }
 
     /// [`Self::new`] of each amplitude of a block, bit for bit; `None` where there is no amplitude.
-    pub(super) fn block(amplitudes: &[Option<SwingAmplitude>]) -> [Option<Self>; BLOCK] {
+    pub fn block(amplitudes: &[Option<SwingAmplitude>]) -> [Option<Self>; BLOCK] {
         dispatch_slices(Block(amplitudes))
     }
 
     /// formula/exact − 1, if all that it may be rounds to one number.
-    pub(super) fn fractional_error(&self, law: &Law) -> Option<f64> {
+    pub fn fractional_error(&self, law: &Law) -> Option<f64> {
         let error = (law.ratio(&self.swing) - self.exact) / self.exact;
         let off = self.off(&error);
         let (below, above) = (error.hi + (error.lo - off), error.hi + (error.lo + off));
@@ -39,7 +39,7 @@ impl Quick {
     }
 
     /// By how much a fractional error may be wrong.
-    pub(super) fn off(&self, error: &DoubleDouble) -> f64 {
+    pub fn off(&self, error: &DoubleDouble) -> f64 {
         let lost = f64::max(1.0, FULL_ABOVE / self.swing.amplitude.hi);
         QUICK_ERROR * (1.0 + error.hi.abs()) * lost * lost
     }

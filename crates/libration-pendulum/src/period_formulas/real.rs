@@ -6,7 +6,7 @@ use libration_numbers::algebra::{BigFloat, Rational};
 
 /// The numbers a formula is evaluated in: `f64` when speed matters, [`BigFloat`] when its error does, two words when
 /// the error is large enough for them.
-pub(super) trait Real:
+pub trait Real:
     Clone
     + PartialOrd
     + std::ops::Add<Output = Self>
@@ -42,7 +42,7 @@ pub(super) trait Real:
 
 /// The coefficients of a polynomial, exact and rounded.
 #[derive(Clone, Debug)]
-pub(super) struct Coefficients {
+pub struct Coefficients {
     exact: Vec<Rational>,
     nearest: Vec<f64>,
     two_words: Vec<DoubleDouble>,

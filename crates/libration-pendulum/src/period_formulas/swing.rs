@@ -7,7 +7,7 @@ use libration_numbers::quantity::Angle;
 
 /// An amplitude within [0, π), given by what is smaller of it and its complement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum SwingAmplitude {
+pub enum SwingAmplitude {
     /// θ0.
     FromBottom(DoubleDouble),
     /// π − θ0.
@@ -37,7 +37,7 @@ impl SwingAmplitude {
         }
     }
 
-    pub(super) fn radians(self) -> f64 {
+    pub fn radians(self) -> f64 {
         match self {
             Self::FromBottom(amplitude) => amplitude.to_f64(),
             Self::FromTop(complement) => (DoubleDouble::PI - complement).to_f64(),
@@ -54,15 +54,15 @@ impl SwingAmplitude {
 
 /// What the formulas are written in: the amplitude and the functions of it that several share.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Swing<R> {
+pub struct Swing<R> {
     /// θ0.
-    pub(super) amplitude: R,
+    pub amplitude: R,
     /// π − θ0.
-    pub(super) complement: R,
+    pub complement: R,
     /// cos(θ0/2), from the complement near the top.
-    pub(super) cos_half: R,
+    pub cos_half: R,
     /// sin(θ0/2).
-    pub(super) sin_half: R,
+    pub sin_half: R,
 }
 
 impl<R: Real> Swing<R> {
@@ -88,9 +88,9 @@ impl Swing<f64> {
 }
 
 /// 2⁻¹⁰: there the error of the best formulas with a root or a logarithm is near 10⁻¹⁴ and what two words are off 2⁻⁸⁶.
-pub(super) const NEAREST_BOTTOM: f64 = 0.0009765625;
+pub const NEAREST_BOTTOM: f64 = 0.0009765625;
 /// 2⁻³⁶.
-pub(super) const NEAREST_TOP: f64 = 1.4551915228366852e-11;
+pub const NEAREST_TOP: f64 = 1.4551915228366852e-11;
 
 impl SwingAmplitude {
     /// Half of what is smaller of the amplitude and its complement.
@@ -159,7 +159,7 @@ impl Swing<DoubleDouble> {
 }
 
 impl Swing<BigFloat> {
-    pub(super) fn with_precision(amplitude: SwingAmplitude, precision: usize) -> Self {
+    pub fn with_precision(amplitude: SwingAmplitude, precision: usize) -> Self {
         let pi = BigFloat::pi(precision);
         match amplitude {
             SwingAmplitude::FromBottom(words) => {
@@ -178,7 +178,7 @@ impl Swing<BigFloat> {
     }
 
     /// T/T0 = 1/agm(1, cos(θ0/2)), exactly but for rounding (DLMF 19.8.5).
-    pub(super) fn exact_ratio(&self) -> BigFloat {
+    pub fn exact_ratio(&self) -> BigFloat {
         self.number(1) / self.number(1).agm(&self.cos_half)
     }
 }

@@ -14,3 +14,4 @@ mod period;
 mod period_formulas;
 mod promises;
 mod series;
+mod unit;

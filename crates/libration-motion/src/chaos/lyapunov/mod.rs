@@ -1,15 +1,13 @@
 //! The largest Lyapunov exponent: the rate at which neighbouring motions part.
 
 mod schedule;
-mod verdict;
+pub(crate) mod verdict;
 
 mod deviation;
-mod record;
+#[doc(hidden)]
+pub(crate) mod record;
 
 mod laboratory;
-
-#[cfg(test)]
-mod tests;
 
 use super::structure::has_jumps;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment};

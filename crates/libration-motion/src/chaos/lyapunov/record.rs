@@ -7,23 +7,23 @@ pub(super) const BLOCKS: usize = 10;
 
 /// The logarithm of a deviation's size after each interval; zero before the first.
 #[derive(Clone, Debug)]
-pub(super) struct Record {
+pub struct Record {
     interval: f64,
     /// Up to each interval's end.
     logarithms: Vec<f64>,
 }
 
 impl Record {
-    pub(super) fn new(interval: f64) -> Self {
+    pub fn new(interval: f64) -> Self {
         Self { interval, logarithms: vec![0.0] }
     }
 
-    pub(super) fn push(&mut self, growth: f64) {
+    pub fn push(&mut self, growth: f64) {
         self.logarithms.push(self.last() + growth);
     }
 
     /// How many intervals it has.
-    pub(super) fn intervals(&self) -> usize {
+    pub fn intervals(&self) -> usize {
         self.logarithms.len() - 1
     }
 
@@ -42,12 +42,12 @@ impl Record {
     }
 
     /// The mean rate of growth: the estimate of the exponent.
-    pub(super) fn exponent(&self) -> f64 {
+    pub fn exponent(&self) -> f64 {
         self.rate(self.beginning(), self.intervals())
     }
 
     /// The estimate after more and more intervals, about a fifth more each time, with the time since the beginning.
-    pub(super) fn convergence(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub fn convergence(&self) -> impl Iterator<Item = (f64, f64)> {
         let all = self.intervals();
         let more =
             std::iter::successors(Some(1), |n: &usize| Some(n + 1 + n / 5)).take_while(move |n| *n < all);
@@ -55,7 +55,7 @@ impl Record {
     }
 
     /// The rate of growth in each block; none before there is an interval for each.
-    pub(super) fn blocks(&self) -> Vec<f64> {
+    pub fn blocks(&self) -> Vec<f64> {
         let (all, beginning) = (self.intervals(), self.beginning());
         let edge = |block: usize| beginning + (all - beginning) * block / BLOCKS;
         let blocks = if beginning == 0 { 0 } else { BLOCKS };
@@ -63,7 +63,7 @@ impl Record {
     }
 
     /// The larger of the standard error of the blocks' mean and of what the second half of the record has changed.
-    pub(super) fn uncertainty(&self) -> f64 {
+    pub fn uncertainty(&self) -> f64 {
         let blocks = self.blocks();
         if blocks.is_empty() {
             return f64::INFINITY;
@@ -76,12 +76,12 @@ impl Record {
     }
 
     /// How much the logarithm has grown since the beginning.
-    pub(super) fn growth(&self) -> f64 {
+    pub fn growth(&self) -> f64 {
         self.last() - self.logarithms[self.beginning()]
     }
 
     /// The deepest valley of the logarithm: how far it lies below what was before and what comes after.
-    pub(super) fn deepest_valley(&self) -> f64 {
+    pub fn deepest_valley(&self) -> f64 {
         let running = |highest: &mut f64, now: &f64| {
             *highest = highest.max(*now);
             Some(*highest)
@@ -95,7 +95,7 @@ impl Record {
 
     /// How much higher the logarithm rises in the second half than in the first, and in the second quarter than in the
     /// first.
-    pub(super) fn rises(&self) -> [f64; 2] {
+    pub fn rises(&self) -> [f64; 2] {
         let all = self.intervals();
         let highest = |from: usize, to: usize| {
             self.logarithms[from..=to].iter().copied().fold(f64::NEG_INFINITY, f64::max)
@@ -105,7 +105,7 @@ impl Record {
     }
 
     /// How long it is.
-    pub(super) fn duration(&self) -> f64 {
+    pub fn duration(&self) -> f64 {
         self.interval * count(self.intervals())
     }
 }

@@ -83,24 +83,25 @@ const WIDER: f64 = 1.5;
 
 /// One measured motion.
 #[derive(Clone, Debug)]
-pub(super) struct Evidence {
+#[doc(hidden)]
+pub struct Evidence {
     /// The growth of its deviation.
-    pub(super) record: Record,
+    pub record: Record,
     /// How far it goes in the first half of the time, and at all.
     extents: [Extent; 2],
     /// Why it ended early.
-    pub(super) stopped: Option<Cause>,
+    pub stopped: Option<Cause>,
 }
 
 impl Evidence {
     /// Of a motion before its first interval.
-    pub(super) fn new(interval: f64, numbers: usize) -> Self {
+    pub fn new(interval: f64, numbers: usize) -> Self {
         let nothing = Extent::new(numbers);
         Self { record: Record::new(interval), extents: [nothing.clone(), nothing], stopped: None }
     }
 
     /// Adds the growth in one interval of so many, and the state at its end.
-    pub(super) fn add(&mut self, growth: f64, state: &[f64], of: usize) {
+    pub fn add(&mut self, growth: f64, state: &[f64], of: usize) {
         self.record.push(growth);
         let first_half = 2 * self.record.intervals() <= of;
         self.extents.iter_mut().skip(usize::from(!first_half)).for_each(|extent| extent.include(state));
@@ -115,7 +116,7 @@ impl Evidence {
     }
 
     /// What a single motion shows, integrated with this effort. Unconfined coordinates may grow without end.
-    pub(super) fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> LyapunovVerdict {
+    pub fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> LyapunovVerdict {
         let record = &self.record;
         if let Some(cause) = self.stopped {
             return LyapunovVerdict::Undecided(Doubt::Stopped(cause));
@@ -158,7 +159,7 @@ impl Evidence {
     }
 
     /// Whether the exponents of two motions are of the same size, within their errors.
-    pub(super) fn agrees_with(&self, other: &Self) -> bool {
+    pub fn agrees_with(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
         (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)
     }

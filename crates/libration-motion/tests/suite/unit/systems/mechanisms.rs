@@ -1,13 +1,10 @@
 //! The named systems as masses at places in space, with the numbers that they are tried with.
 
+use libration::algebra::Doubles;
+use libration::expression::{Expression, Symbol};
+use libration::systems::{Model, NamedSystem, catalogue};
+use libration_numbers::internals::expression::{Jet, Tape};
 use std::collections::BTreeMap;
-
-use super::super::*;
-use libration_numbers::algebra::Doubles;
-use libration_numbers::{
-    expression::{Expression, Symbol},
-    internals::expression::{Jet, Tape},
-};
 
 /// A mass at a place, each part a formula: inertia, weight (mass times gravity), x, y and the height z.
 pub(super) type Mass = [&'static str; 5];

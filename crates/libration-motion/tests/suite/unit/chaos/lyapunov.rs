@@ -1,9 +1,9 @@
 //! What is read from a record, and each of the guards against a false `Chaotic`, on records made by hand.
 #![expect(clippy::float_cmp, reason = "sums of small whole numbers are exact")]
 
-use super::record::Record;
-use super::verdict::{Doubt, Evidence, LyapunovVerdict, Regularity};
-use crate::taylor::{Cause, Effort};
+use libration::chaos::{Doubt, LyapunovVerdict, Regularity};
+use libration::internals::chaos::{Evidence, Record};
+use libration::taylor::{Cause, Effort};
 
 /// So many intervals, of which the eleventh part is the beginning.
 const INTERVALS: usize = 220;

@@ -1,14 +1,21 @@
 //! The order of the method.
 
-use std::sync::Arc;
+mod dense_solution;
+mod largest_change;
+mod layout;
+mod owned_step;
+mod samples;
+mod sign_change;
+mod state_names;
+mod tangent;
 
+use libration::internals::taylor::{Expander, Surroundings};
+use libration::pendulum::Pendulum;
+use libration::quantity::Angle;
+use libration::taylor::System;
 use libration_jit::Compiled;
-
-use super::System;
-use super::expander::{Expander, Surroundings};
 use libration_kernels::elementary::count;
-use libration_numbers::quantity::Angle;
-use libration_pendulum::pendulum::Pendulum;
+use std::sync::Arc;
 
 /// The larger error of angle and velocity after three seconds in so many equal steps.
 fn error_of(steps: u32, order: usize) -> f64 {

@@ -1,6 +1,10 @@
-use super::*;
-use crate::taylor::{Effort, System, integrate_dense};
-use libration_pendulum::pendulum::Pendulum;
+mod fourier;
+mod window;
+
+use libration::pendulum::Pendulum;
+use libration::spectrum::{NoSpectrum, Spectrum};
+use libration::taylor::{DenseSolution, Effort, System, integrate_dense};
+use std::f64::consts::TAU;
 
 fn sampled(count: u32, interval: f64, value: impl Fn(f64) -> f64) -> Vec<f64> {
     (0..count).map(|n| value(interval * f64::from(n))).collect()

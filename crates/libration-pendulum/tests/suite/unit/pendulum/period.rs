@@ -1,7 +1,10 @@
 //! The error budget: what is known of T/T0 before its one rounding.
 
-use super::*;
-use libration_numbers::algebra::BigFloat;
+use libration::algebra::BigFloat;
+use libration::internals::pendulum::{
+    Nearer, PeriodFunction, RatioNearTop, excess_below, log_inverse_nome, nearer_of_amplitude, ratio_above,
+};
+use libration_kernels::double_double::{DoubleDouble, fast_two_sum};
 
 const BITS: usize = 250;
 

@@ -3,10 +3,10 @@
 
 mod mechanisms;
 
-use super::*;
-use crate::taylor::Moment;
-use libration_numbers::expression::{Expression, Symbol};
-use libration_numbers::internals::catalogue::Named;
+use libration::catalogue::Named;
+use libration::expression::{Expression, Symbol};
+use libration::systems::{Energy, Model, ModelError, NamedSystem, NoEnergy, catalogue};
+use libration::taylor::Moment;
 use mechanisms::{BOB, MECHANISMS, Numbers, Open, formula, sum};
 
 const TRIALS: u32 = 20;
@@ -212,7 +212,7 @@ fn keys_are_unique_also_among_the_oscillators() {
     for key in catalogue().flat_map(NamedSystem::keys) {
         assert!(seen.insert(key), "{key}");
     }
-    for oscillator in crate::oscillator::catalogue() {
+    for oscillator in libration::oscillator::catalogue() {
         let model = Model::by_key(oscillator.key, &[], &[]).unwrap();
         assert!(model.open_parameters().is_empty() && model.coordinates().len() == 1, "{}", oscillator.key);
     }
@@ -238,7 +238,7 @@ fn parameters_are_left_open_only_if_they_are_parameters_and_have_no_value() {
 
 #[test]
 fn potentials_by_work_keep_the_energy_along_a_motion() {
-    use crate::taylor::{Effort, Moment, integrate_watched};
+    use libration::taylor::{Effort, Moment, integrate_watched};
     let kepler = Model::typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)", &[], &[]).unwrap();
     let energy = kepler.energy().unwrap();
     let start = Moment { time: 0.0, state: vec![0.5, 0.0, 0.0, 3_f64.sqrt()] };

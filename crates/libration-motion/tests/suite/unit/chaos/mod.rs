@@ -1,0 +1,2 @@
+mod lyapunov;
+mod structure;

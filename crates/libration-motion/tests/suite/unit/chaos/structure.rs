@@ -1,0 +1,45 @@
+use libration::chaos::{Theorem, angles};
+use libration::expression::{Equation, Expression};
+use libration::internals::chaos::{has_jumps, theorem};
+
+fn equation(text: &str) -> Equation {
+    text.parse().unwrap()
+}
+
+#[test]
+fn an_angle_is_left_alone_by_a_turn() {
+    assert_eq!(
+        angles(&equation("a'' = -sin(a - b) + cos(2t - a); b'' = sin(a - b)*exp(cos(b))")),
+        [true, true]
+    );
+    assert_eq!(angles(&equation("x'' = -sin(x/2)")), [false]);
+    assert_eq!(angles(&equation("x'' = -x*cos(x)")), [false]);
+    assert_eq!(angles(&equation("x'' = -x'")), [false]);
+}
+
+#[test]
+fn jumps_are_found_where_they_remain() {
+    let friction = equation("x'' = -x - c*sign(x') - x'*abs(x')");
+    assert!(has_jumps(&friction));
+    assert!(!has_jumps(&friction.with(&[("c", Expression::from(0))]).unwrap()));
+}
+
+#[test]
+fn theorems_are_found_where_they_hold() {
+    let cases = [
+        ("x'' = x - x^3 - x'/3", Some(Theorem::Plane)),
+        ("x'' = -sin(x); y'' = -y*y'^2", Some(Theorem::Plane)),
+        ("x' = x - x*y; y' = x*y - y", Some(Theorem::Plane)),
+        ("x' = x - x*y; y' = x*y - y*cos(t)", None),
+        ("x' = -y - z; y' = x + y/5; z' = 1 + z*(x - 6)", None),
+        ("x'' = -x*q; q' = -q", None),
+        ("x' = -y - z*sin(t); y' = x + y/5; z' = 1 + z", Some(Theorem::Linear)),
+        ("x'' = -2x + y*cos(t); y'' = x - y' + exp(t)", Some(Theorem::Linear)),
+        ("x'' = -sin(x) + cos(t)", None),
+        ("x'' = -sin(x); y'' = x - y", None),
+        ("x'' = (1 + x)^2 - x^2 - x/(2 + t)", Some(Theorem::Linear)),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(theorem(&equation(text)), expected, "{text}");
+    }
+}

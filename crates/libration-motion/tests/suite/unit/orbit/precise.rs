@@ -1,0 +1,25 @@
+use libration::algebra::BigFloat;
+use libration::internals::orbit::{Acceleration, Motion};
+use libration::taylor::System;
+use libration::watch::Watch;
+
+/// How long a motion takes from rest to rest, and where that is.
+fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
+    let equation = equation.parse().unwrap();
+    let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
+    let half = Motion::new(&system, &acceleration.tape, 128, &Watch::none()).half_period(place, 0.0).unwrap();
+    [half.duration, half.end]
+}
+
+/// At the other end, −147.4, e^x is below the last of 128 bits, and the coefficients of a step that begins there are tiny.
+#[test]
+fn a_force_below_the_last_bit_where_a_step_begins_is_felt_where_it_grows() {
+    let equation = "x'' = 1 - exp(x)";
+    let [there, end] = half_period(equation, &BigFloat::from_integer(5, 128));
+    let [back, start] = half_period(equation, &end);
+    assert!((there.clone() - back).to_f64().abs() < 1e-30, "{there:?}");
+    assert!((start.to_f64() - 5.0).abs() < 1e-15, "{start:?}");
+    // The energy, e^x − x, is the same at both ends.
+    let energy = libm::exp(5.0) - 5.0;
+    assert!((libm::exp(end.to_f64()) - end.to_f64() - energy).abs() < 1e-12);
+}

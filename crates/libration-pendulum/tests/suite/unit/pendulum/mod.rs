@@ -1,0 +1,4 @@
+mod approximate_motion;
+mod period;
+mod periods;
+mod table;
