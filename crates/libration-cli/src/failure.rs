@@ -1,6 +1,6 @@
 //! Why a question was not answered, and the exit status that says so.
 
-mod echo;
+pub(crate) mod echo;
 
 pub(crate) use echo::excerpt;
 use std::io::{Error, ErrorKind};

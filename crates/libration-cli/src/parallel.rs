@@ -4,12 +4,12 @@ use crate::output::progress::ProgressLine;
 use crate::{call, interrupt};
 use libration::watch::Watch;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Mutex, MutexGuard};
 use std::thread::{available_parallelism, scope};
 use std::time::Duration;
 
@@ -20,41 +20,75 @@ const PAUSE: Duration = Duration::from_millis(50);
 const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing.
-pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+pub fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let done = Mutex::new(Vec::with_capacity(items.len()));
-    for_each(items, work, &|place, result| {
-        done.lock().expect("no piece of work panics").push((place, result));
+    locked(&done).resize_with(items.len(), || None);
+    on_all_cores(items.len(), &|place| {
+        let result = work(&items[place]);
+        locked(&done)[place] = Some(result);
     });
-    let mut done = done.into_inner().expect("no piece of work panics");
-    done.sort_by_key(|(place, _)| *place);
-    done.into_iter().map(|(_, result)| result).collect()
+    let done = done.into_inner().expect("no piece of work panics");
+    done.into_iter().map(|result| result.expect("every piece is done")).collect()
+}
+
+/// The results so far; pieces of work panic outside of their lock.
+fn locked<R>(done: &Mutex<R>) -> MutexGuard<'_, R> {
+    done.lock().expect("no piece of work panics")
 }
 
 /// Hands the results for so many places on in their order, while the next ones are made on all cores; until it fails, or somebody asks
 /// for an early end. No core is more than a few places ahead.
-pub(crate) fn in_order<R: Send, E>(
+pub fn in_order<R: Send, E>(
     places: usize,
     work: impl Fn(usize) -> R + Sync,
     mut hand_on: impl FnMut(usize, R) -> Result<(), E>,
 ) -> Result<(), E> {
+    let (made, mut failure) = (Mutex::new(Vec::new()), None);
+    make_in_order(
+        places,
+        &|place| {
+            let result = work(place);
+            locked(&made).push((place, result));
+        },
+        &mut |place| {
+            let mut made = locked(&made);
+            let index = made.iter().position(|(made, _)| *made == place).expect("the place is made");
+            let (_, result) = made.swap_remove(index);
+            drop(made);
+            failure = hand_on(place, result).err();
+            failure.is_none()
+        },
+    );
+    failure.map_or(Ok(()), Err)
+}
+
+/// Makes so many places on all cores and tells of each in its order, until that is no longer wanted or somebody asks for an early end.
+fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
     if !HAS_THREADS {
-        return (0..places)
-            .take_while(|_| !interrupt::asked())
-            .try_for_each(|place| hand_on(place, work(place)));
+        for place in 0..places {
+            if interrupt::asked() {
+                break;
+            }
+            make(place);
+            if !hand_on(place) {
+                break;
+            }
+        }
+        return;
     }
     let cores = available_parallelism().map_or(1, usize::from);
     let (orders, to_do) = channel();
-    let (finished, results) = channel();
+    let (finished, made) = channel();
     let to_do = Mutex::new(to_do);
     let call = call::current();
     scope(|scope| {
         // Dropped with what is left to be done when no more is wanted.
-        let (orders, results) = (orders, results);
+        let (orders, made) = (orders, made);
         for _ in 0..cores {
-            let (finished, to_do, work, call) = (finished.clone(), &to_do, &work, &call);
+            let (finished, to_do, call) = (finished.clone(), &to_do, &call);
             scope.spawn(move || {
                 while let Some(place) = next_order(to_do) {
-                    let result = catch_unwind(AssertUnwindSafe(|| call::within(call, || work(place))));
+                    let result = catch_unwind(AssertUnwindSafe(|| call::within(call, || make(place))));
                     if finished.send((place, result)).is_err() {
                         break;
                     }
@@ -62,7 +96,7 @@ pub(crate) fn in_order<R: Send, E>(
             });
         }
         let mut ordered = 0..places;
-        let mut ahead = BTreeMap::new();
+        let mut ahead = BTreeSet::new();
         for place in 0..places {
             for order in ordered.by_ref().take(if place == 0 { AHEAD * cores } else { 1 }) {
                 orders.send(order).expect("the cores wait for orders");
@@ -70,14 +104,17 @@ pub(crate) fn in_order<R: Send, E>(
             if interrupt::asked() {
                 break;
             }
-            while !ahead.contains_key(&place) {
-                let (place, result) = results.recv().expect("what is ordered is finished");
-                ahead.insert(place, result.unwrap_or_else(|panic| resume_unwind(panic)));
+            while !ahead.contains(&place) {
+                let (place, result) = made.recv().expect("what is ordered is finished");
+                result.unwrap_or_else(|panic| resume_unwind(panic));
+                ahead.insert(place);
             }
-            ahead.remove(&place).map_or(Ok(()), |result| hand_on(place, result))?;
+            ahead.remove(&place);
+            if !hand_on(place) {
+                break;
+            }
         }
-        Ok(())
-    })
+    });
 }
 
 /// How many places each core has before it.
@@ -89,7 +126,7 @@ fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
 
 /// The results for the items, in their order, but for those that are not done when somebody asks for an early end; meanwhile a
 /// line of progress counts `what`. Work asks its watch whether it may go on.
-pub(crate) fn map_until_asked<T: Sync, R: Send>(
+pub fn map_until_asked<T: Sync, R: Send>(
     items: &[T],
     what: &str,
     work: impl Fn(&T, &Watch<'_>) -> R + Sync,
@@ -101,11 +138,15 @@ pub(crate) fn map_until_asked<T: Sync, R: Send>(
         done.fetch_add(usize::from(result.is_some()), Ordering::Relaxed);
         result
     };
-    with_progress(how_far, || map(items, counted)).into_iter().flatten().collect()
+    let mut results = Vec::with_capacity(all);
+    for result in with_progress(&how_far, || map(items, counted)) {
+        results.extend(result);
+    }
+    results
 }
 
 /// The result of some work; `None` when somebody asks for an early end before.
-pub(crate) fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Send) -> Option<R> {
+pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Send) -> Option<R> {
     let how_far = || what.to_owned();
     with_progress(how_far, || unless_asked(&how_far, work))
 }
@@ -118,13 +159,13 @@ fn unless_asked<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&Watch<'_>) -
     (!watch.is_stopped()).then_some(result)
 }
 
-/// Hands the result of each item on with its place.
-fn for_each<T: Sync, R>(items: &[T], work: impl Fn(&T) -> R + Sync, done: &(impl Fn(usize, R) + Sync)) {
-    let cores = available_parallelism().map_or(1, usize::from).min(items.len());
+/// Does so many pieces of work on all cores.
+fn on_all_cores(pieces: usize, work: &(dyn Fn(usize) + Sync)) {
+    let cores = available_parallelism().map_or(1, usize::from).min(pieces);
     let (next, call) = (AtomicUsize::new(0), call::current());
     let until_done = || {
-        while let Some((place, item)) = take(items, &next) {
-            done(place, work(item));
+        while let Some(place) = take(pieces, &next) {
+            work(place);
         }
     };
     if !HAS_THREADS {
@@ -137,9 +178,8 @@ fn for_each<T: Sync, R>(items: &[T], work: impl Fn(&T) -> R + Sync, done: &(impl
     });
 }
 
-fn take<'a, T>(items: &'a [T], next: &AtomicUsize) -> Option<(usize, &'a T)> {
-    let place = next.fetch_add(1, Ordering::Relaxed);
-    items.get(place).map(|item| (place, item))
+fn take(pieces: usize, next: &AtomicUsize) -> Option<usize> {
+    Some(next.fetch_add(1, Ordering::Relaxed)).filter(|place| *place < pieces)
 }
 
 thread_local! {
@@ -157,11 +197,18 @@ pub(crate) fn go_on(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
 
 /// Does some work on a thread of its own while a line of progress is shown.
 pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl FnOnce() -> R + Send) -> R {
+    let (mut work, mut result) = (Some(work), None);
+    beside_progress(&how_far, &mut || result = work.take().map(|work| work()));
+    result.expect("the work has ended")
+}
+
+/// Does the work once on a thread of its own.
+fn beside_progress(how_far: &dyn Fn() -> String, work: &mut (dyn FnMut() + Send)) {
     if !HAS_THREADS {
         let outer = ALONE.replace(Some(ProgressLine::new()));
-        let result = work();
+        work();
         ALONE.set(outer);
-        return result;
+        return;
     }
     let mut progress = ProgressLine::new();
     let call = call::current();
@@ -170,63 +217,13 @@ pub(crate) fn with_progress<R: Send>(how_far: impl Fn() -> String, work: impl Fn
         let worker = scope.spawn(|| {
             // Hangs up when the work has ended.
             let _working = working;
-            call::within(&call, work)
+            call::within(&call, work);
         });
         while end.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
             // Some hosts hear of Ctrl-C on this thread alone.
             let _ = interrupt::asked();
-            progress.show(&how_far);
+            progress.show(how_far);
         }
-        worker.join().unwrap_or_else(|panic| resume_unwind(panic))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn results_come_in_the_order_of_the_items() {
-        let items: Vec<usize> = (0..1000).collect();
-        let squares: Vec<usize> = items.iter().map(|n| n * n).collect();
-        assert_eq!(map(&items, |item| item * item), squares);
-        assert!(map(&[] as &[u8], |_| 0).is_empty());
-        assert_eq!(map_until_asked(&items, "squares", |item, _| item * item), squares);
-        assert!(map_until_asked(&[] as &[u8], "nothing", |_, _| 0).is_empty());
-    }
-
-    #[test]
-    fn results_are_handed_on_in_order_until_that_fails() {
-        for places in [0, 1, 7, 1000] {
-            let mut seen = vec![];
-            let all = in_order(
-                places,
-                |place| place * place,
-                |place, square| {
-                    seen.push((place, square));
-                    Ok::<(), ()>(())
-                },
-            );
-            assert_eq!((all, seen), (Ok(()), (0..places).map(|place| (place, place * place)).collect()));
-        }
-        let mut seen = 0;
-        let stopped = in_order(
-            1000,
-            |place| place,
-            |place, _| {
-                seen += 1;
-                if place == 10 { Err("full") } else { Ok(()) }
-            },
-        );
-        assert_eq!((stopped, seen), (Err("full"), 11));
-    }
-
-    #[test]
-    fn work_that_panics_panics() {
-        let work = || until_asked("a panic", |_| assert!(std::hint::black_box(false)));
-        assert!(catch_unwind(work).is_err());
-        let one = |place: usize| assert!(std::hint::black_box(place != 5));
-        let in_order = || in_order(100, one, |_, ()| Ok::<(), ()>(()));
-        assert!(catch_unwind(in_order).is_err());
-    }
+        worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+    });
 }

@@ -6,7 +6,7 @@ use super::formula::{Formula, Name, Subscript};
 use libration::algebra::{Function, Rational, Ring};
 
 /// A ring in which there are also sums without end, integrals, derivatives and means.
-pub(super) trait Analysis: Ring {
+pub trait Analysis: Ring {
     /// Whether an infinite sum may end at this term.
     fn is_negligible(&self, term: &Self::Element, sum: &Self::Element) -> bool;
     /// The terms after which an infinite sum is given up.
@@ -46,7 +46,7 @@ pub enum NoEvaluation {
 
 /// What the letters stand for.
 #[derive(Clone, Debug)]
-pub(super) struct Values<E> {
+pub struct Values<E> {
     numbers: BTreeMap<String, E>,
     indices: BTreeMap<String, i64>,
     functions: BTreeMap<String, (Vec<Name>, Formula)>,
@@ -73,7 +73,7 @@ pub(super) const TIME: &str = "t";
 
 impl<E: Clone> Values<E> {
     /// A letter stands for a number.
-    pub(super) fn set(&mut self, name: &Name, value: E) {
+    pub fn set(&mut self, name: &Name, value: E) {
         let key = self.key(name);
         self.indices.remove(&key);
         self.numbers.insert(key, value);
@@ -166,7 +166,7 @@ impl<E: Clone> Values<E> {
 }
 
 /// The value of the formula.
-pub(super) fn evaluate<R: Analysis>(
+pub fn evaluate<R: Analysis>(
     formula: &Formula,
     ring: &R,
     values: &Values<R::Element>,

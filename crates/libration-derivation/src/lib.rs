@@ -36,9 +36,6 @@ mod python;
 
 pub mod paper;
 
-#[cfg(test)]
-mod tests;
-
 pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging, averaging_watched};
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use check::{
@@ -56,3 +53,47 @@ pub use prose::{Prose, Span};
 pub use published::formulas;
 pub use trials::Swing;
 pub use typeset::{formula_latex, statement_latex};
+
+/// Internals that the suite tests; no promise of stability.
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::check::{Given, equal_fractions, same_series, same_series_where};
+    pub use crate::evaluate::{Values, evaluate};
+    pub use crate::numbers::digits::DIGITS;
+    pub use crate::trials::Trials;
+    pub use crate::words::theta_0;
+
+    pub mod build {
+        pub use crate::formula::build::{
+            call, double_factorial, integral, letter, number, order, series, sin, sqrt, sum, tenths,
+        };
+    }
+    pub mod phase {
+        pub use crate::phase::function::{PhaseFunction, Wave};
+        pub use crate::phase::pi_number::PiNumber;
+        pub use crate::phase::written::{number, series};
+    }
+    pub mod averaging {
+        pub use crate::averaging::flow::Flow;
+        pub use crate::averaging::put_back::{agrees_with_library, check};
+        pub use crate::averaging::question::Question;
+    }
+    pub mod lindstedt {
+        pub use crate::lindstedt::accuracy::{as_given, exactly_at, motion as motion_in_numbers};
+        pub use crate::lindstedt::ansatz::fundamental_and_harmonics;
+        pub use crate::lindstedt::contributions::Contributions;
+        pub use crate::lindstedt::few_harmonics::step as few_harmonics;
+        pub use crate::lindstedt::motion::motion;
+        pub use crate::lindstedt::orders::check_contributions;
+        pub use crate::lindstedt::question::Question;
+        pub use crate::lindstedt::substitution::{has_harmonics, solves};
+        pub use crate::lindstedt::three_harmonics::check as check_three_harmonics;
+        pub use crate::lindstedt::truncated::Elimination;
+    }
+    pub mod paper {
+        pub use crate::paper::cosines::{cosine, projection, second_derivative};
+        pub use crate::paper::lindstedt::Expansion;
+        pub use crate::paper::statement::{NOT_EVALUATED, Statement as PrintedStatement};
+        pub use crate::paper::statements;
+    }
+}

@@ -29,7 +29,7 @@ pub struct Swing {
 
 /// Several swings, one of which is shown.
 #[derive(Clone, Debug)]
-pub(super) struct Trials {
+pub struct Trials {
     trials: Vec<Trial>,
     shown: usize,
     /// Whether the one shown is the reader's, whose numbers each step gives.
@@ -48,7 +48,7 @@ struct Trial {
 
 impl Trials {
     /// Three amplitudes of a pendulum of one metre, and the reader's swing if there is one.
-    pub(super) fn new(reader: Option<&Swing>) -> Result<Self, DerivationError> {
+    pub fn new(reader: Option<&Swing>) -> Result<Self, DerivationError> {
         let mut trials = Vec::new();
         for degrees in [20.0, 60.0, 120.0] {
             trials.push(Trial::new(&example(degrees)?)?);
@@ -107,15 +107,12 @@ impl Trials {
     }
 
     /// Checks a statement in all digits.
-    pub(super) fn compare(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
+    pub fn compare(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE, Against::OtherSide, statement)
     }
 
     /// Checks a statement of which one side is the library's exact solution.
-    pub(super) fn compare_with_library(
-        &self,
-        statement: Statement,
-    ) -> Result<CheckedEquation, DerivationError> {
+    pub fn compare_with_library(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         self.compare_within(CLOSE_IN_DOUBLE, Against::Library, statement)
     }
 
@@ -142,7 +139,7 @@ impl Trials {
     }
 
     /// Checks a statement about no amplitude.
-    pub(super) fn compare_once(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
+    pub fn compare_once(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
         let shown = &self.trials[self.shown];
         let comparison = shown.compare(CLOSE, &statement)?;
         let letters = shown.letters(&statement);

@@ -7,7 +7,8 @@ pub(super) fn amplitude() -> Name {
     Name::new("θ").index(0)
 }
 
-pub(super) fn theta_0() -> Formula {
+/// θ0 as a formula.
+pub fn theta_0() -> Formula {
     amplitude().into()
 }
 

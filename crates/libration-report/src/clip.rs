@@ -4,7 +4,7 @@ use crate::chart::{Panel, Point, Series};
 use crate::scene::Place;
 
 /// The pieces of a curve that lie within the frame, in parts of the axes; gaps at points that are not numbers.
-pub(crate) fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
+pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
     let places: Vec<Place> = series.points.iter().map(|point| place(point, panel)).collect();
     let mut pieces: Vec<Vec<Place>> = vec![];
     for pair in places.windows(2) {
@@ -58,33 +58,5 @@ fn along(a: Place, b: Place, parameter: f64) -> Place {
         b
     } else {
         (a.0 + parameter * (b.0 - a.0), a.1 + parameter * (b.1 - a.1))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{chart::Axis, style};
-
-    fn pieces(points: &[Place]) -> Vec<Vec<Place>> {
-        let x = Axis::linear("", 0.0, 10.0);
-        let y = Axis::logarithmic("", 0.01, 1.0);
-        let panel = Panel { x, y, series: vec![], share: 1.0 };
-        visible_pieces(&Series::line("", style::curve(0), points.to_vec()), &panel)
-    }
-
-    #[test]
-    fn a_curve_that_leaves_the_frame_ends_at_its_edge() {
-        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001)]), [[(0.0, 0.5), (0.1, 0.0)]]);
-    }
-
-    #[test]
-    fn a_curve_that_comes_back_is_drawn_in_pieces() {
-        assert_eq!(pieces(&[(0.0, 0.1), (2.0, 0.001), (4.0, 0.1)]).len(), 2);
-    }
-
-    #[test]
-    fn what_is_not_a_number_is_a_gap() {
-        assert_eq!(pieces(&[(0.0, 0.1), (1.0, 0.1), (2.0, f64::NAN), (3.0, 0.1), (4.0, 0.1)]).len(), 2);
     }
 }

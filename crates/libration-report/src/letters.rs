@@ -21,7 +21,7 @@ fn advance(letter: char) -> f64 {
 }
 
 /// The text in lines that are no wider than this: broken at spaces, but not at those that keep words together, and within words only where one is too wide alone.
-pub(crate) fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
+pub fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in text.split(' ').filter(|word| !word.is_empty()).flat_map(|word| pieces(word, size, widest)) {
         match lines.last_mut() {
@@ -49,25 +49,4 @@ fn pieces(word: &str, size: f64, widest: f64) -> Vec<String> {
         pieces.last_mut().expect("there is a first piece").push(letter);
     }
     pieces
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn wide_letters_are_wider_than_narrow_ones() {
-        assert!((width("mm", 1000.0) - 1948.0).abs() < 1e-9);
-        assert!((width("il ~", 10.0) - 0.01 * (278.0 + 278.0 + 318.0 + 838.0)).abs() < 1e-9);
-    }
-
-    #[test]
-    fn long_text_is_broken_and_nothing_of_it_is_lost() {
-        let text = "the error of an extraordinarilylongword and of others";
-        let lines = wrapped(text, 10.0, 80.0);
-        assert!(lines.len() > 3 && lines.iter().all(|line| width(line, 10.0) <= 80.0), "{lines:?}");
-        let letters = |text: &str| text.replace(' ', "");
-        assert_eq!(letters(&lines.concat()), letters(text));
-        assert_eq!(wrapped("short", 10.0, 80.0), ["short"]);
-    }
 }

@@ -25,3 +25,23 @@ mod ticks;
 
 pub use draw::draw;
 pub use letters::width as text_width;
+
+/// Internals that the suite tests; no promise of stability.
+#[doc(hidden)]
+pub mod internals {
+    pub mod clip {
+        pub use crate::clip::visible_pieces;
+    }
+    pub mod letters {
+        pub use crate::letters::{width, wrapped};
+    }
+    pub mod numbers {
+        pub use crate::numbers::{of_steps, power_of_ten, short};
+    }
+    pub mod svg {
+        pub use crate::svg::{dots, escaped, rounded};
+    }
+    pub mod ticks {
+        pub use crate::ticks::{choices, chosen};
+    }
+}

@@ -1,7 +1,7 @@
 //! Numbers as axes and descriptions show them.
 
 /// As many digits as tell multiples of the step apart, in powers of ten if the largest of them is very large or small.
-pub(crate) fn of_steps(value: f64, step: f64, largest: f64) -> String {
+pub fn of_steps(value: f64, step: f64, largest: f64) -> String {
     if value.abs() < 1e-6 * step {
         return "0".to_owned();
     }
@@ -15,7 +15,7 @@ pub(crate) fn of_steps(value: f64, step: f64, largest: f64) -> String {
 }
 
 /// A number for a sentence.
-pub(crate) fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let step = 10f64.powi(exponent(value) - 3);
     let text = of_steps(value, step, value);
     match text.split_once('×') {
@@ -29,7 +29,7 @@ fn trimmed(text: &str) -> &str {
 }
 
 /// 10⁻⁴ for −4, 10⁰ for 0.
-pub(crate) fn power_of_ten(exponent: i32) -> String {
+pub fn power_of_ten(exponent: i32) -> String {
     let raised = exponent
         .to_string()
         .chars()
@@ -58,29 +58,4 @@ fn places(count: i32) -> usize {
 fn exponent(value: f64) -> i32 {
     let power = value.abs().log10().floor();
     if power.is_finite() { power as i32 } else { 0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ticks_have_the_digits_of_their_step() {
-        assert_eq!(of_steps(0.5, 0.25, 1.0), "0.5".to_owned());
-        assert_eq!(of_steps(10.000_012, 2e-6, 10.00002), "10.000012");
-        assert_eq!(of_steps(-3e-7, 1e-7, 5e-7), "−3×10⁻⁷");
-        assert_eq!(of_steps(1.5e9, 5e8, 2e9), "1.5×10⁹");
-        assert_eq!(of_steps(1e-20, 1.0, 3.0), "0");
-        assert_eq!(of_steps(150.0, 50.0, 200.0), "150");
-    }
-
-    #[test]
-    fn powers_of_ten_have_one_notation() {
-        assert_eq!([-12, 0, 1].map(power_of_ten), ["10⁻¹²", "10⁰", "10¹"]);
-    }
-
-    #[test]
-    fn numbers_of_sentences_have_no_zeros_to_spare() {
-        assert_eq!([180.0, 1e-8, 0.25, 0.0].map(short), ["180", "1×10⁻⁸", "0.25", "0"]);
-    }
 }

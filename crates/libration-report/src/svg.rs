@@ -201,7 +201,7 @@ fn outline(places: &[Place], end: &str) -> String {
 }
 
 /// Each dot by its distance from the one before.
-fn dots(places: &[Place]) -> String {
+pub fn dots(places: &[Place]) -> String {
     let hundredths = |value: f64| (100.0 * value).round();
     let (mut path, mut last) = (String::new(), (0.0, 0.0));
     for (x, y) in places {
@@ -214,14 +214,14 @@ fn dots(places: &[Place]) -> String {
 }
 
 /// To hundredths of a unit.
-fn rounded(value: f64) -> String {
+pub fn rounded(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0" } else { text }.to_owned()
 }
 
 /// Letters that XML does not allow become spaces.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for letter in text.chars() {
         match letter {
@@ -235,24 +235,4 @@ fn escaped(text: &str) -> String {
         }
     }
     escaped
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_as_short_as_they_can_be() {
-        assert_eq!([1.0, -0.001, 2.5, 100.0].map(rounded), ["1", "0", "2.5", "100"]);
-    }
-
-    #[test]
-    fn dots_lead_from_one_to_the_next() {
-        assert_eq!(dots(&[(1.0, 2.0), (1.5, 1.0)]), "m1 2h0m0.5 -1h0");
-    }
-
-    #[test]
-    fn what_is_written_is_never_taken_for_tags() {
-        assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
-    }
 }

@@ -5,11 +5,7 @@ use crate::output::number;
 use libration::quantity::{Displacement, RangeError, exact_angles, exact_numbers};
 
 /// Reads a list or a range of amplitudes above zero.
-pub(crate) fn displacements(
-    argument: &str,
-    text: &str,
-    is_angle: bool,
-) -> Result<Vec<Displacement>, Failure> {
+pub fn displacements(argument: &str, text: &str, is_angle: bool) -> Result<Vec<Displacement>, Failure> {
     let refusal = |reason: String| Failure::usage(argument, reason);
     if !is_angle
         && text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter) || letter == '°')
@@ -37,23 +33,4 @@ fn read(text: &str) -> Result<Vec<Displacement>, RangeError> {
     let read = exact_angles(text)?;
     super::bare::say(text);
     Ok(read)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn numbers(text: &str, is_angle: bool) -> Vec<f64> {
-        displacements("", text, is_angle).unwrap().iter().map(Displacement::to_f64).collect()
-    }
-
-    #[test]
-    fn lists_and_ranges_are_read() {
-        assert_eq!(numbers("0.1:0.3:0.1", false), [0.1, 0.2, 0.3]);
-        assert_eq!(numbers("90deg,2rad", true), [std::f64::consts::FRAC_PI_2, 2.0]);
-        assert_eq!(numbers("1e-3, 1e8", false), [1e-3, 1e8]);
-        for text in ["1deg", "0:1:0.1", "-1", "a", ""] {
-            assert!(displacements("--amplitudes", text, false).is_err(), "{text}");
-        }
-    }
 }

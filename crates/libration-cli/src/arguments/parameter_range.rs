@@ -8,13 +8,13 @@ const MOST_VALUES: u32 = 1_000_000;
 
 /// A parameter with its values.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct ParameterRange {
-    pub(crate) name: String,
-    pub(crate) values: Vec<f64>,
+pub struct ParameterRange {
+    pub name: String,
+    pub values: Vec<f64>,
 }
 
 /// Reads `NAME=START:STOP:STEP` or `NAME=v1,v2,…`, whose numbers may be formulas of numbers.
-pub(crate) fn parameter_range(text: &str) -> Result<ParameterRange, String> {
+pub fn parameter_range(text: &str) -> Result<ParameterRange, String> {
     let (name, values) = text.split_once('=').ok_or("give NAME=START:STOP:STEP, as A=0.9:1.5:0.001")?;
     let values = match values.split(':').collect::<Vec<_>>()[..] {
         [start, stop, step] => progression(constant(start)?, constant(stop)?, constant(step)?)?,
@@ -48,24 +48,4 @@ pub(crate) fn constant(text: &str) -> Result<Expression, String> {
 fn value(constant: &Expression) -> Result<f64, String> {
     let value = constant.to_f64().filter(|value| value.is_finite());
     value.ok_or_else(|| format!("`{constant}` is no finite number"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ranges_hold_the_decimals_that_are_meant() {
-        let range = parameter_range("A=0.9:1.2:0.1").unwrap();
-        assert_eq!((range.name.as_str(), &range.values[..]), ("A", &[0.9, 1.0, 1.1, 1.2][..]));
-        assert_eq!(parameter_range("mu=3:1:-1").unwrap().values, [3.0, 2.0, 1.0]);
-        assert_eq!(parameter_range("mu=1,pi/2").unwrap().values, [1.0, std::f64::consts::FRAC_PI_2]);
-    }
-
-    #[test]
-    fn what_is_no_range_is_refused() {
-        for text in ["A", "A=1:2", "A=1:2:0", "A=1:2:-0.1", "A=0:1:1e-9", "A=x:1:0.1", "A=1/0"] {
-            assert!(parameter_range(text).is_err(), "{text}");
-        }
-    }
 }

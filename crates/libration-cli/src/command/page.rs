@@ -31,7 +31,8 @@ impl Page {
     }
 }
 
-fn write(page: Option<&[u8]>, path: &Path) -> Result<(), Failure> {
+/// Writes the page, if the command has one, to a file.
+pub fn write(page: Option<&[u8]>, path: &Path) -> Result<(), Failure> {
     let page = page.ok_or_else(|| {
         Failure::NoAnswer(
             "this command was built without the page: in the sources run web/build, which makes web/dist/libration.html; \
@@ -40,19 +41,4 @@ fn write(page: Option<&[u8]>, path: &Path) -> Result<(), Failure> {
         )
     })?;
     file::write(path, page)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_page_is_written_and_none_is_explained() {
-        let path = std::env::temp_dir().join(format!("libration-page-{}.html", std::process::id()));
-        write(Some(b"<!doctype html>"), &path).unwrap();
-        assert_eq!(std::fs::read(&path).unwrap(), b"<!doctype html>");
-        std::fs::remove_file(&path).unwrap();
-        assert!(write(None, &path).unwrap_err().to_string().contains("web/build"));
-        assert!(!path.exists());
-    }
 }

@@ -6,7 +6,7 @@ use libration_report::svg;
 
 /// Readable on a telephone and on paper. Tables fit where they stand: their cells are broken, and on the screen of a telephone
 /// each row of a wide table becomes a list.
-const STYLE: &str = "\
+pub const STYLE: &str = "\
 :root{color-scheme:light}
 body{font:17px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif;color:#1a1a1a;background:#fff;max-width:56rem;margin:0 auto;\
 padding:1rem}
@@ -45,9 +45,9 @@ figcaption,caption{color:#bbb}.aside{background:#2a2114}th,td,h2{border-color:#4
 ";
 
 /// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.
-const SCRIPT: &str = "\
+pub const SCRIPT: &str = "\
 for (const bar of document.querySelectorAll('.copy')) {
-  const table = bar.parentNode.querySelector('table');
+  pub const table = bar.parentNode.querySelector('table');
   const text = Array.from(table.rows, row => Array.from(row.cells, cell => cell.textContent).join('\\t')).join('\\n');
   bar.hidden = false;
   for (const button of bar.children) button.onclick = () => {
@@ -77,7 +77,7 @@ const MANY: usize = 4;
 const SHORT: usize = 32;
 
 /// The whole page.
-pub(super) fn page(document: &Document) -> String {
+pub fn page(document: &Document) -> String {
     let title = escaped(&document.title);
     let sections: String = document.sections.iter().map(section).collect();
     format!(
@@ -112,7 +112,7 @@ fn list(items: &[String]) -> String {
 }
 
 /// The table, which becomes a list of lists on small screens if it has many columns of words, with its buttons.
-fn table(table: &DocumentTable) -> String {
+pub fn table(table: &DocumentTable) -> String {
     let words = table.columns.iter().filter(|column| !column.is_of_numbers()).count();
     let many = if table.columns.len() >= MANY && words > 1 { " class=\"many\"" } else { "" };
     let head = |column: &Column| {
@@ -159,69 +159,4 @@ fn figure(figure: &DocumentFigure) -> String {
 
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::chart::Picture;
-
-    #[test]
-    fn what_is_written_is_never_taken_for_tags() {
-        let text = "<script>alert(1)</script> & \"more\"";
-        let figure = DocumentFigure {
-            name: "a".to_owned(),
-            caption: text.to_owned(),
-            picture: Picture::new(text, vec![]),
-        };
-        let table = DocumentTable {
-            caption: text.to_owned(),
-            columns: vec![Column::words(text), Column::numbers(text)],
-            rows: vec![vec![text.to_owned(); 2]],
-        };
-        let list = vec![text.to_owned()];
-        let blocks = vec![
-            Block::words(text),
-            Block::Aside("doubts", list.clone()),
-            Block::List(list),
-            Block::Table(table),
-        ];
-        let sections =
-            vec![Section { title: "what", blocks: [blocks, vec![Block::Figure(figure)]].concat() }];
-        let page = page(&Document { title: text.to_owned(), sections });
-        // The one script is that of the page.
-        assert!(
-            page.matches("<script").count() == 1 && page.contains(&format!("<script>\n{SCRIPT}")),
-            "{page}"
-        );
-        assert!(!page.contains("\"more\""), "{page}");
-        assert!(page.contains("viewBox=\"0 0 ") && page.contains("role=\"img\""), "{page}");
-    }
-
-    #[test]
-    fn tables_can_be_copied_and_fit_small_screens() {
-        let written = |columns: Vec<Column>| {
-            let row = vec!["a_b".to_owned(); columns.len()];
-            table(&DocumentTable { caption: "What".to_owned(), columns, rows: vec![row] })
-        };
-        let words = written(["one", "two", "three", "four"].map(Column::words).to_vec());
-        assert!(words.contains("class=\"many\"") && words.contains("data-head=\"four\""), "{words}");
-        assert!(words.contains("data-latex=\"% What\n\\begin{tabular}{llll}"), "{words}");
-        assert!(
-            words.contains("a\\_b &amp; a\\_b") && words.contains("<p class=\"copy\" hidden>"),
-            "{words}"
-        );
-        let numbers = [vec![Column::words("one")], ["two", "three", "four"].map(Column::numbers).to_vec()];
-        assert!(!written(numbers.concat()).contains("class=\"many\""));
-        assert!(STYLE.contains("@media print") && STYLE.contains(".copy{display:none}"));
-    }
-
-    #[test]
-    fn the_page_may_load_nothing() {
-        let page = page(&Document { title: "what".to_owned(), sections: vec![] });
-        assert!(page.contains("default-src 'none'"), "{page}");
-        let outside = ["http", "//", "@import", "url(", "fetch", "XMLHttp"].map(|word| page.contains(word));
-        assert_eq!(outside, [true, false, false, false, false, false], "http-equiv alone");
-        assert_eq!(page.matches("http").count(), 1);
-    }
 }

@@ -15,7 +15,8 @@ pub(super) fn page(document: &Document, file_of: impl Fn(&DocumentFigure) -> Str
     page
 }
 
-fn block(block: &Block, file_of: &impl Fn(&DocumentFigure) -> String) -> String {
+/// A block, with the files of its pictures.
+pub fn block(block: &Block, file_of: &impl Fn(&DocumentFigure) -> String) -> String {
     match block {
         Block::Paragraph(text) => escaped(text).into_owned(),
         Block::List(items) => {
@@ -33,7 +34,8 @@ fn block(block: &Block, file_of: &impl Fn(&DocumentFigure) -> String) -> String 
     }
 }
 
-fn table(table: &DocumentTable) -> String {
+/// A table below its caption.
+pub fn table(table: &DocumentTable) -> String {
     let line = |cells: &mut dyn Iterator<Item = Cow<'_, str>>| {
         format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).collect::<Vec<_>>().join(" | "))
     };
@@ -58,26 +60,4 @@ fn escaped(text: &str) -> Cow<'_, str> {
         backslash.into_iter().chain([letter])
     });
     letters.collect::<String>().into()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::output::table::Column;
-
-    #[test]
-    fn what_must_not_be_missed_stands_out() {
-        let aside = Block::Aside("Doubts", vec!["one_1".to_owned(), "two".to_owned()]);
-        assert_eq!(block(&aside, &|_| String::new()), "> **Doubts**\n>\n> - one\\_1\n> - two");
-    }
-
-    #[test]
-    fn tables_have_a_rule_and_text_is_escaped() {
-        let table = DocumentTable {
-            caption: "What".to_owned(),
-            columns: vec![Column::words("name"), Column::numbers("value")],
-            rows: vec![vec!["a_b|c".to_owned(), "1".to_owned()]],
-        };
-        assert_eq!(super::table(&table), "What:\n\n| name | value |\n| --- | ---: |\n| a\\_b\\|c | 1 |");
-    }
 }

@@ -2,10 +2,10 @@
 //! pictures beside it.
 
 mod files;
-mod html;
-mod latex;
-mod markdown;
-mod provenance;
+pub(crate) mod html;
+pub(crate) mod latex;
+pub(crate) mod markdown;
+pub(crate) mod provenance;
 
 pub(crate) use files::{name, write};
 pub(crate) use provenance::provenance;
@@ -18,45 +18,57 @@ use libration_report::scene::Scene;
 
 /// A document.
 #[derive(Clone, Debug)]
-pub(crate) struct Document {
-    pub(crate) title: String,
-    pub(crate) sections: Vec<Section>,
+pub struct Document {
+    /// The title.
+    pub title: String,
+    /// Its parts.
+    pub sections: Vec<Section>,
 }
 
 /// A part of a document under its own title.
 #[derive(Clone, Debug)]
-pub(crate) struct Section {
-    pub(crate) title: &'static str,
-    pub(crate) blocks: Vec<Block>,
+pub struct Section {
+    /// The title.
+    pub title: &'static str,
+    /// The blocks it is made of.
+    pub blocks: Vec<Block>,
 }
 
 /// What a section is made of.
 #[derive(Clone, Debug)]
-pub(crate) enum Block {
+pub enum Block {
+    /// A paragraph.
     Paragraph(String),
+    /// A list of sentences.
     List(Vec<String>),
     /// What must not be missed, under a title.
     Aside(&'static str, Vec<String>),
+    /// A table.
     Table(DocumentTable),
+    /// A picture.
     Figure(DocumentFigure),
 }
 
 /// A table with a line above that says what it shows; the first column names the row.
 #[derive(Clone, Debug)]
-pub(crate) struct DocumentTable {
-    pub(crate) caption: String,
-    pub(crate) columns: Vec<Column>,
-    pub(crate) rows: Vec<Vec<String>>,
+pub struct DocumentTable {
+    /// The line above.
+    pub caption: String,
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// The cells of each row.
+    pub rows: Vec<Vec<String>>,
 }
 
 /// A picture with what there is to see in it.
 #[derive(Clone, Debug)]
-pub(crate) struct DocumentFigure {
+pub struct DocumentFigure {
     /// Part of the name of its file, where it has one of its own.
-    pub(crate) name: String,
+    pub name: String,
     /// What it shows, for those who cannot see it too.
-    pub(crate) caption: String,
-    pub(crate) picture: Picture,
+    pub caption: String,
+    /// The picture.
+    pub picture: Picture,
 }
 
 impl DocumentFigure {
@@ -79,7 +91,8 @@ impl Section {
 }
 
 impl Block {
-    pub(crate) fn words(text: impl Into<String>) -> Self {
+    /// A paragraph of these words.
+    pub fn words(text: impl Into<String>) -> Self {
         Self::Paragraph(text.into())
     }
 }

@@ -28,7 +28,7 @@ fn now() -> u64 {
 }
 
 /// `2026-11-22 03:10 UTC`, in the Gregorian calendar.
-fn date(seconds: u64) -> String {
+pub fn date(seconds: u64) -> String {
     const DAYS_IN_400_YEARS: u64 = 146_097;
     // Days since the 1st of March 1600: a leap day is then the last of its year.
     let days = seconds / 86_400 + DAYS_IN_400_YEARS - 11_017;
@@ -45,41 +45,10 @@ fn date(seconds: u64) -> String {
 }
 
 /// As a shell takes it for one word.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "_-./=+:,@%±^".contains(letter);
     match !word.is_empty() && word.chars().all(plain) {
         true => word.to_owned(),
         false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// By `date -u -d @SECONDS`.
-    #[test]
-    fn dates_are_those_of_the_calendar() {
-        for (seconds, expected) in [
-            (0, "1970-01-01 00:00 UTC"),
-            (951_782_400, "2000-02-29 00:00 UTC"),
-            (951_868_799, "2000-02-29 23:59 UTC"),
-            (951_868_800, "2000-03-01 00:00 UTC"),
-            (1_000_000_000, "2001-09-09 01:46 UTC"),
-            (1_709_164_800, "2024-02-29 00:00 UTC"),
-            (1_735_689_599, "2024-12-31 23:59 UTC"),
-            (4_107_542_400, "2100-03-01 00:00 UTC"),
-        ] {
-            assert_eq!(date(seconds), expected);
-        }
-    }
-
-    #[test]
-    fn words_are_quoted_for_a_shell() {
-        assert_eq!(quoted("--length"), "--length");
-        assert_eq!(quoted("0.57m±0.004m"), "0.57m±0.004m");
-        assert_eq!(quoted("my swing.csv"), "'my swing.csv'");
-        assert_eq!(quoted("it's"), r"'it'\''s'");
-        assert_eq!(quoted(""), "''");
     }
 }

@@ -3,10 +3,10 @@
 /// Longer words and quotations are cut in the middle. Names of files are shorter.
 const LONGEST_QUOTATION: usize = 300;
 /// Longer lines are cut in the middle. Lists of all keys are shorter.
-const LONGEST_LINE: usize = 2000;
+pub const LONGEST_LINE: usize = 2000;
 
 /// The beginning of a text, as a message may show it.
-pub(crate) fn excerpt(text: &str) -> String {
+pub fn excerpt(text: &str) -> String {
     const SHOWN: usize = 60;
     cut(text, SHOWN)
 }
@@ -17,7 +17,7 @@ pub(super) fn unprotected(message: &str) -> String {
 }
 
 /// The message with whatever is very long in it cut: quotations, words, lines.
-pub(super) fn shortened(message: &str) -> String {
+pub fn shortened(message: &str) -> String {
     message.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
@@ -44,26 +44,4 @@ fn cut(text: &str, longest: usize) -> String {
     let (begin, end): (String, String) =
         (text.chars().take(kept).collect(), text.chars().skip(letters - kept).collect());
     format!("{begin}…({} characters)…{end}", letters - 2 * kept)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_short_stays_as_it_is() {
-        let message = "--about: `foo` is no place: give a number,\nsuch as 0.5";
-        assert_eq!(shortened(message), message);
-    }
-
-    #[test]
-    fn long_words_quotations_and_lines_are_cut_in_the_middle() {
-        let long = "é".repeat(10_000);
-        for message in [format!("`{long}` is no place"), format!("{long} is no place"), "x + ".repeat(3000)] {
-            let shown = shortened(&message);
-            assert!(shown.chars().count() < LONGEST_LINE + 40 && shown.contains("characters)…"), "{shown}");
-        }
-        assert!(shortened(&format!("`{}` is no place", "x + ".repeat(3000))).ends_with("` is no place"));
-        assert_eq!(excerpt(&long).chars().count(), 60 + "…(9940 characters)…".chars().count());
-    }
 }

@@ -14,16 +14,16 @@ const SHORTEST: f64 = 1.0;
 
 /// How a stretch of time is played: as it is, or so many times as fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Playing {
+pub struct Playing {
     from: f64,
     span: f64,
     /// Seconds of the motion in one second on the screen: 1, 2 or 5 times a power of ten.
-    speed: f64,
+    pub speed: f64,
 }
 
 impl Playing {
     /// From one time to another, which may be before it.
-    pub(crate) fn new(from: f64, to: f64) -> Self {
+    pub fn new(from: f64, to: f64) -> Self {
         let span = to - from;
         let seconds = span.abs();
         let speed = if (SHORTEST..=LONGEST).contains(&seconds) || seconds == 0.0 {
@@ -41,7 +41,7 @@ impl Playing {
     }
 
     /// The times that are shown.
-    fn times(&self) -> Vec<f64> {
+    pub fn times(&self) -> Vec<f64> {
         const MOST: u32 = 1000;
         let frames = (1..MOST).find(|frames| f64::from(*frames) >= self.seconds() * FRAMES_PER_SECOND);
         let frames = frames.unwrap_or(MOST);
@@ -93,15 +93,17 @@ pub(crate) fn of_motion(picture: Picture, motion: &Motion, (from, to): (f64, f64
 }
 
 /// The coordinates of a motion at some times.
-pub(crate) struct Sampled<'a> {
-    pub(crate) times: &'a [f64],
+#[derive(Debug)]
+pub struct Sampled<'a> {
+    /// The times of the samples.
+    pub times: &'a [f64],
     /// One list for each coordinate.
-    pub(crate) values: &'a [Vec<f64>],
+    pub values: &'a [Vec<f64>],
 }
 
 impl Sampled<'_> {
     /// A coordinate between two samples, on a straight line.
-    fn value(&self, coordinate: usize, time: f64) -> f64 {
+    pub fn value(&self, coordinate: usize, time: f64) -> f64 {
         let values = &self.values[coordinate];
         let next = self.times.partition_point(|known| known.abs() < time.abs());
         let (Some(first), Some(second)) = (next.checked_sub(1), self.times.get(next)) else {
@@ -160,29 +162,4 @@ fn in_plane(bodies: &Bodies, times: &[f64], values: &[Vec<f64>]) -> Mechanism {
         Hanging { places: places(|body| body.place), held: places(|body| body.pivot) }
     };
     Mechanism::Plane((0..frames.first().map_or(0, Vec::len)).map(body).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_second_is_a_second_where_that_can_be_watched() {
-        for (to, speed, frames) in
-            [(10.0, 1.0, 301), (30.0, 1.0, 901), (30.1, 2.0, 453), (-100.0, 5.0, 601), (1e-3, 1e-3, 31)]
-        {
-            let playing = Playing::new(0.0, to);
-            assert!((playing.speed / speed - 1.0).abs() < 1e-12, "{to}: {}", playing.speed);
-            let times = playing.times();
-            assert_eq!((times.len(), times[0], times.last()), (frames, 0.0, Some(&to)));
-        }
-    }
-
-    #[test]
-    fn coordinates_between_samples_are_on_straight_lines() {
-        let sampled = Sampled { times: &[0.0, -1.0, -3.0], values: &[vec![0.0, 2.0, 6.0]] };
-        for (time, value) in [(0.0, 0.0), (-0.5, 1.0), (-1.0, 2.0), (-2.0, 4.0), (-3.0, 6.0), (-4.0, 6.0)] {
-            assert!((sampled.value(0, time) - value).abs() < 1e-15, "{time}");
-        }
-    }
 }

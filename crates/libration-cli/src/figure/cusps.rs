@@ -4,7 +4,7 @@
 const HALVINGS: i32 = 60;
 
 /// The sizes of a sampled quantity, with the approach to each change of sign, between its samples a line.
-pub(super) fn sizes(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub fn sizes(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut sizes = vec![];
     for pair in samples.windows(2) {
         sizes.push((pair[0].0, pair[0].1.abs()));
@@ -26,22 +26,4 @@ fn cusp(before: (f64, f64), after: (f64, f64)) -> impl Iterator<Item = (f64, f64
     let down = (1..HALVINGS).map(move |k| beside(before, k));
     let up = (1..HALVINGS).rev().map(move |k| beside(after, k));
     down.chain([(zero, 0.0)]).chain(up)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_change_of_sign_reaches_down_to_nothing() {
-        let sizes = sizes(&[(0.0, 1.0), (2.0, -1.0)]);
-        let (x, least) = sizes.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-        assert!((x - 1.0).abs() < 1e-15 && least == 0.0);
-        assert!(sizes.windows(2).all(|pair| pair[0].0 <= pair[1].0));
-    }
-
-    #[test]
-    fn what_is_not_a_number_stays_so() {
-        assert!(sizes(&[(0.0, f64::NAN), (1.0, 1.0)])[0].1.is_nan());
-    }
 }

@@ -30,13 +30,13 @@ pub(crate) mod trajectories;
 pub(crate) mod file;
 pub(crate) mod names;
 
-mod cusps;
+pub(crate) mod cusps;
 #[cfg(not(target_family = "wasm"))]
-mod font;
+pub(crate) mod font;
 pub(crate) mod parameters;
 #[cfg_attr(target_family = "wasm", path = "no_png.rs")]
 mod png;
-mod size;
+pub(crate) mod size;
 
 pub(crate) use libration_report::chart;
 use libration_report::{range, style};

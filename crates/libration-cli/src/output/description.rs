@@ -2,16 +2,17 @@
 
 /// A field of an answer. Parts of a name in capitals stand for names that the question decides.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Description {
+pub struct Description {
     /// With the way to it in JSON: `results[].formulas[].ratio`.
-    pub(crate) name: String,
+    pub name: String,
     /// `1` for ratios, empty for what is no number or has the unit of what it describes.
     pub(crate) unit: &'static str,
     pub(crate) meaning: &'static str,
 }
 
 impl Description {
-    pub(crate) fn new(name: &str, unit: &'static str, meaning: &'static str) -> Self {
+    /// A name with its unit and meaning.
+    pub fn new(name: &str, unit: &'static str, meaning: &'static str) -> Self {
         Self { name: name.to_owned(), unit, meaning }
     }
 }

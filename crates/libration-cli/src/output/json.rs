@@ -33,18 +33,19 @@ pub(crate) fn object(fields: impl IntoIterator<Item = (String, impl Into<Value>)
 
 /// A JSON object in the making.
 #[derive(Debug, Default)]
-pub(crate) struct Record {
+pub struct Record {
     fields: Map<String, Value>,
     notes: Vec<String>,
 }
 
 impl Record {
-    pub(crate) fn new() -> Self {
+    /// A record without fields.
+    pub fn new() -> Self {
         Self::default()
     }
 
     /// A number; null and a note when it is not finite.
-    pub(crate) fn number(mut self, name: &str, value: f64) -> Self {
+    pub fn number(mut self, name: &str, value: f64) -> Self {
         let field = number(value);
         if field.is_null() {
             let what = if value.is_nan() { "not defined" } else { "infinite" };
@@ -62,7 +63,8 @@ impl Record {
         }
     }
 
-    pub(crate) fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
+    /// Adds a field.
+    pub fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.fields.insert(name.to_owned(), value.into());
         self
     }
@@ -93,7 +95,7 @@ pub(crate) fn document(out: &mut dyn Write, record: Record) -> io::Result<()> {
 }
 
 /// Writes an answer that ends in a list, item by item, so that long lists need no memory.
-pub(crate) fn document_with_list(
+pub fn document_with_list(
     out: &mut dyn Write,
     head: Record,
     name: &str,
@@ -164,25 +166,5 @@ impl List {
 
     pub(crate) fn end(&mut self, out: &mut dyn Write) -> io::Result<()> {
         out.write_all(b"\n]")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_that_are_not_finite_become_null_with_a_note() {
-        let value = Value::from(Record::new().number("period_s", f64::INFINITY).number("x", 0.5));
-        assert_eq!(value.to_string(), r#"{"period_s":null,"x":0.5,"note":"period_s is infinite"}"#);
-    }
-
-    #[test]
-    fn a_streamed_list_is_one_json_document() {
-        let mut text = vec![];
-        let items = (0..3).map(|n| Record::new().with("n", n));
-        document_with_list(&mut text, Record::new().with("a", "b"), "items", items).unwrap();
-        let read: Value = serde_json::from_slice(&text).unwrap();
-        assert_eq!(read, serde_json::json!({"schema": 1, "a": "b", "items": [{"n": 0}, {"n": 1}, {"n": 2}]}));
     }
 }

@@ -27,7 +27,7 @@ pub(crate) fn display(content: &str) -> String {
 }
 
 /// A letter with its index: ω₀ of `omega0`, k₁ of `k_1`.
-pub(crate) fn name(text: &str) -> String {
+pub fn name(text: &str) -> String {
     let word = text.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match text.split_once('_') {
         Some((stem, index)) if !stem.is_empty() => (stem, index),
@@ -101,17 +101,5 @@ fn raised(power: &LetterPower<'_>) -> String {
         (false, odd) => {
             element("msup", &[&letter, &element("mrow", &[&number(odd), "<mo>/</mo>", &number("2")])])
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_have_their_index_below() {
-        assert_eq!(name("omega0"), "<msub><mi>ω</mi><mn>0</mn></msub>");
-        assert_eq!(name("k_max"), "<msub><mi>k</mi><mi>max</mi></msub>");
-        assert_eq!(name("mass"), "<mi>mass</mi>");
     }
 }

@@ -5,17 +5,17 @@ pub(crate) use libration::quantity::{rounded, short, with_uncertainty};
 
 /// A number of things as an `f64`.
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
-pub(crate) fn count(things: usize) -> f64 {
+pub fn count(things: usize) -> f64 {
     things as f64
 }
 
 /// The shortest decimal that reads back as the same number; `nan`, `inf` and `-inf` otherwise.
-pub(crate) fn exact(value: f64) -> String {
+pub fn exact(value: f64) -> String {
     serde_json::Number::from_f64(value).map_or_else(|| rounded(value, 1), |number| number.to_string())
 }
 
 /// [`exact`] of a finite number, behind a text.
-pub(crate) fn write_exact(text: &mut Vec<u8>, value: f64) {
+pub fn write_exact(text: &mut Vec<u8>, value: f64) {
     serde_json::to_writer(text, &value).expect("a number can be written to memory");
 }
 
@@ -31,13 +31,13 @@ pub(crate) fn seconds(value: f64, digits: usize) -> String {
 }
 
 /// An uncertainty or a bound to one digit, which is not below it: `5e-13` for 4.1e-13.
-pub(crate) fn at_most(value: f64) -> String {
+pub fn at_most(value: f64) -> String {
     let text = rounded(value, 1);
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
 /// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3.
-pub(crate) fn to_its_error(value: f64, error: f64, most: usize) -> String {
+pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
     let text = rounded(value, most);
     let written = format!("{error:e}");
     let exponent = written.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
@@ -45,34 +45,4 @@ pub(crate) fn to_its_error(value: f64, error: f64, most: usize) -> String {
     let places = usize::try_from(-exponent).unwrap_or(0);
     let shown = format!("{value:.places$}");
     if shown.len() < text.len() { shown } else { text }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bounds_are_rounded_up() {
-        let shown = [4.8e-13, 4.1e-13, 9.6e-16, 9.4e-16, 1e-3, 0.0, 1.01e-9].map(at_most);
-        assert_eq!(shown, ["5e-13", "6e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
-    }
-
-    #[test]
-    fn digits_end_where_the_error_begins() {
-        let period = 24.401_264_932_623_7;
-        let shown = [0.3, 0.004, 1e-9, 3e-15, 4.0, f64::NAN].map(|error| to_its_error(period, error, 15));
-        let expected = ["24.4", "24.401", "24.401264933", "24.4012649326237", "24", "24.4012649326237"];
-        assert_eq!(shown, expected);
-    }
-
-    #[test]
-    fn exact_numbers_read_back_as_themselves() {
-        assert_eq!(exact(1e-300), "1e-300");
-        assert_eq!(exact(0.1).parse(), Ok(0.1));
-        for value in [1e-300, -0.0, 0.1, 3.0, 1e16, 1.5e300, 5e-324] {
-            let mut text = b"x=".to_vec();
-            write_exact(&mut text, value);
-            assert_eq!(String::from_utf8(text).unwrap(), format!("x={}", exact(value)));
-        }
-    }
 }

@@ -11,7 +11,7 @@ pub(crate) fn width() -> usize {
 }
 
 /// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it.
-pub(crate) fn columns_of(text: &str) -> usize {
+pub fn columns_of(text: &str) -> usize {
     text.chars().map(columns_of_letter).sum()
 }
 
@@ -33,12 +33,12 @@ fn columns_of_letter(letter: char) -> usize {
 }
 
 /// The text with blanks behind it, up to this many columns.
-pub(crate) fn padded(text: &str, columns: usize) -> String {
+pub fn padded(text: &str, columns: usize) -> String {
     format!("{text}{:1$}", "", columns.saturating_sub(columns_of(text)))
 }
 
 /// The text in lines of at most so many columns, broken at blanks; a longer word stands alone.
-pub(crate) fn folded(text: &str, columns: usize) -> Vec<String> {
+pub fn folded(text: &str, columns: usize) -> Vec<String> {
     if columns_of(text) <= columns {
         return vec![text.to_owned()];
     }
@@ -53,22 +53,4 @@ pub(crate) fn folded(text: &str, columns: usize) -> Vec<String> {
         }
     }
     lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn letters_take_the_columns_that_terminals_give_them() {
-        assert_eq!([columns_of("θ₀ / °"), columns_of("时间"), columns_of("e\u{301}")], [6, 4, 1]);
-        assert_eq!(padded("时", 4), "时  ");
-    }
-
-    #[test]
-    fn text_is_folded_at_blanks_and_loses_no_word() {
-        assert_eq!(folded("one two three", 7), ["one two", "three"]);
-        assert_eq!(folded("a-very-long-word and more", 6), ["a-very-long-word", "and", "more"]);
-        assert_eq!(folded("two  blanks", 11), ["two  blanks"]);
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::command::{directory, libration, message, text};
 use std::fs;
-use std::process::{Command, Output};
+use std::process::Command;
 
 const ROADS: [&str; 5] = ["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"];
 
@@ -153,7 +153,7 @@ fn exercises_have_their_answers_at_the_end() {
 /// The reader's computer confirms each formula: the cells of a notebook are run in their order.
 #[test]
 fn notebooks_check_their_formulas_again() {
-    for (place, question) in [
+    let questions = [
         "--road elliptic",
         "--road elliptic --amplitude 40deg",
         "--road formulas --amplitude 170deg",
@@ -170,14 +170,14 @@ fn notebooks_check_their_formulas_again() {
         "--road limit-cycle rayleigh --order 4 --exercises",
         "--road limit-cycle x''+4*x=e*((1-x^2)*x'-x^3+x^2) --order 4",
         "--road averaging x''+c*x'-2*x+2*x^3=0 --order 2",
-    ]
-    .iter()
-    .enumerate()
-    {
+    ];
+    let notebooks = questions.map(|question| {
         let cells = code_cells(&format!("derive {question} --format ipynb"));
         assert!(cells.len() > 20, "{question}: {}", cells.len());
-        let output = python(&format!("notebook_{place}"), &cells.join("\n"));
-        assert!(output.status.success(), "{question}: {}", message(&output));
+        cells.join("\n")
+    });
+    for (question, complaint) in questions.iter().zip(complaints("notebooks", &notebooks)) {
+        assert_eq!(complaint, None, "{question}");
     }
 }
 
@@ -190,44 +190,62 @@ fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
     let cells = code_cells("derive --road formulas --format ipynb");
     let formulas = |call: &str| cells.iter().skip(1).filter(|cell| cell.contains(call)).count();
     assert_eq!((formulas("error_begins("), formulas("error_vanishes_at_the_top(")), (8, 1));
-    for (right, wrong) in [("64)/(16*", "64)/(17*"), ("Q(3, 8)", "Q(3, 7)"), ("exact(8)/(pi", "exact(9)/(pi")]
-    {
-        let place =
-            cells.iter().skip(1).position(|cell| cell.contains("error_") && cell.contains(right)).unwrap();
-        let mut wrong_cells = cells.clone();
-        wrong_cells[place + 1] = wrong_cells[place + 1].replace(right, wrong);
-        let output = python("notebook_catalogue", &wrong_cells.join("\n"));
-        assert!(!output.status.success(), "{}", wrong_cells[place + 1]);
-    }
+    let changes = [("64)/(16*", "64)/(17*"), ("Q(3, 8)", "Q(3, 7)"), ("exact(8)/(pi", "exact(9)/(pi")];
+    let wrong = changes.map(|(right, wrong)| {
+        let is_changed = |cell: &String| cell.contains("error_") && cell.contains(right);
+        let place = 1 + cells.iter().skip(1).position(is_changed).unwrap();
+        WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
+    });
+    assert_all_are_found("notebooks_catalogue", &wrong);
 }
 
 /// A number that is not right stops the cell it is in.
 #[test]
 fn notebooks_find_wrong_formulas() {
+    let mut all = vec![];
     for (question, least) in [
         ("perturbation --order 5", 20),
         ("averaging --set n=2 --order 4", 15),
         ("averaging van_der_pol --order 5", 10),
         ("limit-cycle --order 3", 8),
     ] {
-        let seen = wrong_cells_found(&code_cells(&format!("derive --road {question} --format ipynb")));
-        assert!(seen > least, "{question}: {seen}");
+        let wrong = with_a_wrong_cell(&code_cells(&format!("derive --road {question} --format ipynb")));
+        assert!(wrong.len() > least, "{question}: {}", wrong.len());
+        all.extend(wrong);
+    }
+    assert_all_are_found("notebooks_wrong", &all);
+}
+
+/// A notebook of which one cell is changed.
+struct WrongNotebook {
+    cell: String,
+    program: String,
+}
+
+impl WrongNotebook {
+    fn new(cells: &[String], place: usize, wrong: String) -> Self {
+        let mut cells = cells.to_vec();
+        cells[place].clone_from(&wrong);
+        Self { cell: wrong, program: cells.join("\n") }
     }
 }
 
-/// How many cells there are with a fraction that may be changed, each of which fails when it is.
-fn wrong_cells_found(cells: &[String]) -> usize {
-    let (mut wrong, mut seen) = (cells.to_vec(), 0);
-    for (place, cell) in cells.iter().enumerate().skip(1) {
+/// The notebooks with a changed fraction, for each cell with one that may be changed.
+fn with_a_wrong_cell(cells: &[String]) -> Vec<WrongNotebook> {
+    let wrong = |(place, cell): (usize, &String)| {
         // The last number: the first ones may be those of given letters.
-        let Some(at) = cell.rfind("Q(").filter(|_| !is_for_any_function(cell)) else { continue };
-        wrong[place] = format!("{}Q(7, 6)*Q({}", &cell[..at], &cell[at + 2..]);
-        let output = python("notebook_wrong", &wrong.join("\n"));
-        assert!(!output.status.success(), "{}", wrong[place]);
-        wrong[place].clone_from(cell);
-        seen += 1;
+        let at = cell.rfind("Q(").filter(|_| !is_for_any_function(cell))?;
+        let changed = format!("{}Q(7, 6)*Q({}", &cell[..at], &cell[at + 2..]);
+        Some(WrongNotebook::new(cells, place, changed))
+    };
+    cells.iter().enumerate().skip(1).filter_map(wrong).collect()
+}
+
+fn assert_all_are_found(name: &str, wrong: &[WrongNotebook]) {
+    let programs: Vec<String> = wrong.iter().map(|notebook| notebook.program.clone()).collect();
+    for (notebook, complaint) in wrong.iter().zip(complaints(name, &programs)) {
+        assert!(complaint.is_some(), "{}", notebook.cell);
     }
-    seen
 }
 
 fn code_cells(question: &str) -> Vec<String> {
@@ -244,10 +262,30 @@ fn code_cells(question: &str) -> Vec<String> {
     code.map(|cell| cell["source"].as_str().unwrap().to_owned()).collect()
 }
 
-fn python(name: &str, program: &str) -> Output {
-    let path = directory(name).join("cells.py");
-    fs::write(&path, program).unwrap();
-    Command::new("python3").arg(path).output().unwrap()
+/// Runs programs one after the other, each with names of its own.
+const RUNNER: &str = r#"
+import contextlib, io, json, sys, traceback
+
+def complaint(program):
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            exec(compile(program, "notebook", "exec"), {"__name__": "__main__"})
+    except BaseException:
+        return traceback.format_exc()
+
+with open(sys.argv[1], encoding="utf-8") as programs:
+    print(json.dumps([complaint(program) for program in json.load(programs)]))
+"#;
+
+/// The complaint of Python about each of these programs; none about those that run to their end.
+fn complaints(name: &str, programs: &[String]) -> Vec<Option<String>> {
+    let path = directory(name).join("programs.json");
+    fs::write(&path, serde_json::to_string(programs).unwrap()).unwrap();
+    let output = Command::new("python3").args(["-c", RUNNER]).arg(path).output().unwrap();
+    assert!(output.status.success(), "{}", message(&output));
+    let found: Vec<Option<String>> = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found.len(), programs.len());
+    found
 }
 
 /// What holds whatever the function is that the cell takes as an example, so that a number in it may change.

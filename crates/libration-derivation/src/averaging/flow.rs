@@ -13,20 +13,22 @@ use libration::watch::Watch;
 pub(crate) type Place = (usize, usize);
 
 /// What is known of an oscillation under a weak force.
-pub(crate) struct Flow {
+#[derive(Debug)]
+pub struct Flow {
     /// xₙⱼ, those that are not zero.
-    pub(crate) motion: BTreeMap<Place, PhaseFunction>,
+    pub motion: BTreeMap<Place, PhaseFunction>,
     /// vₙⱼ of the velocity, those that are not zero.
     pub(crate) velocity: BTreeMap<Place, PhaseFunction>,
     /// aₙⱼ, those that are not zero.
-    pub(crate) growth: BTreeMap<Place, PiNumber>,
+    pub growth: BTreeMap<Place, PiNumber>,
     /// wₙⱼ, those that are not zero; w₀₀ = ω0.
-    pub(crate) frequency: BTreeMap<Place, PiNumber>,
+    pub frequency: BTreeMap<Place, PiNumber>,
     /// How each power came about, in the order they were found.
     pub(crate) orders: Vec<Order>,
 }
 
 /// One power of the amplitude and of the small parameter.
+#[derive(Debug)]
 pub(crate) struct Order {
     pub(crate) place: Place,
     /// The parts of the equation of motion with what they bring to its right side.
@@ -39,6 +41,7 @@ pub(crate) struct Order {
 }
 
 /// What a part of the equation of motion brings to its right side.
+#[derive(Debug)]
 pub(crate) struct Contribution {
     pub(crate) part: Part,
     /// As products of what is known.
@@ -67,7 +70,8 @@ pub(crate) enum Part {
 type Named = BTreeMap<Place, Polynomial>;
 
 impl Flow {
-    pub(crate) fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
+    /// Finds all powers up to those that are asked for.
+    pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: BTreeMap::from([((1, 0), PhaseFunction::cosine())]),
             velocity: BTreeMap::new(),

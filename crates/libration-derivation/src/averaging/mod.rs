@@ -4,19 +4,16 @@ mod ansatz;
 mod cycle;
 mod energy;
 mod equation;
-mod flow;
+pub(crate) mod flow;
 mod names;
 mod orders;
-mod put_back;
-mod question;
+pub(crate) mod put_back;
+pub(crate) mod question;
 mod result;
 mod secular;
 mod simple_law;
 mod special;
 mod tables;
-
-#[cfg(test)]
-mod tests;
 
 use super::check::DerivationError;
 use super::document::{Block, Derivation, DerivationStep};

@@ -75,7 +75,7 @@ impl Along<'_> {
 }
 
 /// Differentiates the motion twice along the flow and compares with the force.
-pub(crate) fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
+pub fn check(question: &Question, flow: &Flow) -> Result<(), DerivationError> {
     let along = along(question, flow);
     let velocity = along.rate(&flow.motion);
     let mut rest = along.rate(&velocity);
@@ -118,7 +118,7 @@ pub(crate) fn along<'a>(question: &Question, flow: &'a Flow) -> Along<'a> {
 }
 
 /// Compares every coefficient with the library's, which come of another algorithm.
-pub(crate) fn agrees_with_library(
+pub fn agrees_with_library(
     question: &Question,
     flow: &Flow,
     watch: &Watch<'_>,

@@ -13,7 +13,8 @@ pub const HIGHEST_AMPLITUDE_ORDER: usize = 9;
 pub const HIGHEST_DAMPING_ORDER: usize = 4;
 
 /// An oscillator and the weak force on it, prepared.
-pub(crate) struct Question {
+#[derive(Debug)]
+pub struct Question {
     pub(crate) equation: Equation,
     pub(crate) force: WeakForce,
     /// The variable of the equation of motion.
@@ -33,7 +34,8 @@ pub(crate) struct Question {
 }
 
 impl Question {
-    pub(crate) fn new(
+    /// Prepares an equation, its small parameter and the highest powers of amplitude and parameter.
+    pub fn new(
         equation: &Equation,
         parameter: Option<&str>,
         [order, parameter_order]: [usize; 2],

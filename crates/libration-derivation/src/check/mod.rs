@@ -178,7 +178,7 @@ impl CheckedEquation {
 }
 
 /// Checks that all formulas of the statement are the same series in this variable, in at least so many coefficients.
-pub(super) fn same_series(
+pub fn same_series(
     variable: &Name,
     coefficients: usize,
     statement: Statement,
@@ -187,8 +187,8 @@ pub(super) fn same_series(
 }
 
 /// What else a letter stands for in a series.
-#[derive(Clone)]
-pub(super) enum Given<'a> {
+#[derive(Clone, Debug)]
+pub enum Given<'a> {
     /// A name stands for a formula of the variable.
     Value(Name, Formula),
     /// A name stands for a function of one parameter.
@@ -196,7 +196,7 @@ pub(super) enum Given<'a> {
 }
 
 /// As [`same_series`], with further letters.
-pub(super) fn same_series_where(
+pub fn same_series_where(
     variable: &Name,
     coefficients: usize,
     given: &[Given],
@@ -272,7 +272,7 @@ fn series_values(
 }
 
 /// Checks that all formulas of the statement are the same fraction.
-pub(super) fn equal_fractions(statement: Statement) -> Result<CheckedEquation, DerivationError> {
+pub fn equal_fractions(statement: Statement) -> Result<CheckedEquation, DerivationError> {
     let equation = equal_rationals("n", 1..=1, statement)?;
     Ok(CheckedEquation { check: Check::Fraction, ..equation })
 }

@@ -6,7 +6,8 @@ use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, TruncatedClai
 
 impl Check {
     /// Whether there was something to check, and it was computed.
-    pub(crate) fn is_computed(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_computed(&self) -> bool {
         !matches!(self, Self::Definition | Self::Premise | Self::Given)
     }
 

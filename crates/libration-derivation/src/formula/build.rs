@@ -6,26 +6,27 @@ use super::{Decimal, DecimalUnit, Formula, Name};
 use libration::algebra::{Function, Rational};
 
 /// An integer.
-pub(crate) fn number(integer: i64) -> Formula {
+pub fn number(integer: i64) -> Formula {
     Formula::Number(Rational::from(integer))
 }
 
 /// So many tenths: a value to try a formula at.
-pub(crate) fn tenths(numerator: i64) -> Formula {
+pub fn tenths(numerator: i64) -> Formula {
     Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from)
 }
 
 /// A letter.
-pub(crate) fn letter(letter: &str) -> Formula {
+pub fn letter(letter: &str) -> Formula {
     Formula::Name(Name::new(letter))
 }
 
 /// An elementary function.
-pub(crate) fn call(function: Function, argument: impl Into<Formula>) -> Formula {
+pub fn call(function: Function, argument: impl Into<Formula>) -> Formula {
     Formula::Call(function, Box::new(argument.into()))
 }
 
-pub(crate) fn sin(argument: impl Into<Formula>) -> Formula {
+/// The sine.
+pub fn sin(argument: impl Into<Formula>) -> Formula {
     call(Function::Sin, argument)
 }
 
@@ -33,7 +34,8 @@ pub(crate) fn cos(argument: impl Into<Formula>) -> Formula {
     call(Function::Cos, argument)
 }
 
-pub(crate) fn sqrt(argument: impl Into<Formula>) -> Formula {
+/// The square root.
+pub fn sqrt(argument: impl Into<Formula>) -> Formula {
     call(Function::Sqrt, argument)
 }
 
@@ -52,12 +54,12 @@ pub(crate) fn agm(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
 }
 
 /// Σ from an index to infinity.
-pub(crate) fn series(index: &str, from: i64, term: Formula) -> Formula {
+pub fn series(index: &str, from: i64, term: Formula) -> Formula {
     Formula::Series { index: Name::new(index), from: Box::new(number(from)), to: None, term: Box::new(term) }
 }
 
 /// ∫ over a variable between two limits.
-pub(crate) fn integral(
+pub fn integral(
     variable: &str,
     from: impl Into<Formula>,
     to: impl Into<Formula>,
@@ -72,12 +74,13 @@ pub(crate) fn derivative(of: impl Into<Formula>, by: &str) -> Formula {
     Formula::Derivative { of: Box::new(of.into()), by: Name::new(by) }
 }
 
-pub(crate) fn double_factorial(of: impl Into<Formula>) -> Formula {
+/// n!!.
+pub fn double_factorial(of: impl Into<Formula>) -> Formula {
     Formula::DoubleFactorial(Box::new(of.into()))
 }
 
 /// O(…).
-pub(crate) fn order(of: impl Into<Formula>) -> Formula {
+pub fn order(of: impl Into<Formula>) -> Formula {
     Formula::Order(Box::new(of.into()))
 }
 
@@ -94,7 +97,7 @@ pub(crate) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formu
 }
 
 /// A sum of what may be a single term.
-pub(crate) fn sum(mut terms: Vec<Formula>) -> Formula {
+pub fn sum(mut terms: Vec<Formula>) -> Formula {
     match terms.len() {
         1 => terms.remove(0),
         _ => Formula::Sum(terms),
@@ -124,7 +127,8 @@ pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
 
 impl Formula {
     /// This to a power.
-    pub(crate) fn pow(self, exponent: impl Into<Self>) -> Self {
+    #[doc(hidden)]
+    pub fn pow(self, exponent: impl Into<Self>) -> Self {
         Self::Power(Box::new(self), Box::new(exponent.into()))
     }
 
@@ -149,7 +153,8 @@ impl Formula {
         }
     }
 
-    pub(crate) fn squared(self) -> Self {
+    #[doc(hidden)]
+    pub fn squared(self) -> Self {
         self.pow(2)
     }
 }

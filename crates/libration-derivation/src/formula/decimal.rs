@@ -35,7 +35,8 @@ pub enum DecimalUnit {
 impl Decimal {
     /// The number rounded to this many significant digits; in powers of ten when very small or very large. What is not
     /// finite becomes zero: derivations have none.
-    pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Self {
+    #[doc(hidden)]
+    pub fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Self {
         // Adding zero takes the sign from minus zero.
         let value = if value.is_finite() { value + 0.0 } else { 0.0 };
         let scientific = format!("{value:.*e}", digits.saturating_sub(1));
@@ -50,7 +51,8 @@ impl Decimal {
     }
 
     /// As [`rounded`](Self::rounded), without zeros at the end: a number that was given.
-    pub(crate) fn short(value: f64, unit: DecimalUnit) -> Self {
+    #[doc(hidden)]
+    pub fn short(value: f64, unit: DecimalUnit) -> Self {
         let rounded = Self::rounded(value, 15, unit);
         let mantissa = match rounded.mantissa.contains('.') {
             true => rounded.mantissa.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -60,14 +62,16 @@ impl Decimal {
     }
 
     /// The number as it stands, without its unit.
-    pub(crate) fn value(&self) -> Option<Rational> {
+    #[doc(hidden)]
+    pub fn value(&self) -> Option<Rational> {
         let (whole, decimals) = self.mantissa.split_once('.').unwrap_or((&self.mantissa, ""));
         let digits: Rational = format!("{whole}{decimals}").parse().ok()?;
         Some(digits * power_of_ten(self.exponent - i32::try_from(decimals.len()).ok()?)?)
     }
 
     /// One unit of the last digit.
-    pub(crate) fn last_place(&self) -> Option<Rational> {
+    #[doc(hidden)]
+    pub fn last_place(&self) -> Option<Rational> {
         let decimals = self.mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
         power_of_ten(self.exponent - i32::try_from(decimals).ok()?)
     }
@@ -77,20 +81,4 @@ fn power_of_ten(exponent: i32) -> Option<Rational> {
     let zeros = "0".repeat(usize::try_from(exponent.unsigned_abs()).ok()?);
     let text = if exponent < 0 { format!("1/1{zeros}") } else { format!("1{zeros}") };
     text.parse().ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_rounded_number_is_the_number_it_prints() {
-        let decimal = |value, digits| Decimal::rounded(value, digits, DecimalUnit::One);
-        assert_eq!(decimal(2.1532423518, 5).mantissa, "2.1532");
-        assert_eq!(decimal(2.1532423518, 5).value(), Rational::new(21532, 10000));
-        assert_eq!(decimal(2.1532423518, 5).last_place(), Rational::new(1, 10000));
-        assert_eq!((decimal(-1.25e-9, 3).mantissa.as_str(), decimal(-1.25e-9, 3).exponent), ("-1.25", -9));
-        assert_eq!(decimal(-1.25e-9, 3).value(), Rational::new(-125, 100_000_000_000));
-        assert_eq!(Decimal::short(60.0, DecimalUnit::Degree).mantissa, "60");
-    }
 }

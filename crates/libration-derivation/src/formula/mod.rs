@@ -1,8 +1,8 @@
 //! Formulas as they stand in a book: one tree that is printed, and evaluated to check what is printed.
 
-mod build;
+pub(crate) mod build;
 mod convert;
-mod decimal;
+pub(crate) mod decimal;
 mod name;
 mod names;
 mod statement;

@@ -24,12 +24,14 @@ pub enum Subscript {
 
 impl Name {
     /// The letter alone.
-    pub(crate) fn new(letter: &str) -> Self {
+    #[doc(hidden)]
+    pub fn new(letter: &str) -> Self {
         Self { letter: letter.to_owned(), subscript: None, primes: 0 }
     }
 
     /// With a number or an index below.
-    pub(crate) fn index(mut self, index: impl Into<Formula>) -> Self {
+    #[doc(hidden)]
+    pub fn index(mut self, index: impl Into<Formula>) -> Self {
         self.subscript = Some(Subscript::Index(Box::new(index.into())));
         self
     }
@@ -41,7 +43,8 @@ impl Name {
     }
 
     /// Differentiated once more with respect to time.
-    pub(crate) fn prime(mut self) -> Self {
+    #[doc(hidden)]
+    pub fn prime(mut self) -> Self {
         self.primes += 1;
         self
     }

@@ -26,7 +26,8 @@ pub struct Statement {
 
 impl Statement {
     /// left = right.
-    pub(crate) fn equal(left: impl Into<Formula>, right: impl Into<Formula>) -> Self {
+    #[doc(hidden)]
+    pub fn equal(left: impl Into<Formula>, right: impl Into<Formula>) -> Self {
         Self { first: left.into(), rest: vec![(Relation::Equal, right.into())] }
     }
 

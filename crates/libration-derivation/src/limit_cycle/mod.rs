@@ -5,9 +5,6 @@ mod known;
 mod open;
 mod steps;
 
-#[cfg(test)]
-mod tests;
-
 use super::averaging::Question;
 use super::check::DerivationError;
 use super::document::{Block, Derivation};

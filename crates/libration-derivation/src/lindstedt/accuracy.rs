@@ -48,7 +48,7 @@ pub(super) fn step(
 }
 
 /// An amplitude as it was given: in degrees, radians, or as a plain number.
-pub(super) fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
+pub fn as_given(question: &Question, amplitude: &Displacement) -> Formula {
     let radians = || match is_angle(question) {
         true => Decimal::short(amplitude.to_f64(), DecimalUnit::Radian),
         false => Decimal::short(amplitude.to_f64(), DecimalUnit::One),
@@ -144,7 +144,7 @@ fn rest(remainder: Remainder) -> Prose {
 }
 
 /// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
-pub(super) fn motion(
+pub fn motion(
     question: &Question,
     released: &Released,
     found: &Exactly,
@@ -191,7 +191,8 @@ pub(super) fn motion(
 /// The motion without the series: in closed form for the pendulum, for all else by integration in time.
 type Exactly = Result<ExactMotion, NoExactValue>;
 
-pub(super) fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
+/// The exact motion at an amplitude.
+pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
     ExactMotion::new_watched(&question.oscillator, &question.solution.expansion, amplitude, watch)
 }
 

@@ -16,7 +16,8 @@ fn left_out(question: &Question) -> Formula {
     order(power_of_epsilon(question.order + 1))
 }
 
-pub(super) fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
+/// The step that writes the motion as a fundamental with harmonics.
+pub fn fundamental_and_harmonics(question: &Question) -> DerivationStep {
     let omega = || letter("Ω");
     let phase = Statement::defined(letter("τ"), omega() * letter("t"));
     let ratio = Statement::defined(letter("Δ"), omega() / Formula::from(Name::new("ω").index(0)));

@@ -17,12 +17,15 @@ const FREQUENCY: &str = "d";
 type Factors = BTreeMap<(u32, u32), Polynomial>;
 
 /// Parts of the equation of motion with what each gives to the conditions; coefficients that vanish are left out.
-pub(super) struct Contributions {
-    pub(super) parts: Vec<(Formula, Factors)>,
+#[derive(Debug)]
+pub struct Contributions {
+    /// Each part with its factors, by the power of ε and the harmonic.
+    pub parts: Vec<(Formula, Factors)>,
 }
 
 impl Contributions {
-    pub(super) fn new(question: &Question) -> Self {
+    /// Finds what each part of the equation of motion gives.
+    pub fn new(question: &Question) -> Self {
         let displacement = displacement(question);
         let mut parts = vec![(linear_part(question), linear(question, &displacement))];
         let mut power = displacement.clone();
@@ -37,7 +40,7 @@ impl Contributions {
     }
 
     /// The factor of a harmonic in a power, of all parts together.
-    pub(super) fn sum(&self, order: u32, harmonic: u32) -> Polynomial {
+    pub fn sum(&self, order: u32, harmonic: u32) -> Polynomial {
         let factors = self.parts.iter().filter_map(|(_, factors)| factors.get(&(order, harmonic)));
         factors.fold(Polynomial::zero(), |sum, factor| sum + factor.clone())
     }

@@ -18,7 +18,7 @@ pub(super) const DEGREE: usize = 3;
 
 /// All solutions for two harmonics, with what is to be thought of each; nothing for a force without a cube, or one
 /// that is not odd, or at an amplitude where solutions coincide.
-pub(super) fn step(
+pub fn step(
     question: &Question,
     released: Option<&Released>,
     watch: &Watch<'_>,

@@ -1,23 +1,20 @@
 //! The perturbation road: Lindstedt and Poincaré's method with the gauge left open, step by step.
 
-mod accuracy;
+pub(crate) mod accuracy;
 mod amplitude;
-mod ansatz;
-mod contributions;
-mod few_harmonics;
-mod motion;
+pub(crate) mod ansatz;
+pub(crate) mod contributions;
+pub(crate) mod few_harmonics;
+pub(crate) mod motion;
 mod names;
-mod orders;
+pub(crate) mod orders;
 mod parity;
-mod question;
+pub(crate) mod question;
 mod second_gauge;
 mod small_swings;
-mod substitution;
-mod three_harmonics;
-mod truncated;
-
-#[cfg(test)]
-mod tests;
+pub(crate) mod substitution;
+pub(crate) mod three_harmonics;
+pub(crate) mod truncated;
 
 use super::check::DerivationError;
 use super::document::{Block, Derivation, DerivationStep};

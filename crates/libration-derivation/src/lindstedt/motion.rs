@@ -77,7 +77,8 @@ pub(super) fn series(question: &Question, solution: &Solution) -> Vec<CheckedEqu
     equations
 }
 
-pub(super) fn motion(question: &Question, solution: &Solution) -> Motion {
+/// The motion of a solution, in numbers.
+pub fn motion(question: &Question, solution: &Solution) -> Motion {
     Motion {
         harmonics: question.harmonics().into_iter().map(|k| (k, solution.harmonic(k))).collect(),
         frequency: solution.expansion.frequency_ratio.clone(),

@@ -220,7 +220,7 @@ fn check_order(question: &Question, order: usize) -> Result<(), DerivationError>
 
 /// Puts fractions for all letters into the ansatz, such as solve nothing, and compares what the equation of motion then is with the sums
 /// of the contributions.
-pub(super) fn check_contributions(
+pub fn check_contributions(
     question: &Question,
     contributions: &Contributions,
     order: usize,

@@ -10,7 +10,8 @@ use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand
 use libration::watch::Watch;
 
 /// An oscillator about its equilibrium, prepared.
-pub(super) struct Question {
+#[derive(Debug)]
+pub struct Question {
     pub(super) oscillator: Oscillator,
     /// The variable of the equation of motion.
     pub(super) variable: Name,
@@ -19,20 +20,24 @@ pub(super) struct Question {
     pub(super) equilibrium: Rational,
     pub(super) omega0_squared: Rational,
     /// The factors of u, u², … in the restoring force over ω0².
-    pub(super) force: Vec<Rational>,
+    pub force: Vec<Rational>,
     pub(super) order: usize,
-    pub(super) open: OpenGauge,
-    pub(super) solution: Solution,
+    /// The conditions with the gauge left open.
+    pub open: OpenGauge,
+    /// The expansion in the gauge that is asked for.
+    pub solution: Solution,
 }
 
 /// The motion in one gauge.
-pub(super) struct Solution {
+#[derive(Debug)]
+pub struct Solution {
     pub(super) gauge: Gauge,
     pub(super) expansion: Expansion,
 }
 
 impl Question {
-    pub(super) fn new(
+    /// Prepares an oscillator, an order and a gauge, or refuses what is not exact.
+    pub fn new(
         oscillator: &Oscillator,
         order: usize,
         gauge: &Gauge,
@@ -117,7 +122,7 @@ impl Question {
 }
 
 impl Solution {
-    pub(super) fn new(
+    pub fn new(
         oscillator: &Oscillator,
         order: usize,
         gauge: &Gauge,

@@ -12,13 +12,14 @@ use super::question::Question;
 use libration::algebra::Rational;
 
 /// A motion as the harmonics k with their series in ε, and its Ω/ω0.
-pub(super) struct Motion {
-    pub(super) harmonics: Vec<(usize, Vec<Rational>)>,
-    pub(super) frequency: Vec<Rational>,
+#[derive(Debug)]
+pub struct Motion {
+    pub harmonics: Vec<(usize, Vec<Rational>)>,
+    pub frequency: Vec<Rational>,
 }
 
 /// Checks that a motion solves Δ²u″ = f/ω0² up to the order asked for.
-pub(super) fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
+pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
     let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
     let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));
     let phases = question.order + 1;
@@ -51,7 +52,7 @@ fn letters(question: &Question, motion: &Motion) -> Letters {
 }
 
 /// Checks that the coefficient of εⁿ in the equation of motion is Σ pₖ cos kτ.
-pub(super) fn has_harmonics(
+pub fn has_harmonics(
     question: &Question,
     motion: &Motion,
     n: usize,

@@ -43,7 +43,7 @@ pub(super) fn after(question: &Question, step: DerivationStep) -> Result<Derivat
 }
 
 /// Puts fractions for the letters into the equation of motion, and compares the factors of its cosines with the conditions.
-pub(super) fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), DerivationError> {
+pub fn check(question: &Question, conditions: &[Polynomial]) -> Result<(), DerivationError> {
     for choice in 0..CHOICES {
         let value = |name: &Variable| Some(fraction_for(name, choice));
         let amplitudes = HARMONICS.map(|k| fraction_for(&harmonic(k), choice));

@@ -17,15 +17,16 @@ use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
 
 /// The conditions and what elimination makes of them, polynomials in a₁, a₃ and Δ.
-pub(super) struct Elimination {
+#[derive(Debug)]
+pub struct Elimination {
     /// The factor of u³.
     cube: Rational,
     /// That of cos τ, over a₁, and that of cos 3τ.
-    pub(super) conditions: [Polynomial; 2],
+    pub conditions: [Polynomial; 2],
     /// Δ² by the first.
-    pub(super) ratio_squared: Polynomial,
+    pub ratio_squared: Polynomial,
     /// What the second is with that.
-    pub(super) left: Polynomial,
+    pub left: Polynomial,
 }
 
 /// The step; nothing for a force without a cube, or one that is not odd.
@@ -134,7 +135,8 @@ fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
 }
 
 impl Elimination {
-    pub(super) fn new(question: &Question) -> Option<Self> {
+    /// Eliminates, unless the force has even powers or no cubic one.
+    pub fn new(question: &Question) -> Option<Self> {
         let cube = question.force.get(DEGREE - 1).filter(|cube| !cube.is_zero())?.clone();
         let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE).ok()?;
         let conditions = <[Polynomial; 2]>::try_from(system.conditions()).ok()?;
@@ -146,7 +148,7 @@ impl Elimination {
     }
 
     /// Compares all of it with what the cube of the two harmonics, as it is shown, makes of the equation of motion.
-    pub(super) fn check(&self) -> Result<(), DerivationError> {
+    pub fn check(&self) -> Result<(), DerivationError> {
         let minus = Rational::from(-1);
         let left: Vec<Polynomial> = factors(&self.cube).iter().map(|it| it.scaled(&minus)).collect();
         let solved = at_ratio(&left[0], &self.ratio_squared).is_zero();

@@ -9,7 +9,7 @@ use libration::algebra::{BigFloat, Floats, Ring};
 const MOST_TERMS: usize = 4000;
 
 /// The numbers formulas are compared in.
-pub(crate) const DIGITS: Floats = Floats { precision: PRECISION };
+pub const DIGITS: Floats = Floats { precision: PRECISION };
 
 impl Analysis for Floats {
     fn is_negligible(&self, term: &BigFloat, sum: &BigFloat) -> bool {

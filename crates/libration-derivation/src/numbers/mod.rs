@@ -1,6 +1,6 @@
 //! The numbers in which formulas are evaluated: digits, and power series with rational coefficients.
 
-mod digits;
+pub(crate) mod digits;
 mod power_series;
 mod precision;
 mod quadrature;

@@ -6,7 +6,7 @@ use libration::algebra::{Polynomial, Rational, Variable};
 const COSINE: &str = "c";
 
 /// cos(n·Ωt), the Chebyshev polynomial of cos(Ωt) (DLMF 18.5.1).
-pub(super) fn cosine(n: u32) -> Polynomial {
+pub fn cosine(n: u32) -> Polynomial {
     let c = Polynomial::variable(COSINE);
     let (mut before, mut now) = (c.clone(), Polynomial::constant(Rational::from(1)));
     for _ in 0..n {
@@ -22,7 +22,7 @@ pub(super) fn cosines() -> [(&'static str, Polynomial); 4] {
 }
 
 /// The second derivative with respect to Ωt: f″(c)(1 − c²) − f′(c)·c.
-pub(super) fn second_derivative(sum: &Polynomial) -> Polynomial {
+pub fn second_derivative(sum: &Polynomial) -> Polynomial {
     let c = Polynomial::variable(COSINE);
     let first = sum.derivative(&Variable::from(COSINE));
     let second = first.derivative(&Variable::from(COSINE));
@@ -30,7 +30,7 @@ pub(super) fn second_derivative(sum: &Polynomial) -> Polynomial {
 }
 
 /// The integral over a period of the sum times cos(n·Ωt), over π: the coefficient of cos(n·Ωt), n ≥ 1.
-pub(super) fn projection(sum: &Polynomial, n: u32) -> Polynomial {
+pub fn projection(sum: &Polynomial, n: u32) -> Polynomial {
     let c = Variable::from(COSINE);
     let powers = (n..=sum.degree_in(&c)).step_by(2);
     powers.fold(Polynomial::zero(), |projected, power| {
@@ -46,22 +46,4 @@ fn weight_of_power(k: u32, chosen: u32) -> Rational {
     let binomial = (0..chosen).fold(Rational::from(2), |product, i| product * ratio(i));
     let half = Rational::from(1).divided_by_power_of_two(1);
     (0..k).fold(binomial, |product, _| product * half.clone())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_cosine_projects_on_itself_alone() {
-        for (n, m) in (1..8).flat_map(|n| (1..8).map(move |m| (n, m))) {
-            let expected = Rational::from(i64::from(n == m));
-            assert_eq!(projection(&cosine(n), m).to_constant(), Some(expected), "{n} on {m}");
-        }
-    }
-
-    #[test]
-    fn the_second_derivative_of_a_cosine_is_minus_its_square_times_it() {
-        assert_eq!(second_derivative(&cosine(5)), cosine(5).scaled(&Rational::from(-25)));
-    }
 }

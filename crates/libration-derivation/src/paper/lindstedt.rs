@@ -8,7 +8,7 @@ use super::cosines::{cosine, projection, second_derivative};
 
 /// θ = Σ εⁿ Σ b_{n,k} cos(kΩt) and Ω/ω0 = Σ dₙεⁿ, every coefficient a polynomial in the gauge.
 #[derive(Clone, Debug)]
-pub(super) struct Expansion {
+pub struct Expansion {
     /// The motion at each order, as a polynomial in cos(Ωt); the order 0 is zero.
     motion: Vec<Polynomial>,
     /// (Ω/ω0)² at each order.
@@ -36,7 +36,7 @@ impl Expansion {
     }
 
     /// With A₁, A₃, A₅, … open and no even ones, to this order.
-    pub(super) fn odd_gauge(order: u32) -> Option<Self> {
+    pub fn odd_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| {
             if n.is_multiple_of(2) {
                 Polynomial::zero()
@@ -99,7 +99,7 @@ impl Expansion {
     }
 
     /// A coefficient by its name: `A3`, `B5`, `C7`, `D7`, or `d4` of the frequency.
-    pub(super) fn named(&self, name: &str) -> Option<Polynomial> {
+    pub fn named(&self, name: &str) -> Option<Polynomial> {
         let (letter, order) = name.split_at_checked(1)?;
         let order: usize = order.parse().ok()?;
         if letter == "d" {

@@ -18,7 +18,7 @@
 //! ```
 
 mod finding;
-mod statement;
+pub(crate) mod statement;
 
 mod black_vel;
 mod cote;
@@ -30,10 +30,10 @@ mod printed;
 
 // What they are compared with.
 mod amplitudes;
-mod cosines;
+pub(crate) mod cosines;
 mod errors;
 mod exact_motion;
-mod lindstedt;
+pub(crate) mod lindstedt;
 mod orders;
 mod period_series;
 mod quadrature;
@@ -57,11 +57,9 @@ pub fn rows_where(chosen: impl Fn(Document, &str) -> bool) -> Vec<Row> {
     asked.map(|(document, statement)| statement.row(document)).collect()
 }
 
-fn statements() -> Vec<(Document, Statement)> {
+/// All statements with their documents, in order.
+pub fn statements() -> Vec<(Document, Statement)> {
     let documents = [(Document::BlackVel, black_vel::STATEMENTS), (Document::Cote, cote::STATEMENTS)];
     let of = |(document, groups)| in_order(groups).into_iter().map(move |statement| (document, *statement));
     documents.into_iter().flat_map(of).collect()
 }
-
-#[cfg(test)]
-mod tests;

@@ -70,19 +70,22 @@ pub struct Row {
 /// A check: what is printed against what is computed; `None` when a formula cannot be evaluated.
 pub(super) type Check = fn(&Printed) -> Option<StatementFinding>;
 
+/// A statement of a document with its check.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Statement {
+pub struct Statement {
     /// The label itself, or that of the equation or figure which a text follows.
     pub(super) after: &'static str,
-    pub(super) label: &'static str,
+    /// The number of an equation, or what a text is about.
+    pub label: &'static str,
     pub(super) claim: &'static str,
-    pub(super) printed: &'static [&'static str],
+    /// The formulas as the document prints them.
+    pub printed: &'static [&'static str],
     pub(super) paraphrase: bool,
     pub(super) check: Check,
 }
 
 /// The evidence where a check could not be carried out.
-pub(super) const NOT_EVALUATED: &str = "the check could not be carried out, as a formula has no value here where one is needed: that says nothing about the statement";
+pub const NOT_EVALUATED: &str = "the check could not be carried out, as a formula has no value here where one is needed: that says nothing about the statement";
 
 impl Statement {
     /// The same, `printed` being ours for words of the document.
@@ -90,7 +93,8 @@ impl Statement {
         Self { paraphrase: true, ..self }
     }
 
-    pub(super) fn row(&self, document: Document) -> Row {
+    /// The statement with what the check finds.
+    pub fn row(&self, document: Document) -> Row {
         Row {
             document,
             label: self.label.to_owned(),
@@ -102,7 +106,7 @@ impl Statement {
     }
 
     /// What the check finds when this is printed.
-    pub(super) fn finding(&self, printed: &[&str]) -> StatementFinding {
+    pub fn finding(&self, printed: &[&str]) -> StatementFinding {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
         finding.unwrap_or_else(|| StatementFinding::not_decided(NOT_EVALUATED))
     }

@@ -7,8 +7,10 @@ use libration::algebra::Rational;
 
 /// A cosine or a sine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Wave {
+pub enum Wave {
+    /// The cosine.
     Cosine,
+    /// The sine.
     Sine,
 }
 
@@ -17,7 +19,7 @@ type Key = (usize, usize, Wave);
 
 /// A sum of powers of the phase times harmonics.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct PhaseFunction {
+pub struct PhaseFunction {
     /// No coefficient is zero, and there is no sine of 0ψ.
     terms: BTreeMap<Key, PiNumber>,
 }
@@ -33,11 +35,12 @@ impl PhaseFunction {
     }
 
     /// sin ψ.
-    pub(crate) fn sine() -> Self {
+    pub fn sine() -> Self {
         Self::term(0, 1, Wave::Sine, Rational::from(1).into())
     }
 
-    pub(crate) fn term(power: usize, k: usize, wave: Wave, coefficient: PiNumber) -> Self {
+    /// One power of the phase times one harmonic.
+    pub fn term(power: usize, k: usize, wave: Wave, coefficient: PiNumber) -> Self {
         let mut sum = Self::default();
         sum.add((power, k, wave), &coefficient);
         sum
@@ -51,7 +54,8 @@ impl PhaseFunction {
         self.terms.get(&(power, k, wave)).cloned().unwrap_or_default()
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Tells whether nothing is left.
+    pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
@@ -60,7 +64,8 @@ impl PhaseFunction {
         self.terms.keys().all(|(power, _, _)| *power == 0)
     }
 
-    pub(crate) fn plus(&self, other: &Self) -> Self {
+    /// The sum.
+    pub fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
         other.terms.iter().for_each(|(key, coefficient)| sum.add(*key, coefficient));
         sum
@@ -70,14 +75,15 @@ impl PhaseFunction {
         self.plus(&other.scaled(&Rational::from(-1).into()))
     }
 
-    pub(crate) fn scaled(&self, factor: &PiNumber) -> Self {
+    /// The product with a number.
+    pub fn scaled(&self, factor: &PiNumber) -> Self {
         let mut product = Self::default();
         self.terms.iter().for_each(|(key, coefficient)| product.add(*key, &coefficient.times(factor)));
         product
     }
 
     /// cos·cos, sin·sin and sin·cos are halves of sums of two harmonics.
-    pub(crate) fn times(&self, other: &Self) -> Self {
+    pub fn times(&self, other: &Self) -> Self {
         let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
         let mut product = Self::default();
         for ((p, j, left), a) in &self.terms {
@@ -111,7 +117,7 @@ impl PhaseFunction {
     }
 
     /// The derivative by the phase.
-    pub(crate) fn slope(&self) -> Self {
+    pub fn slope(&self) -> Self {
         let mut slope = Self::default();
         for ((power, k, wave), coefficient) in &self.terms {
             if *power > 0 {
@@ -127,7 +133,7 @@ impl PhaseFunction {
     }
 
     /// The integral from 0 to the phase, by parts.
-    pub(crate) fn integral(&self) -> Self {
+    pub fn integral(&self) -> Self {
         let mut whole = Self::default();
         for ((power, k, wave), coefficient) in &self.terms {
             if *k == 0 {
@@ -142,7 +148,7 @@ impl PhaseFunction {
     }
 
     /// The value at 0.
-    pub(crate) fn at_start(&self) -> PiNumber {
+    pub fn at_start(&self) -> PiNumber {
         self.terms.iter().fold(PiNumber::default(), |sum, ((power, _, wave), coefficient)| {
             let counts = *power == 0 && *wave == Wave::Cosine;
             if counts { sum.plus(coefficient) } else { sum }
@@ -150,7 +156,7 @@ impl PhaseFunction {
     }
 
     /// The value at so many half turns, π or 2π.
-    pub(crate) fn at_half_turns(&self, half_turns: usize) -> PiNumber {
+    pub fn at_half_turns(&self, half_turns: usize) -> PiNumber {
         let cosines = self.terms.iter().filter(|((_, _, wave), _)| *wave == Wave::Cosine);
         cosines.fold(PiNumber::default(), |sum, ((power, k, _), coefficient)| {
             let sign = if (k * half_turns).is_multiple_of(2) { 1 } else { -1 };

@@ -1,11 +1,8 @@
 //! Functions of a phase that are polynomials in it times harmonics, with fractions and powers of π: what weak forces make of an oscillation.
 
-mod function;
-mod pi_number;
-mod written;
-
-#[cfg(test)]
-mod tests;
+pub(crate) mod function;
+pub(crate) mod pi_number;
+pub(crate) mod written;
 
 pub(super) use function::{PhaseFunction, Wave};
 pub(super) use pi_number::PiNumber;

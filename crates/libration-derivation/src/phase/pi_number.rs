@@ -6,7 +6,7 @@ use libration::algebra::{PiSum, Rational};
 
 /// Σ cₑ·πᵉ.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct PiNumber {
+pub struct PiNumber {
     /// No coefficient is zero.
     terms: BTreeMap<i32, Rational>,
 }
@@ -25,7 +25,8 @@ impl PiNumber {
         self.terms.iter().map(|(power, coefficient)| (*power, coefficient))
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Tells whether nothing is left.
+    pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
@@ -54,7 +55,8 @@ impl PiNumber {
         product
     }
 
-    pub(crate) fn scaled(&self, factor: &Rational) -> Self {
+    /// The product with a fraction.
+    pub fn scaled(&self, factor: &Rational) -> Self {
         self.times(&Self::from(factor.clone()))
     }
 
@@ -63,7 +65,7 @@ impl PiNumber {
     }
 
     /// This times a power of π.
-    pub(crate) fn times_power_of_pi(&self, power: i32) -> Self {
+    pub fn times_power_of_pi(&self, power: i32) -> Self {
         Self { terms: self.terms.iter().map(|(p, coefficient)| (p + power, coefficient.clone())).collect() }
     }
 

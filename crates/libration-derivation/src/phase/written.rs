@@ -5,13 +5,13 @@ use super::{PhaseFunction, PiNumber, Wave};
 use libration::algebra::Rational;
 
 /// A number as a formula.
-pub(crate) fn number(value: &PiNumber) -> Formula {
+pub fn number(value: &PiNumber) -> Formula {
     let terms: Vec<Formula> = value.terms().map(|(power, it)| term_with(it, power, vec![])).collect();
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }
 }
 
 /// A phase function as a sum, lower powers of the phase and lower harmonics first.
-pub(crate) fn series(function: &PhaseFunction, phase: &str) -> Formula {
+pub fn series(function: &PhaseFunction, phase: &str) -> Formula {
     let of_key = |((power, k, wave), value): ((usize, usize, Wave), &PiNumber)| {
         let factors = factors(phase, power, k, wave);
         let terms = value.terms().map(|(pi, it)| term_with(it, pi, factors.clone()));

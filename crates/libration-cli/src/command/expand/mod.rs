@@ -7,7 +7,7 @@ mod letters;
 mod listing;
 mod mathml;
 mod scaling_law;
-mod slow_flow;
+pub(crate) mod slow_flow;
 mod subject;
 mod write;
 

@@ -7,7 +7,7 @@ mod releases;
 mod report;
 mod series;
 mod spectrum;
-mod trajectories;
+pub(crate) mod trajectories;
 
 use crate::failure::Failure;
 use crate::figure::{Sizes, file};

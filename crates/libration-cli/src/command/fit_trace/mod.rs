@@ -5,7 +5,7 @@ mod fields;
 mod input;
 mod model;
 mod options;
-mod report;
+pub(crate) mod report;
 mod sheet;
 mod units;
 

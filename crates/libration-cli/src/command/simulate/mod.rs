@@ -9,7 +9,7 @@ mod fields;
 mod json;
 mod motion;
 mod report;
-mod resume;
+pub(crate) mod resume;
 mod rows;
 mod run;
 mod sheet;

@@ -9,13 +9,14 @@ const MOST_VALUES: usize = 1_000_000;
 
 /// A name with its values, each as the question is given it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Axis {
+pub struct Axis {
     pub(crate) name: String,
-    pub(crate) values: Vec<String>,
+    /// The values as they are typed.
+    pub values: Vec<String>,
     /// The values as numbers in one unit, where they are numbers.
-    pub(crate) numbers: Option<Vec<f64>>,
+    pub numbers: Option<Vec<f64>>,
     /// That unit; empty where there is none.
-    pub(crate) unit: String,
+    pub unit: String,
 }
 
 impl Axis {
@@ -52,7 +53,7 @@ impl Axis {
 }
 
 /// Reads `NAME=START:STOP:STEP`, whose numbers may have a unit, or `NAME=v1,v2,…`; values with commas in them are parted by semicolons.
-pub(crate) fn axis(text: &str) -> Result<Axis, String> {
+pub fn axis(text: &str) -> Result<Axis, String> {
     let (name, values) = text.split_once('=').ok_or("give NAME=VALUES, such as A=1:1.5:0.01")?;
     if let [start, stop, step] = values.split(':').collect::<Vec<_>>()[..] {
         return Axis::of_words(name, range(start, stop, step)?);
@@ -93,53 +94,4 @@ fn in_unit(text: &str) -> Option<(f64, &str)> {
     let (number, unit) = number_and_unit(text);
     let value = number.parse().ok().or_else(|| constant(number).ok().as_ref().and_then(Expression::to_f64));
     Some((value.filter(|value| value.is_finite())?, unit))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn values(text: &str) -> Vec<String> {
-        axis(text).unwrap().values
-    }
-
-    #[test]
-    fn ranges_keep_their_decimals_and_their_unit() {
-        assert_eq!(values("A=1:1.3:0.1"), ["1.0", "1.1", "1.2", "1.3"]);
-        assert_eq!(values("theta=-10deg:10deg:10deg"), ["-10.0deg", "0.0deg", "10.0deg"]);
-        let axis = axis("length=0.5m:0.6m:0.1m").unwrap();
-        assert_eq!((axis.numbers, axis.unit.as_str()), (Some(vec![0.5, 0.6]), "m"));
-        assert_eq!(values("A=0:pi:pi/2"), ["0.0", "1.5707963267948966", "3.141592653589793"]);
-    }
-
-    #[test]
-    fn lists_are_given_as_they_are_typed() {
-        let numbers = axis("mu=1, pi/2").unwrap();
-        assert_eq!(numbers.values, ["1", "pi/2"]);
-        assert_eq!(numbers.numbers, Some(vec![1.0, std::f64::consts::FRAC_PI_2]));
-        let words = axis("file=a.csv,b.csv").unwrap();
-        assert_eq!((words.numbers, words.values), (None, vec!["a.csv".to_owned(), "b.csv".to_owned()]));
-        assert_eq!(values("initial=x=1,y=2;x=2,y=1"), ["x=1,y=2", "x=2,y=1"]);
-        assert_eq!(axis("theta=1deg,1rad").unwrap().numbers, None, "two units");
-        assert_eq!(axis("A=1\n,2").unwrap().values, ["1", "2"], "blanks around values do not count");
-        assert_eq!(axis("e=1e-3,2e-3").unwrap().numbers, Some(vec![1e-3, 2e-3]));
-    }
-
-    #[test]
-    fn what_is_no_axis_is_refused() {
-        for text in [
-            "A",
-            "=1:2:1",
-            "A=",
-            "A=1,,2",
-            "A=1:2",
-            "A=1:2:0",
-            "A=1:2deg:1deg",
-            "A=x:1:0.1",
-            "{A}=1,2",
-            "A=1\n0,2",
-        ] {
-            assert!(axis(text).is_err(), "{text}");
-        }
-    }
 }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// A number of an answer, or so many of a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Kept {
+pub struct Kept {
     pub(crate) name: String,
     /// Such as `results[0].ratio`, `state[-1]`, or `points[0:100].state[1]` for a hundred numbers.
     pub(crate) path: String,
@@ -24,7 +24,7 @@ const MOST: usize = 1_000_000;
 
 impl Kept {
     /// Reads a way, or `NAME=WAY`; without a name that is the last key, or what is behind it.
-    pub(crate) fn read(text: &str) -> Result<Self, String> {
+    pub fn read(text: &str) -> Result<Self, String> {
         let (name, path) = match text.split_once('=') {
             Some((name, path)) => (Some(name.trim()), path.trim()),
             None => (None, text.trim()),
@@ -54,7 +54,7 @@ impl Kept {
     }
 
     /// The names of its columns: `angle`, or `angle[0]`, `angle[1]`, …
-    pub(crate) fn columns(&self) -> Vec<String> {
+    pub fn columns(&self) -> Vec<String> {
         match self.length() {
             None => vec![self.name.clone()],
             Some(length) => (0..length).map(|place| format!("{}[{place}]", self.name)).collect(),
@@ -62,14 +62,14 @@ impl Kept {
     }
 
     /// Its numbers in an answer, NaN where there is none; truth is 1, its opposite 0.
-    pub(crate) fn numbers(&self, answer: &Value) -> Vec<f64> {
+    pub fn numbers(&self, answer: &Value) -> Vec<f64> {
         let mut numbers = vec![];
         follow(Some(answer), &self.steps, &mut numbers);
         numbers
     }
 
     /// Whether an answer has numbers there, or may have: lists may be longer in other answers.
-    pub(crate) fn is_in(&self, answer: &Value) -> bool {
+    pub fn is_in(&self, answer: &Value) -> bool {
         let mut value = answer;
         for step in &self.steps {
             let next = match step {
@@ -86,7 +86,7 @@ impl Kept {
     }
 
     /// The way as `libration fields` has it: `points[].state[]`.
-    pub(crate) fn described_as(&self) -> String {
+    pub fn described_as(&self) -> String {
         let mut text = String::new();
         for step in &self.steps {
             match step {
@@ -101,7 +101,7 @@ impl Kept {
 
 /// The ways to all numbers of an answer that stand alone: in no list, or in lists of one entry. What tells how the answer is written, or gone
 /// on with, is no part of it.
-pub(crate) fn scalars(answer: &Value) -> Vec<String> {
+pub fn scalars(answer: &Value) -> Vec<String> {
     let mut found = vec![];
     collect(answer, String::new(), &mut found);
     found.retain(|way| way != "schema" && !way.starts_with("resume."));
@@ -175,66 +175,5 @@ fn step_into(text: &str) -> Option<Step> {
             let (from, to) = (from.trim().parse().ok()?, to.trim().parse().ok()?);
             (from < to && to - from <= MOST).then_some(Step::Entries(from, to))
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use serde_json::json;
-
-    #[test]
-    fn ways_lead_to_numbers() {
-        let answer = json!({"a": {"b": 2}, "yes": true, "none": null, "word": "x",
-            "rows": [{"state": [1, 2]}, {"state": [3, 4]}]});
-        let numbers = |text: &str| Kept::read(text).unwrap().numbers(&answer);
-        assert_eq!(numbers("a.b"), [2.0]);
-        assert_eq!(numbers("yes"), [1.0]);
-        assert_eq!(numbers("rows[-1].state[0]"), [3.0]);
-        assert_eq!(numbers("rows[0:2].state[1]"), [2.0, 4.0]);
-        for text in ["none", "word", "a", "c", "rows", "rows[2].state[0]", "rows[-3].state[0]", "a[0]"] {
-            assert!(numbers(text).iter().all(|it| it.is_nan()), "{text}");
-        }
-        let beyond = numbers("rows[1:4].state[1]");
-        assert_eq!(beyond.iter().map(|it| it.is_nan()).collect::<Vec<_>>(), [false, true, true]);
-    }
-
-    #[test]
-    fn ways_that_no_answer_has_are_known() {
-        let answer = json!({"a": {"b": 2}, "word": "x", "none": null, "rows": [{"state": [1, 2]}]});
-        let is_in = |text: &str| Kept::read(text).unwrap().is_in(&answer);
-        for text in
-            ["a.b", "none", "rows[0].state[1]", "rows[5].state[1]", "rows[0:9].state[1]", "rows[-1].state[7]"]
-        {
-            assert!(is_in(text), "{text}");
-        }
-        for text in ["a", "a.c", "word", "rows", "rows[0].speed", "a[0]", "none.b"] {
-            assert!(!is_in(text), "{text}");
-        }
-    }
-
-    #[test]
-    fn names_are_given_or_the_last_key() {
-        let columns = |text: &str| Kept::read(text).unwrap().columns();
-        assert_eq!(columns("a.b"), ["b"]);
-        assert_eq!(columns("rows[-1].state[0]"), ["state[0]"]);
-        assert_eq!(columns("x=rows[0:2].state[1]"), ["x[0]", "x[1]"]);
-        assert_eq!(columns("rows[0:2]"), ["rows[0]", "rows[1]"]);
-        assert_eq!(Kept::read("x=rows[0:2].state[1]").unwrap().described_as(), "rows[].state[]");
-    }
-
-    #[test]
-    fn what_is_no_way_is_refused() {
-        for text in
-            ["", "a..b", "a[", "a[x]", "a[2:1]", "a[0:2].b[0:2]", "a[1]b", "=a", "[0]", "a[0:99999999]"]
-        {
-            assert!(Kept::read(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn numbers_that_stand_alone_are_found() {
-        let answer = json!({"schema": 1, "resume": {"steps": 2}, "a": {"b": 2, "c": "x"}, "one": [{"d": 1, "e": [1, 2]}], "two": [1, 2]});
-        assert_eq!(scalars(&answer), ["a.b", "one[0].d"]);
     }
 }

@@ -1,16 +1,16 @@
 //! `libration sweep`: one question at all points of a grid.
 
-mod axis;
+pub(crate) mod axis;
 mod chunk;
-mod grid;
+pub(crate) mod grid;
 mod join;
-mod kept;
+pub(crate) mod kept;
 mod plan;
 mod point;
 mod progress;
-mod question;
+pub(crate) mod question;
 mod run;
-mod shard;
+pub(crate) mod shard;
 mod status;
 mod store;
 

@@ -1,10 +1,10 @@
 //! A measured swing with the motion that was fitted to it: the data, what is left, periods and amplitudes.
 
-mod curve;
+pub(crate) mod curve;
 mod cycles;
 mod data;
 mod residuals;
-mod thinned;
+pub(crate) mod thinned;
 
 pub(crate) use cycles::{Envelope, Swings, amplitudes, periods};
 pub(crate) use data::{is_long, stretches, whole};

@@ -14,6 +14,8 @@ pub(super) enum Content<A> {
     Value(Of<A, Value>),
     PresentValue(Of<A, Option<Value>>),
     Note(Of<A, Option<String>>),
+    /// What people see in its place.
+    Text(Of<A, String>),
 }
 
 /// The value of a field in one answer.
@@ -40,6 +42,7 @@ impl<A> Content<A> {
             Self::Value(value) => Datum::Value(value(answer)),
             Self::PresentValue(value) => value(answer).map_or(Datum::Absent, Datum::Value),
             Self::Note(note) => note(answer).map_or(Datum::Absent, Datum::Note),
+            Self::Text(text) => Datum::Value(Value::String(text(answer))),
         }
     }
 }

@@ -1,29 +1,56 @@
 //! The fields of an answer as a whole: a record of JSON, lines of CSV, rows of tables, sheets, descriptions.
 
 use super::Field;
-use super::look::Shown;
+use super::content::{Content, Datum};
+use super::plan::Plans;
 use crate::output::description::Description;
-use crate::output::json::{Record, records};
+use crate::output::json::Record;
 use crate::output::table::Column;
 use serde_json::Value;
 
 /// The fields of an answer `A`, in their order.
-pub(crate) struct Fields<A>(Vec<Field<A>>);
+pub struct Fields<A> {
+    plans: Plans,
+    contents: Vec<Content<A>>,
+}
+
+impl<A> std::fmt::Debug for Fields<A> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Fields").finish_non_exhaustive()
+    }
+}
 
 impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
     fn from(fields: [Field<A>; N]) -> Self {
-        Self(fields.into())
+        Self::of(fields.into())
     }
 }
 
 impl<A> Fields<A> {
+    fn of(list: Vec<Field<A>>) -> Self {
+        let mut fields = Self { plans: Plans::default(), contents: vec![] };
+        for mut field in list {
+            fields.plans.push(field.plan, fields.contents.len());
+            fields.contents.append(&mut field.contents);
+        }
+        fields
+    }
+
     /// With these behind them.
     pub(crate) fn and(mut self, others: impl Into<Self>) -> Self {
-        self.0.extend(others.into().0);
+        let mut others = others.into();
+        self.plans.append(others.plans, self.contents.len());
+        self.contents.append(&mut others.contents);
         self
     }
 
-    pub(crate) fn record(&self, answer: &A) -> Record {
+    /// The value at a place in an answer.
+    fn values<'a>(&'a self, answer: &'a A) -> impl Fn(usize) -> Datum + 'a {
+        |place| self.contents[place].in_answer(answer)
+    }
+
+    /// An object with the fields.
+    pub fn record(&self, answer: &A) -> Record {
         self.added_to(Record::new(), answer)
     }
 
@@ -32,77 +59,64 @@ impl<A> Fields<A> {
     where
         A: 'a,
     {
-        records(answers.into_iter().map(|answer| self.record(answer)))
+        let mut records = vec![];
+        for answer in answers {
+            records.push(self.record(answer).into());
+        }
+        Value::Array(records)
     }
 
     pub(crate) fn added_to(&self, record: Record, answer: &A) -> Record {
-        self.added_for(NAME, record, answer)
+        self.plans.added_to(record, &self.values(answer))
     }
 
     /// The same where `NAME` in names stands for this one.
     pub(crate) fn added_for(&self, name: &str, record: Record, answer: &A) -> Record {
-        let fields = self.0.iter().filter(|field| field.in_json);
-        fields.fold(record, |record, field| {
-            field.content.in_answer(answer).added_to(record, &field.key.replace(NAME, name))
-        })
+        self.plans.added_for(name, record, &self.values(answer))
     }
 
     /// For a table with these columns, in their order.
     pub(crate) fn for_table(mut self, titles: &[&str]) -> Self {
-        let place = |field: &Field<A>| {
-            let title = field.columns.first()?.title;
-            titles.iter().position(|other| *other == title)
-        };
-        self.0.retain(|field| place(field).is_some());
-        self.0.sort_by_key(place);
+        self.plans.keep_for_table(titles);
         self
     }
 
     /// The first line of CSV.
     pub(crate) fn csv_names(&self) -> Vec<String> {
-        self.0.iter().filter_map(|field| field.in_csv).map(str::to_owned).collect()
+        self.plans.csv_names()
     }
 
     /// The names of what is there for each key: `KEY_ratio` is `bernoulli_ratio`.
-    pub(crate) fn csv_names_for(&self, key: &str) -> Vec<String> {
-        self.csv_names().iter().map(|name| name.replace(KEY, key)).collect()
+    pub fn csv_names_for(&self, key: &str) -> Vec<String> {
+        self.plans.csv_names_for(key)
     }
 
-    pub(crate) fn csv_cells(&self, answer: &A) -> Vec<String> {
-        self.0.iter().filter(|field| field.in_csv.is_some()).map(|field| field.cell(answer)).collect()
+    /// The cells of a line of CSV.
+    pub fn csv_cells(&self, answer: &A) -> Vec<String> {
+        self.plans.csv_cells(&self.values(answer))
     }
 
     /// The same cells with commas between, behind a text.
     pub(crate) fn write_csv_cells(&self, text: &mut Vec<u8>, answer: &A) {
-        for (index, field) in self.0.iter().filter(|field| field.in_csv.is_some()).enumerate() {
-            if index > 0 {
-                text.push(b',');
-            }
-            field.write_cell(text, answer);
-        }
+        self.plans.write_csv_cells(text, &self.values(answer));
     }
 
     pub(crate) fn csv_cells_or_blanks(&self, answer: Option<&A>) -> Vec<String> {
-        answer.map_or_else(|| vec![String::new(); self.csv_names().len()], |answer| self.csv_cells(answer))
+        answer.map_or_else(|| self.plans.csv_blanks(), |answer| self.csv_cells(answer))
     }
 
-    pub(crate) fn columns(&self) -> Vec<Column> {
+    /// The columns of a table.
+    pub fn columns(&self) -> Vec<Column> {
         self.columns_for("")
     }
 
     pub(crate) fn columns_for(&self, key: &str) -> Vec<Column> {
-        let column = |shown: &Shown<A>| match shown.look.is_of_words() {
-            true => Column::words(shown.title.replace(KEY, key)),
-            false => Column::numbers(shown.title.replace(KEY, key)),
-        };
-        self.0.iter().flat_map(|field| &field.columns).map(column).collect()
+        self.plans.columns_for(key)
     }
 
-    pub(crate) fn cells(&self, answer: &A) -> Vec<String> {
-        let cells = |field: &Field<A>| {
-            field.columns.iter().map(|shown| field.text(&shown.look, answer)).collect::<Vec<_>>()
-        };
-        self.0.iter().flat_map(cells).collect()
+    /// The cells of a row of a table.
+    pub fn cells(&self, answer: &A) -> Vec<String> {
+        self.plans.cells(&self.values(answer))
     }
 
     /// The rows of a table.
@@ -110,34 +124,29 @@ impl<A> Fields<A> {
     where
         A: 'a,
     {
-        answers.into_iter().map(|answer| self.cells(answer)).collect()
+        let mut rows = vec![];
+        for answer in answers {
+            rows.push(self.cells(answer));
+        }
+        rows
     }
 
     pub(crate) fn cells_or_blanks(&self, answer: Option<&A>) -> Vec<String> {
-        answer.map_or_else(|| vec![String::new(); self.columns().len()], |answer| self.cells(answer))
+        answer.map_or_else(|| self.plans.blank_cells(), |answer| self.cells(answer))
     }
 
     /// The lines of a sheet.
-    pub(crate) fn lines(&self, answer: &A) -> Vec<(&'static str, String)> {
-        let lines = |field: &Field<A>| {
-            let line = |shown: &Shown<A>| (shown.title, field.text(&shown.look, answer));
-            field.lines.iter().map(line).collect::<Vec<_>>()
-        };
-        self.0.iter().flat_map(lines).collect()
+    pub fn lines(&self, answer: &A) -> Vec<(&'static str, String)> {
+        self.plans.lines(&self.values(answer))
     }
 
     /// What JSON has at `place`, such as `results[].` or nothing.
-    pub(crate) fn described(&self, place: &str) -> Vec<Description> {
-        let described = self.0.iter().filter(|field| field.in_json).flat_map(|field| &field.described);
-        described.map(|it| Description::new(&format!("{place}{}", it.name), it.unit, it.meaning)).collect()
+    pub fn described(&self, place: &str) -> Vec<Description> {
+        self.plans.described(place)
     }
 
-    pub(crate) fn described_in_csv(&self) -> Vec<Description> {
-        let described = |field: &Field<A>| Some(Description::new(field.in_csv?, field.unit, field.meaning));
-        self.0.iter().filter_map(described).collect()
+    /// The columns of CSV.
+    pub fn described_in_csv(&self) -> Vec<Description> {
+        self.plans.described_in_csv()
     }
 }
-
-/// Stands in names and titles for the key of what there are several of.
-const KEY: &str = "KEY";
-const NAME: &str = "NAME";

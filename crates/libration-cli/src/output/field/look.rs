@@ -1,38 +1,46 @@
 //! How people see a field: in a column of a table, or on a line of a sheet.
 
-use super::Of;
+use super::plan::Values;
 use crate::output::number;
 
 /// Below a title, or behind it.
-pub(super) struct Shown<A> {
+pub(super) struct Shown {
     pub(super) title: &'static str,
-    pub(super) look: Look<A>,
+    pub(super) look: Look,
 }
 
-pub(super) enum Look<A> {
+pub(super) enum Look {
     Rounded(usize),
     Short(usize),
     /// An angle, which is in radians otherwise.
     Degrees(usize),
     /// With its unit behind it.
     WithUnit(usize),
-    Words(Of<A, String>),
-    Numeral(Of<A, String>),
+    /// The text at this place among the values.
+    Words(usize),
+    Numeral(usize),
 }
 
-impl<A> Look<A> {
+impl Look {
     pub(super) fn is_of_words(&self) -> bool {
         matches!(self, Self::Words(_))
     }
 
+    /// The same where so many values stand before those of the field.
+    pub(super) fn behind(&mut self, before: usize) {
+        if let Self::Words(place) | Self::Numeral(place) = self {
+            *place += before;
+        }
+    }
+
     /// The text of a number with this unit, or of the answer; none where there is no number.
-    pub(super) fn text(&self, value: Option<f64>, unit: &str, answer: &A) -> Option<String> {
+    pub(super) fn text(&self, value: Option<f64>, unit: &str, values: Values<'_>) -> Option<String> {
         match *self {
             Self::Rounded(digits) => value.map(|value| number::rounded(value, digits)),
             Self::Short(digits) => value.map(|value| number::short(value, digits)),
             Self::Degrees(digits) => value.map(|value| number::rounded(value.to_degrees(), digits)),
             Self::WithUnit(digits) => value.map(|value| with_unit(value, unit, digits)),
-            Self::Words(text) | Self::Numeral(text) => Some(text(answer)),
+            Self::Words(place) | Self::Numeral(place) => values(place).to_cell(),
         }
     }
 }

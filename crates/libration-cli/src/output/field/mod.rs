@@ -1,69 +1,46 @@
 //! A field of an answer, described once: JSON, CSV, tables, sheets and `libration fields` follow.
 
 mod content;
-mod list;
+pub(crate) mod list;
 mod look;
-#[cfg(test)]
-mod tests;
+mod plan;
 mod write;
 
 pub(crate) use list::Fields;
 
-use super::description::Description;
-use super::{csv, number};
-use content::{Content, Datum};
-use look::{Look, Shown};
+use content::Content;
+use look::Look;
+use plan::{Plan, key_of};
 use serde_json::Value;
 
 /// What a field of an answer `A` is.
 type Of<A, T> = fn(&A) -> T;
 
 /// A field of an answer `A`.
-pub(crate) struct Field<A> {
-    key: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    /// The field itself, or those inside it, from the place where it stands.
-    described: Vec<Description>,
-    content: Content<A>,
-    in_json: bool,
-    /// The name of its column, which may have `KEY` in it.
-    in_csv: Option<&'static str>,
-    /// Stands in tables, and in CSV, where there is nothing.
-    blanks: [&'static str; 2],
-    columns: Vec<Shown<A>>,
-    lines: Vec<Shown<A>>,
+pub struct Field<A> {
+    plan: Plan,
+    /// Its value, then the texts that people see in its place.
+    contents: Vec<Content<A>>,
+}
+
+impl<A> std::fmt::Debug for Field<A> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Field").field("key", &self.plan.key).finish_non_exhaustive()
+    }
 }
 
 impl<A> Field<A> {
-    /// Lists and objects have in their name what leads to their parts, `name[]` or `name.NAME`, and stand in JSON alone.
     fn new(name: &'static str, unit: &'static str, meaning: &'static str, content: Content<A>) -> Self {
-        let key = key_of(name);
-        Self {
-            key,
-            unit,
-            meaning,
-            described: vec![Description::new(name, unit, meaning)],
-            content,
-            in_json: true,
-            in_csv: (key == name).then_some(name),
-            blanks: ["", ""],
-            columns: vec![],
-            lines: vec![],
-        }
+        Self { plan: Plan::new(name, unit, meaning), contents: vec![content] }
     }
 
-    pub(crate) fn number(
-        name: &'static str,
-        unit: &'static str,
-        meaning: &'static str,
-        value: Of<A, f64>,
-    ) -> Self {
+    /// A number.
+    pub fn number(name: &'static str, unit: &'static str, meaning: &'static str, value: Of<A, f64>) -> Self {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
     /// A number, or why there is none; null without a note where that text is empty.
-    pub(crate) fn known(
+    pub fn known(
         name: &'static str,
         unit: &'static str,
         meaning: &'static str,
@@ -83,7 +60,7 @@ impl<A> Field<A> {
     }
 
     /// A number that is left out of JSON where there is none.
-    pub(crate) fn present(
+    pub fn present(
         name: &'static str,
         unit: &'static str,
         meaning: &'static str,
@@ -114,7 +91,7 @@ impl<A> Field<A> {
 
     /// What has fields of its own, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
     pub(crate) fn nested<B>(place: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
-        Self { described: fields.described(place), ..Self::value(key_of(place), "", "", value).only_json() }
+        Self::with_parts(place, fields, Content::Value(value))
     }
 
     /// The same, left out of JSON where there is nothing.
@@ -123,50 +100,66 @@ impl<A> Field<A> {
         fields: &Fields<B>,
         value: Of<A, Option<Value>>,
     ) -> Self {
-        let described = fields.described(place);
-        Self { described, ..Self::present_value(key_of(place), "", "", value).only_json() }
+        Self::with_parts(place, fields, Content::PresentValue(value))
+    }
+
+    fn with_parts<B>(place: &'static str, fields: &Fields<B>, content: Content<A>) -> Self {
+        Self { plan: Plan::only_described(key_of(place), fields.described(place)), contents: vec![content] }
     }
 
     /// What is to be said of the fields before it, in the note of JSON.
     pub(crate) fn note(note: Of<A, Option<String>>) -> Self {
-        Self { described: vec![], ..Self::new("", "", "", Content::Note(note)).only_json() }
+        Self { plan: Plan::only_described("", vec![]), contents: vec![Content::Note(note)] }
     }
 
     /// What only people see.
-    pub(crate) fn unnamed() -> Self {
-        Self { in_json: false, ..Self::value("", "", "", |_| Value::Null).only_json() }
+    pub fn unnamed() -> Self {
+        let mut field = Self::value("", "", "", |_| Value::Null).only_json();
+        field.plan.in_json = false;
+        field
     }
 
-    pub(crate) fn only_json(self) -> Self {
-        Self { in_csv: None, ..self }
-    }
-
-    pub(crate) fn only_csv(self) -> Self {
-        Self { in_json: false, ..self }
-    }
-
-    /// The name that it has in CSV alone.
-    pub(crate) fn in_csv_as(self, name: &'static str) -> Self {
-        Self { in_csv: Some(name), ..self }
-    }
-
-    /// What stands in tables where there is nothing.
-    pub(crate) fn or(self, blank: &'static str) -> Self {
-        Self { blanks: [blank, self.blanks[1]], ..self }
-    }
-
-    /// `nan` in CSV where there is nothing.
-    pub(crate) fn or_nan_in_csv(self) -> Self {
-        Self { blanks: [self.blanks[0], "nan"], ..self }
-    }
-
-    fn column(mut self, title: &'static str, look: Look<A>) -> Self {
-        self.columns.push(Shown { title, look });
+    pub(crate) fn only_json(mut self) -> Self {
+        self.plan.in_csv = None;
         self
     }
 
+    pub(crate) fn only_csv(mut self) -> Self {
+        self.plan.in_json = false;
+        self
+    }
+
+    /// The name that it has in CSV alone.
+    pub fn in_csv_as(mut self, name: &'static str) -> Self {
+        self.plan.in_csv = Some(name);
+        self
+    }
+
+    /// What stands in tables where there is nothing.
+    pub(crate) fn or(mut self, blank: &'static str) -> Self {
+        self.plan.blanks[0] = blank;
+        self
+    }
+
+    /// `nan` in CSV where there is nothing.
+    pub(crate) fn or_nan_in_csv(mut self) -> Self {
+        self.plan.blanks[1] = "nan";
+        self
+    }
+
+    fn column(mut self, title: &'static str, look: Look) -> Self {
+        self.plan.column(title, look);
+        self
+    }
+
+    /// The place of a text among its contents.
+    fn place_of(&mut self, text: Of<A, String>) -> usize {
+        self.contents.push(Content::Text(text));
+        self.contents.len() - 1
+    }
+
     /// A column of a table, to this many digits.
-    pub(crate) fn rounded(self, title: &'static str, digits: usize) -> Self {
+    pub fn rounded(self, title: &'static str, digits: usize) -> Self {
         self.column(title, Look::Rounded(digits))
     }
 
@@ -174,49 +167,32 @@ impl<A> Field<A> {
         self.column(title, Look::Short(digits))
     }
 
-    pub(crate) fn degrees(self, title: &'static str, digits: usize) -> Self {
+    /// A column with the number as an angle in degrees.
+    pub fn degrees(self, title: &'static str, digits: usize) -> Self {
         self.column(title, Look::Degrees(digits))
     }
 
     /// A column of numbers that are written in a way of their own.
-    pub(crate) fn numeral(self, title: &'static str, text: Of<A, String>) -> Self {
-        self.column(title, Look::Numeral(text))
+    pub(crate) fn numeral(mut self, title: &'static str, text: Of<A, String>) -> Self {
+        let place = self.place_of(text);
+        self.column(title, Look::Numeral(place))
     }
 
-    pub(crate) fn words(self, title: &'static str, text: Of<A, String>) -> Self {
-        self.column(title, Look::Words(text))
+    /// A column of words.
+    pub fn words(mut self, title: &'static str, text: Of<A, String>) -> Self {
+        let place = self.place_of(text);
+        self.column(title, Look::Words(place))
     }
 
     /// A line of a sheet: the number to this many digits with its unit.
-    pub(crate) fn line(mut self, title: &'static str, digits: usize) -> Self {
-        self.lines.push(Shown { title, look: Look::WithUnit(digits) });
+    pub fn line(mut self, title: &'static str, digits: usize) -> Self {
+        self.plan.line(title, Look::WithUnit(digits));
         self
     }
 
     pub(crate) fn line_of(mut self, title: &'static str, text: Of<A, String>) -> Self {
-        self.lines.push(Shown { title, look: Look::Words(text) });
+        let place = self.place_of(text);
+        self.plan.line(title, Look::Words(place));
         self
     }
-
-    fn text(&self, look: &Look<A>, answer: &A) -> String {
-        let value = self.content.in_answer(answer).to_f64();
-        look.text(value, self.unit, answer).unwrap_or_else(|| self.blanks[0].to_owned())
-    }
-
-    /// The cell behind a text, quoted where needed; numbers, of which there may be millions, without a text of their own.
-    fn write_cell(&self, text: &mut Vec<u8>, answer: &A) {
-        match self.content.in_answer(answer) {
-            Datum::Number(value) if value.is_finite() => number::write_exact(text, value),
-            _ => text.extend_from_slice(csv::quoted(&self.cell(answer)).as_bytes()),
-        }
-    }
-
-    fn cell(&self, answer: &A) -> String {
-        self.content.in_answer(answer).to_cell().unwrap_or_else(|| self.blanks[1].to_owned())
-    }
-}
-
-/// The name in its object: `initial` for `initial[][]`.
-fn key_of(name: &'static str) -> &'static str {
-    name.split(['[', '.']).next().unwrap_or(name)
 }

@@ -16,7 +16,10 @@ impl<A> Fields<A> {
         A: 'a,
     {
         csv::line(out, &self.csv_names())?;
-        answers.into_iter().try_for_each(|answer| csv::line(out, &self.csv_cells(answer)))
+        for answer in answers {
+            csv::line(out, &self.csv_cells(answer))?;
+        }
+        Ok(())
     }
 
     /// Writes a table with a row for each answer.
@@ -29,7 +32,9 @@ impl<A> Fields<A> {
         A: 'a,
     {
         let mut table = Table::new(self.columns());
-        answers.into_iter().try_for_each(|answer| table.row(out, self.cells(answer)))?;
+        for answer in answers {
+            table.row(out, self.cells(answer))?;
+        }
         table.finish(out)
     }
 }

@@ -178,7 +178,7 @@ impl Names<'_> {
 }
 
 /// With π for pi, and without the sign of multiplication in denominators: 4/(3π).
-fn in_letters(text: &str) -> String {
+pub fn in_letters(text: &str) -> String {
     let mut parts = text.split("/(");
     let first = parts.next().unwrap_or_default().to_owned();
     let whole = parts.fold(first, |text, part| format!("{text}/({}", part.replacen("*pi", "π", 1)));
@@ -214,15 +214,4 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()
     let range = if flow.half_swing { r",\quad 0 \le \psi \le \pi" } else { "" };
     writeln!(out, "  {variable}{place} &= {}{range}", terms.join(" \\\\\n  &\\quad + "))?;
     writeln!(out, "\\end{{align*}}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn pi_stands_as_a_letter_where_it_cannot_be_misread() {
-        assert_eq!(in_letters("-4/(3*pi) + 8/(9*pi^2)"), "-4/(3π) + 8/(9π^2)");
-        assert_eq!(in_letters("3/4*pi - 2/pi"), "3/4*π - 2/π");
-    }
 }

@@ -2,7 +2,7 @@
 
 mod fields;
 mod leading_cycles;
-mod listing;
+pub(crate) mod listing;
 
 use super::subject::{About, Subject};
 use crate::arguments::Asked;

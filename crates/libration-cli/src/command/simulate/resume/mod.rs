@@ -3,7 +3,7 @@
 //! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is
 //! behind it, whole or cut short, is computed again, so that the answer is that of one run to its last byte.
 
-mod checksum;
+pub(crate) mod checksum;
 mod mark;
 mod question;
 mod rows;

@@ -1,22 +1,15 @@
 //! A motion that is no solution is not taken for one.
 
-use super::Released;
-use super::accuracy::{as_given, exactly_at, motion as motion_in_numbers};
-use super::ansatz::fundamental_and_harmonics;
-use super::contributions::Contributions;
-use super::few_harmonics;
-use super::motion::motion;
-use super::orders::check_contributions;
-use super::question::Question;
-use super::substitution::{has_harmonics, solves};
-use super::three_harmonics;
-use super::truncated::Elimination;
-use crate::{Block, Formula, Prose, Span};
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::oscillator::NamedOscillator;
 use libration::perturbation::{Gauge, TruncatedSystem};
 use libration::quantity::Displacement;
 use libration::watch::Watch;
+use libration_derivation::internals::lindstedt::{
+    Contributions, Elimination, Question, as_given, check_contributions, check_three_harmonics, exactly_at,
+    few_harmonics, fundamental_and_harmonics, has_harmonics, motion, motion_in_numbers, solves,
+};
+use libration_derivation::{Block, Formula, Name, Prose, Released, Span, formula_latex};
 
 fn question(key: &str, order: usize) -> Question {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
@@ -80,7 +73,7 @@ fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     let verdicts = |key: &str, order: usize, amplitude: f64| {
         let amplitude = Displacement::from_f64(amplitude).unwrap();
         let released = Released { amplitude, angular_frequency: None };
-        let step = few_harmonics::step(&question(key, order), Some(&released), &Watch::none()).unwrap()?;
+        let step = few_harmonics(&question(key, order), Some(&released), &Watch::none()).unwrap()?;
         let tables = step.blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => Some(table),
             _ => None,
@@ -124,7 +117,7 @@ fn as_many_coefficients_are_shown_as_are_counted() {
 
 fn contains(formula: &Formula, unknown: &Variable) -> bool {
     match formula {
-        Formula::Name(name) => *name == crate::Name::from(unknown),
+        Formula::Name(name) => *name == Name::from(unknown),
         Formula::Sum(parts) | Formula::Product(parts) => parts.iter().any(|part| contains(part, unknown)),
         _ => false,
     }
@@ -135,7 +128,7 @@ fn an_amplitude_is_shown_as_it_was_given() {
     let (pendulum, quadratic) = (question("pendulum", 3), question("quadratic", 3));
     let shown = |question: &Question, text: &str| {
         let amplitude = Displacement::from_angle_text(text).unwrap();
-        crate::formula_latex(&as_given(question, &amplitude))
+        formula_latex(&as_given(question, &amplitude))
     };
     assert_eq!(shown(&pendulum, "60deg"), "60^{\\circ}");
     assert_eq!(shown(&pendulum, "37.3deg"), "37.3^{\\circ}");
@@ -209,11 +202,11 @@ fn the_equations_of_three_harmonics_are_checked() {
     for key in ["pendulum", "duffing", "cubic_quintic"] {
         let question = question(key, 5);
         let conditions = TruncatedSystem::new(&question.force, 3, 5).unwrap().conditions();
-        assert!(three_harmonics::check(&question, &conditions).is_ok(), "{key}");
+        assert!(check_three_harmonics(&question, &conditions).is_ok(), "{key}");
         for place in 0..3 {
             let mut wrong = conditions.clone();
             wrong[place] = wrong[place].clone() + Polynomial::variable("a5");
-            assert!(three_harmonics::check(&question, &wrong).is_err(), "{key} {place}");
+            assert!(check_three_harmonics(&question, &wrong).is_err(), "{key} {place}");
         }
     }
 }

@@ -1,14 +1,20 @@
 //! Derivations are made, what is wrong cannot be, and what is printed is what was checked.
 
-use super::check::{Given, equal_fractions, same_series, same_series_where};
-use super::formula::*;
-use super::trials::Trials;
-use super::words::theta_0;
-use super::*;
 use libration::algebra::{Function, Rational};
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::perturbation::Gauge;
+use libration_derivation::internals::build::{
+    call, double_factorial, integral, letter, number, order, series, sin, sqrt, sum,
+};
+use libration_derivation::internals::{
+    Given, Trials, equal_fractions, same_series, same_series_where, theta_0,
+};
+use libration_derivation::{
+    Block, Check, CheckedEquation, Derivation, DerivationError, DerivationStep, Formula, Name, Prose,
+    Released, Span, Statement, Swing, averaging, elliptic, formula_latex, formulas, limit_cycle,
+    perturbation, statement_latex, to_html, to_latex, to_markdown,
+};
 
 fn swing(degrees: f64) -> Swing {
     let angle = libration::quantity::Angle::from_degrees(degrees).unwrap();

@@ -1,7 +1,9 @@
 //! The verdicts follow from what is printed.
 
-use super::*;
-use statement::NOT_EVALUATED;
+use libration_derivation::internals::paper::{
+    Expansion, NOT_EVALUATED, PrintedStatement as Statement, statements,
+};
+use libration_derivation::paper::{Document, Row, StatementVerdict, rows, rows_where};
 use std::collections::BTreeSet;
 
 fn statement(document: Document, label: &str) -> Statement {
@@ -171,7 +173,7 @@ fn the_orders_agree_with_the_perturbation_engine() {
     use libration::perturbation::{EpsilonPowers, OpenGauge};
     let sine = ["1", "0", "-1/6", "0", "1/120", "0", "-1/5040"].map(|text| text.parse().unwrap());
     let engine = OpenGauge::new(&sine, 7, EpsilonPowers::OneParity).unwrap();
-    let ours = lindstedt::Expansion::odd_gauge(7).unwrap();
+    let ours = Expansion::odd_gauge(7).unwrap();
     for (name, polynomial) in engine.solution() {
         assert_eq!(ours.named(&name.to_string()).as_ref(), Some(polynomial), "{name}");
     }

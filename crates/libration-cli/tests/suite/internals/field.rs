@@ -1,6 +1,6 @@
 //! One description gives every form of an answer.
 
-use super::*;
+use libration_cli::internals::field::{Description, Field, Fields};
 use serde_json::Value;
 
 struct Swing {

@@ -1,13 +1,12 @@
 //! Slow flows are derived, and are those that are known otherwise.
 
-use super::flow::Flow;
-use super::question::Question;
-use super::*;
-use crate::phase::{PhaseFunction, PiNumber};
-use crate::to_markdown;
 use libration::algebra::Rational;
+use libration::expression::Equation;
 use libration::perturbation::{Gauge, slow_flow};
-use libration::watch::Progress;
+use libration::watch::{Progress, Watch};
+use libration_derivation::internals::averaging::{self as put_back, Flow, Question};
+use libration_derivation::internals::phase::{PhaseFunction, PiNumber};
+use libration_derivation::{DerivationError, averaging, averaging_watched, to_markdown};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 

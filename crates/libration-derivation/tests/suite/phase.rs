@@ -1,10 +1,10 @@
 //! Integrals undo derivatives, and products are those of the waves.
 
-use super::*;
-use crate::evaluate::{Values, evaluate};
-use crate::formula::{Formula, Name, tenths};
-use crate::numbers::DIGITS;
 use libration::algebra::Rational;
+use libration_derivation::internals::build::tenths;
+use libration_derivation::internals::phase::{PhaseFunction, PiNumber, Wave, number, series};
+use libration_derivation::internals::{DIGITS, Values, evaluate};
+use libration_derivation::{Formula, Name, formula_latex};
 
 fn mixed() -> PhaseFunction {
     let term = |power, k, wave, value: i64| PhaseFunction::term(power, k, wave, Rational::from(value).into());
@@ -53,7 +53,7 @@ fn numbers_with_pi_below_the_line_stand_on_one_fraction_line() {
     let latex = |over, under, power| {
         let value = PiNumber::from(Rational::new(over, under).unwrap()).times_power_of_pi(power);
         let function = PhaseFunction::term(1, 1, Wave::Cosine, value.clone());
-        [number(&value), series(&function, "ψ")].map(|it| crate::formula_latex(&it))
+        [number(&value), series(&function, "ψ")].map(|it| formula_latex(&it))
     };
     assert_eq!(latex(-4, 3, -1), [r"-\frac{4}{3\pi }", r"-\frac{4\psi \,\cos \psi }{3\pi }"]);
     assert_eq!(latex(1, 1, -2)[0], r"\frac{1}{\pi ^{2}}");

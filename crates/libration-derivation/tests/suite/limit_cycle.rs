@@ -1,7 +1,6 @@
 //! Limit cycles are derived, with the coefficients that are known.
 
-use super::*;
-use crate::to_markdown;
+use libration_derivation::{DerivationError, limit_cycle, to_markdown};
 
 fn page(equation: &str, order: usize) -> Result<String, DerivationError> {
     limit_cycle(&equation.parse().unwrap(), None, order).map(|page| to_markdown(&page))

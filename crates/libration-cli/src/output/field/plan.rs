@@ -1,0 +1,203 @@
+//! What is known of fields without an answer, and what is made of an answer's values: the same work for every answer.
+
+use super::content::Datum;
+use super::look::{Look, Shown};
+use crate::output::description::Description;
+use crate::output::json::Record;
+use crate::output::table::Column;
+use crate::output::{csv, number};
+
+/// The values of an answer by their places, those of fields and the texts that people see.
+pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
+
+/// Stands in names and titles for the key of what there are several of.
+const KEY: &str = "KEY";
+const NAME: &str = "NAME";
+
+/// A field without its value.
+pub(super) struct Plan {
+    pub(super) key: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    /// The field itself, or those inside it, from the place where it stands.
+    pub(super) described: Vec<Description>,
+    pub(super) in_json: bool,
+    /// The name of its column, which may have `KEY` in it.
+    pub(super) in_csv: Option<&'static str>,
+    /// Stands in tables, and in CSV, where there is nothing.
+    pub(super) blanks: [&'static str; 2],
+    /// The place of its value.
+    value: usize,
+    columns: Vec<Shown>,
+    lines: Vec<Shown>,
+}
+
+impl Plan {
+    /// Lists and objects have in their name what leads to their parts, `name[]` or `name.NAME`, and stand in JSON alone.
+    pub(super) fn new(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
+        let key = key_of(name);
+        Self {
+            key,
+            unit,
+            meaning,
+            described: vec![Description::new(name, unit, meaning)],
+            in_json: true,
+            in_csv: (key == name).then_some(name),
+            blanks: ["", ""],
+            value: 0,
+            columns: vec![],
+            lines: vec![],
+        }
+    }
+
+    /// What stands in JSON alone and is described as this.
+    pub(super) fn only_described(name: &'static str, described: Vec<Description>) -> Self {
+        Self { in_csv: None, described, ..Self::new(name, "", "") }
+    }
+
+    pub(super) fn column(&mut self, title: &'static str, look: Look) {
+        self.columns.push(Shown { title, look });
+    }
+
+    pub(super) fn line(&mut self, title: &'static str, look: Look) {
+        self.lines.push(Shown { title, look });
+    }
+
+    /// The same where so many values stand before its own.
+    fn behind(&mut self, before: usize) {
+        self.value += before;
+        for shown in self.columns.iter_mut().chain(&mut self.lines) {
+            shown.look.behind(before);
+        }
+    }
+
+    fn text(&self, look: &Look, values: Values<'_>) -> String {
+        let value = values(self.value).to_f64();
+        look.text(value, self.unit, values).unwrap_or_else(|| self.blanks[0].to_owned())
+    }
+
+    /// The cell behind a text, quoted where needed; numbers, of which there may be millions, without a text of their own.
+    fn write_cell(&self, text: &mut Vec<u8>, values: Values<'_>) {
+        match values(self.value) {
+            Datum::Number(value) if value.is_finite() => number::write_exact(text, value),
+            other => text.extend_from_slice(csv::quoted(&self.cell_of(&other)).as_bytes()),
+        }
+    }
+
+    fn cell_of(&self, value: &Datum) -> String {
+        value.to_cell().unwrap_or_else(|| self.blanks[1].to_owned())
+    }
+}
+
+/// The fields of an answer in their order.
+#[derive(Default)]
+pub(super) struct Plans(Vec<Plan>);
+
+impl Plans {
+    /// A further field whose values come behind so many others.
+    pub(super) fn push(&mut self, mut plan: Plan, before: usize) {
+        plan.behind(before);
+        self.0.push(plan);
+    }
+
+    /// Further fields whose values come behind so many others.
+    pub(super) fn append(&mut self, others: Self, before: usize) {
+        others.0.into_iter().for_each(|plan| self.push(plan, before));
+    }
+
+    /// Those for a table with these columns, in their order.
+    pub(super) fn keep_for_table(&mut self, titles: &[&str]) {
+        let place = |plan: &Plan| {
+            let title = plan.columns.first()?.title;
+            titles.iter().position(|other| *other == title)
+        };
+        self.0.retain(|plan| place(plan).is_some());
+        self.0.sort_by_key(place);
+    }
+
+    /// Adds the fields of JSON, in whose names `NAME` stands for this one.
+    pub(super) fn added_for(&self, name: &str, record: Record, values: Values<'_>) -> Record {
+        let plans = self.0.iter().filter(|plan| plan.in_json);
+        plans.fold(record, |record, plan| values(plan.value).added_to(record, &plan.key.replace(NAME, name)))
+    }
+
+    /// The same with names as they are.
+    pub(super) fn added_to(&self, record: Record, values: Values<'_>) -> Record {
+        self.added_for(NAME, record, values)
+    }
+
+    fn in_csv(&self) -> impl Iterator<Item = &Plan> {
+        self.0.iter().filter(|plan| plan.in_csv.is_some())
+    }
+
+    /// The first line of CSV.
+    pub(super) fn csv_names(&self) -> Vec<String> {
+        self.0.iter().filter_map(|plan| plan.in_csv).map(str::to_owned).collect()
+    }
+
+    /// The names of what is there for a key.
+    pub(super) fn csv_names_for(&self, key: &str) -> Vec<String> {
+        self.csv_names().iter().map(|name| name.replace(KEY, key)).collect()
+    }
+
+    pub(super) fn csv_cells(&self, values: Values<'_>) -> Vec<String> {
+        self.in_csv().map(|plan| plan.cell_of(&values(plan.value))).collect()
+    }
+
+    pub(super) fn csv_blanks(&self) -> Vec<String> {
+        vec![String::new(); self.in_csv().count()]
+    }
+
+    /// The cells with commas between, behind a text.
+    pub(super) fn write_csv_cells(&self, text: &mut Vec<u8>, values: Values<'_>) {
+        for (index, plan) in self.in_csv().enumerate() {
+            if index > 0 {
+                text.push(b',');
+            }
+            plan.write_cell(text, values);
+        }
+    }
+
+    pub(super) fn columns_for(&self, key: &str) -> Vec<Column> {
+        let column = |shown: &Shown| match shown.look.is_of_words() {
+            true => Column::words(shown.title.replace(KEY, key)),
+            false => Column::numbers(shown.title.replace(KEY, key)),
+        };
+        self.0.iter().flat_map(|plan| &plan.columns).map(column).collect()
+    }
+
+    pub(super) fn cells(&self, values: Values<'_>) -> Vec<String> {
+        let of_plan =
+            |plan: &Plan| plan.columns.iter().map(|shown| plan.text(&shown.look, values)).collect::<Vec<_>>();
+        self.0.iter().flat_map(of_plan).collect()
+    }
+
+    pub(super) fn blank_cells(&self) -> Vec<String> {
+        vec![String::new(); self.0.iter().map(|plan| plan.columns.len()).sum()]
+    }
+
+    /// The lines of a sheet.
+    pub(super) fn lines(&self, values: Values<'_>) -> Vec<(&'static str, String)> {
+        let of_plan = |plan: &Plan| {
+            let line = |shown: &Shown| (shown.title, plan.text(&shown.look, values));
+            plan.lines.iter().map(line).collect::<Vec<_>>()
+        };
+        self.0.iter().flat_map(of_plan).collect()
+    }
+
+    /// What JSON has at `place`, such as `results[].` or nothing.
+    pub(super) fn described(&self, place: &str) -> Vec<Description> {
+        let described = self.0.iter().filter(|plan| plan.in_json).flat_map(|plan| &plan.described);
+        described.map(|it| Description::new(&format!("{place}{}", it.name), it.unit, it.meaning)).collect()
+    }
+
+    pub(super) fn described_in_csv(&self) -> Vec<Description> {
+        let described = |plan: &Plan| Some(Description::new(plan.in_csv?, plan.unit, plan.meaning));
+        self.0.iter().filter_map(described).collect()
+    }
+}
+
+/// The name in its object: `initial` for `initial[][]`.
+pub(super) fn key_of(name: &'static str) -> &'static str {
+    name.split(['[', '.']).next().unwrap_or(name)
+}

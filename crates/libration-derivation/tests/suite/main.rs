@@ -1,0 +1,12 @@
+//! The derivations and their parts: what they are made of, checked as it is printed.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on should stop where it stands")]
+
+mod averaging;
+mod cosines;
+mod decimal;
+mod derivations;
+mod limit_cycle;
+mod lindstedt;
+mod paper;
+mod phase;
+mod source;
