@@ -220,6 +220,3 @@ impl Condition {
         Some((unknown, value))
     }
 }
-
-#[cfg(test)]
-mod tests;
