@@ -16,3 +16,14 @@ pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, t
 pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
 #[doc(hidden)]
 pub use libration_pendulum::{pendulum, period_formulas};
+
+/// Internals that the other crates of this workspace and the tests use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub mod melnikov {
+        pub use crate::melnikov::{perturbation::power, separatrix::sech_power};
+    }
+    pub mod normal_modes {
+        pub use crate::normal_modes::roots::{Root, roots};
+    }
+}

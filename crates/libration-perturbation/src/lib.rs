@@ -13,3 +13,24 @@ pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, t
 pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
 #[doc(hidden)]
 pub use libration_pendulum::{pendulum, period_formulas};
+
+/// Internals that the other crates of this workspace and the tests use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub mod comparison {
+        pub use crate::comparison::{enclosed::other_equilibrium, work::WorkOverOrbits};
+    }
+    pub mod perturbation {
+        pub use crate::perturbation::{
+            certificate::agrees_with_the_potential,
+            model::{Model, Motion, values_at},
+            modular::exact_series,
+            series_set::SeriesSet,
+            shape::Shape,
+            slow_flow::{
+                half_swing::{HalfSwings, Sums},
+                phase_functions::{PhaseFunctions, Response},
+            },
+        };
+    }
+}

@@ -14,9 +14,10 @@ mod error;
 
 mod trigonometric;
 
-mod perturbation;
+pub(crate) mod perturbation;
 
-mod separatrix;
+#[doc(hidden)]
+pub(crate) mod separatrix;
 
 mod function;
 mod resonance;

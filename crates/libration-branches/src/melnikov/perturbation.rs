@@ -188,6 +188,7 @@ fn own_frequency(closed: &mut Trigonometric) -> Result<f64, NoMelnikov> {
     if force < 0.0 { Ok((-force).sqrt()) } else { Err(NoMelnikov::NoPendulum(force)) }
 }
 
-pub(super) fn power(base: f64, exponent: u32) -> f64 {
+#[doc(hidden)]
+pub fn power(base: f64, exponent: u32) -> f64 {
     (0..exponent).fold(1.0, |product, _| product * base)
 }

@@ -58,7 +58,7 @@ fn of_monomial(monomial: &Monomial, omega0: f64, direction: f64, w: f64) -> (Com
 }
 
 /// I(n, w) for n ≥ 1.
-fn sech_power(n: u32, w: f64) -> f64 {
+pub fn sech_power(n: u32, w: f64) -> f64 {
     let angle = FRAC_PI_2 * w;
     let (first, mut integral) = match n % 2 {
         1 => (1, PI / libm::cosh(angle)),
@@ -145,20 +145,4 @@ fn trapezoids(
         time += step;
     }
     sums
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn powers_of_the_secant_are_integrated_as_a_sum_of_values_is() {
-        for n in 1..8 {
-            for w in [0.0, 0.3, 2.0] {
-                let of = |t: f64| power(1.0 / libm::cosh(t), n) * libm::cos(w * t);
-                let sum: f64 = (-800..=800).map(|j| 0.05 * of(0.05 * f64::from(j))).sum();
-                assert!((sum - sech_power(n, w)).abs() < 1e-14, "{n} {w}: {sum}");
-            }
-        }
-    }
 }

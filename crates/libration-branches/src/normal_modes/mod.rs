@@ -23,7 +23,8 @@ mod mode;
 mod equilibrium;
 mod linearisation;
 
-mod roots;
+#[doc(hidden)]
+pub(crate) mod roots;
 mod spectrum;
 
 mod shapes;

@@ -7,7 +7,7 @@ use libration_numbers::roots::polynomial_roots;
 
 /// A root.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Root {
+pub enum Root {
     Exact(Surd),
     Number(Complex),
 }
@@ -29,7 +29,7 @@ impl Root {
 /// given: the coefficients of a polynomial of high degree, rounded, do not tell them.
 ///
 /// Roots in digits suggest factors of the first and second degree, which must then divide the polynomial.
-pub(super) fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec<(Root, usize)>> {
+pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec<(Root, usize)>> {
     let mut found = vec![];
     for (factor, multiplicity) in square_free_factors(polynomial) {
         let known = digits.iter().filter(|(_, times)| *times == multiplicity).map(|(root, _)| *root);
@@ -110,36 +110,4 @@ pub(super) fn roots_in_digits(coefficients: &[f64], part: f64) -> Option<Vec<Com
     let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);
     let is_known = |error: f64| error <= part * largest;
     roots.into_iter().map(|root| is_known(root.error).then_some(root.value)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn found(coefficients: &[i64]) -> Vec<String> {
-        let polynomial: Vec<Rational> = coefficients.iter().copied().map(Rational::from).collect();
-        let mut texts: Vec<String> = roots(&polynomial, &[])
-            .unwrap()
-            .iter()
-            .map(|(root, times)| match root {
-                Root::Exact(surd) => format!("{surd} ×{times}"),
-                Root::Number(_) => format!("digits ×{times}"),
-            })
-            .collect();
-        texts.sort();
-        texts
-    }
-
-    #[test]
-    fn roots_are_exact_where_square_roots_suffice() {
-        assert_eq!(found(&[2, -4, 1]), ["2 + sqrt(2) ×1", "2 - sqrt(2) ×1"]);
-        // (2x − 1)²(x² − 3).
-        assert_eq!(found(&[-3, 12, -11, -4, 4]), ["-sqrt(3) ×1", "1/2 ×2", "sqrt(3) ×1"]);
-        // The chain of four masses: x⁴ − 8x³ + 21x² − 20x + 5 = (x² − 3x + 1)(x² − 5x + 5).
-        let chain =
-            ["3/2 + 1/2*sqrt(5) ×1", "3/2 - 1/2*sqrt(5) ×1", "5/2 + 1/2*sqrt(5) ×1", "5/2 - 1/2*sqrt(5) ×1"];
-        assert_eq!(found(&[5, -20, 21, -8, 1]), chain);
-        assert_eq!(found(&[-2, 0, 0, 1]), ["digits ×1"; 3]);
-        assert_eq!(found(&[0, 0, 1]), ["0 ×2"]);
-    }
 }

@@ -19,3 +19,4 @@ mod precise_special_points;
 mod rotations;
 mod self_excited_branches;
 mod stability_charts;
+mod unit;

@@ -18,7 +18,7 @@ pub struct Scan {
     pub has_values: bool,
 }
 
-/// The zeros where the function changes sign, and those it has at an end of a piece, within ±[`SEARCHED`].
+/// The zeros where the function changes sign, and those it has at an end of a piece, within ±`SEARCHED`.
 pub fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();

@@ -9,7 +9,7 @@ pub(super) const LONGEST: usize = 1000;
 /// Zeros written out before the power of ten is written instead.
 const ZEROS: usize = 20;
 
-/// digits · 10^exponent, of decimal digits; `None` beyond [`LONGEST`].
+/// digits · 10^exponent, of decimal digits; `None` beyond `LONGEST`.
 pub fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
     let significant = digits.trim_start_matches('0').trim_end_matches('0');
     if significant.is_empty() {

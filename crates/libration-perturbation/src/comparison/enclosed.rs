@@ -9,7 +9,7 @@ use libration_numbers::{
 /// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that shows: beyond it the
 /// force at rest drives away from the centre. It is looked for at even distances from the centre, and at each 2^(1/16) times the one
 /// before, so that a well shows that is small beside the orbit.
-pub(super) fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
+pub fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
     let name = equation.variables().first()?;
     let inputs = [Symbol::plain(name), Symbol::plain(name).with_primes(1)];
     let tape = Tape::new(&[&equation.accelerations()[0]], &inputs).ok()?;
@@ -60,30 +60,5 @@ fn turned(holds: &impl Fn(f64) -> bool, mut without: f64, mut with: f64) -> f64 
             return with;
         }
         if holds(middle) { with = middle } else { without = middle }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn enclosed(equation: &str, centre: f64, ends: [f64; 2]) -> Option<f64> {
-        other_equilibrium(&equation.parse().unwrap(), centre, ends)
-    }
-
-    #[test]
-    fn the_equilibrium_between_two_wells_is_seen_from_any_orbit_around_both() {
-        let well = "x'' = x - x^3";
-        for end in [1.415, 2.0, 30.0, 3e4] {
-            let found = enclosed(well, 1.0, [-end, end]).unwrap();
-            assert!(found.abs() < f64::MIN_POSITIVE, "{end}: {found:e}");
-        }
-        assert_eq!(enclosed(well, 1.0, [1e-6, 1.414]), None);
-        assert_eq!(enclosed("x'' = -sin(x)", 0.0, [-3.14, 3.14]), None);
-        // A force that double precision does not tell from zero about the centre.
-        assert_eq!(enclosed("x'' = -x^101", 0.0, [-1.0, 1.0]), None);
-        // A well of a thousandth of the swing, on the side above.
-        let small = enclosed("x'' = (x - 1)*x*(1e-3 - x)", 0.0, [-2.0, 2.0]);
-        assert!(small.is_some_and(|x| (x - 1e-3).abs() < 1e-15), "{small:?}");
     }
 }

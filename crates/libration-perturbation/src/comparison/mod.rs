@@ -20,7 +20,8 @@
 mod approximant;
 mod quantity;
 
-mod enclosed;
+#[doc(hidden)]
+pub(crate) mod enclosed;
 mod exact;
 mod pendulum_harmonic;
 
@@ -31,7 +32,8 @@ mod backbone;
 mod leading_cycles;
 mod scaling_law;
 mod slow_decay;
-mod work;
+#[doc(hidden)]
+pub(crate) mod work;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};

@@ -16,7 +16,7 @@ use libration_numbers::{
 /// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
 /// whatever the gauge; series are compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
-pub(crate) fn agrees_with_the_potential<R: Ring>(
+pub fn agrees_with_the_potential<R: Ring>(
     ring: &R,
     model: &Model<R::Element>,
     set: &SeriesSet<R::Element>,
@@ -148,50 +148,4 @@ pub(crate) fn agrees_with_plain_rationals(
     let number = |number: &Rational| Some(field.ring.plain(number.clone()));
     let found = model.series(&ring, number, |square| field.root(square), watch)?;
     (!watch.is_stopped()).then(|| field.are(&found.numbers(), &set.numbers()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::gauge::Gauge;
-    use super::super::model::values_at;
-    use super::super::modular::exact_series;
-    use super::*;
-    use libration_motion::oscillator::Oscillator;
-    use libration_numbers::{expression::Symbol, internals::expression::Tape};
-
-    fn model(equation: &str, shape: Shape) -> Model<Rational> {
-        let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
-        let x = Symbol { name: "x".to_owned(), primes: 0 };
-        let tape = Tape::new(&[oscillator.acceleration()], &[x.clone(), Symbol { primes: 1, ..x }]).unwrap();
-        Model {
-            values: values_at(&Rationals, &tape, Rational::from(0)).unwrap(),
-            tape,
-            omega0_squared: Rational::from(1),
-            uses_velocity: false,
-            motion: Motion::Centre { gauge: Gauge::Fundamental, shape },
-            order: 9,
-        }
-    }
-
-    #[test]
-    fn the_potential_notices_each_wrong_number() {
-        for (equation, shape) in [("x'' = -sin(x)", Shape::Odd), ("x'' = -x - x^2", Shape::Asymmetric)] {
-            let model = model(equation, shape);
-            let set = exact_series(&model, &Watch::none()).unwrap();
-            let agrees = |set: &SeriesSet<Rational>| {
-                agrees_with_the_potential(&Rationals, &model, set, PartialEq::eq, &Watch::none())
-            };
-            assert_eq!(agrees(&set), Some(true), "{equation}");
-            for n in 1..=8 {
-                let mut wrong = [set.clone(), set.clone(), set.clone()];
-                let [frequency, x_max, x_min] = &mut wrong;
-                for series in [&mut frequency.frequency, &mut x_max.x_max, &mut x_min.x_min] {
-                    series[n] = Rationals.add(&series[n], &Rational::new(1, 1 << 40).unwrap());
-                }
-                for (which, set) in wrong.iter().enumerate() {
-                    assert_eq!(agrees(set), Some(false), "{equation}, series {which}, order {n}");
-                }
-            }
-        }
-    }
 }

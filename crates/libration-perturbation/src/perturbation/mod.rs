@@ -20,7 +20,8 @@
 //! ```
 
 mod approximate;
-mod certificate;
+#[doc(hidden)]
+pub(crate) mod certificate;
 mod conservative;
 mod cosines;
 mod evaluation;
@@ -32,15 +33,19 @@ mod gauge;
 mod half_turns;
 mod limit_cycle;
 mod lindstedt;
-mod model;
-mod modular;
+#[doc(hidden)]
+pub(crate) mod model;
+#[doc(hidden)]
+pub(crate) mod modular;
 mod open_gauge;
 mod phase_origin;
 mod restoring_force;
 mod selection;
-mod series_set;
-mod shape;
-mod slow_flow;
+#[doc(hidden)]
+pub(crate) mod series_set;
+#[doc(hidden)]
+pub(crate) mod shape;
+pub(crate) mod slow_flow;
 mod symbolic;
 mod truncated_system;
 mod two_sided;

@@ -17,7 +17,7 @@ use libration_numbers::{
 
 /// What kind of periodic motion is expanded, and what it takes.
 #[derive(Clone, Debug)]
-pub(crate) enum Motion<N> {
+pub enum Motion<N> {
     /// A family about a centre, in a gauge.
     Centre { gauge: Gauge, shape: Shape },
     /// The limit cycle of a self-excitation of total degree `degree`.
@@ -26,7 +26,7 @@ pub(crate) enum Motion<N> {
 
 /// The limit cycle that the self-excitation selects at lowest order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Selected<N> {
+pub struct Selected<N> {
     /// The amplitude, in units of √`unit_squared`.
     pub(crate) amplitude: N,
     pub(crate) unit_squared: N,
@@ -40,15 +40,15 @@ pub(crate) struct Selected<N> {
 
 /// An oscillator and the question about it. `N` is the kind of its numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Model<N> {
+pub struct Model<N> {
     /// The acceleration as a function of x, x′ and, for limit cycles, the parameter μ.
-    pub(crate) tape: Tape,
+    pub tape: Tape,
     /// The values of the tape's places at the equilibrium; none for limit cycles.
-    pub(crate) values: Vec<N>,
-    pub(crate) omega0_squared: N,
-    pub(crate) uses_velocity: bool,
-    pub(crate) motion: Motion<N>,
-    pub(crate) order: usize,
+    pub values: Vec<N>,
+    pub omega0_squared: N,
+    pub uses_velocity: bool,
+    pub motion: Motion<N>,
+    pub order: usize,
 }
 
 impl<N> Model<N> {
@@ -203,7 +203,7 @@ fn in_units<R: Ring>(
 }
 
 /// The values of a tape's places at x, x′ = 0; `None` when they are not in the ring.
-pub(crate) fn values_at<R: Ring>(ring: &R, tape: &Tape, x: R::Element) -> Option<Vec<R::Element>> {
+pub fn values_at<R: Ring>(ring: &R, tape: &Tape, x: R::Element) -> Option<Vec<R::Element>> {
     let jet = Jet::new(ring, tape, &[x, ring.zero()]).ok()?;
     Some(jet.values().cloned().collect())
 }

@@ -17,10 +17,7 @@ use libration_numbers::{
 const MOST_PRIMES: usize = 8000;
 
 /// The series modulo as many primes as it takes.
-pub(crate) fn exact_series(
-    model: &Model<Rational>,
-    watch: &Watch<'_>,
-) -> Result<SeriesSet<Rational>, Unsolved> {
+pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
     let points = SampledHarmonics::period(model.highest_harmonic());
     // Only half of all primes have such a root.
@@ -45,7 +42,7 @@ pub(crate) fn exact_series(
 
 /// Why there are no exact series.
 #[derive(Clone, Debug)]
-pub(crate) enum Unsolved {
+pub enum Unsolved {
     /// It was interrupted, when these were certain.
     Interrupted(Option<Box<SeriesSet<Rational>>>),
     /// The computation failed modulo every prime that was tried.

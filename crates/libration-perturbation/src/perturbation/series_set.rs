@@ -12,11 +12,11 @@ use libration_numbers::{
 
 /// The series of a family by powers of its variable, and of its amplitudes.
 #[derive(Clone, Debug)]
-pub(crate) struct SeriesSet<E> {
-    pub(crate) frequency: Vec<E>,
+pub struct SeriesSet<E> {
+    pub frequency: Vec<E>,
     pub(crate) harmonics: Vec<Vec<HarmonicPair<E>>>,
-    pub(crate) x_max: Vec<E>,
-    pub(crate) x_min: Vec<E>,
+    pub x_max: Vec<E>,
+    pub x_min: Vec<E>,
     pub(crate) of_amplitude: Option<OfAmplitude<E>>,
     pub(crate) of_half_swing: Option<OfAmplitude<E>>,
 }

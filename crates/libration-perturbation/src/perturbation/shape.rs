@@ -9,7 +9,7 @@ use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 
 /// How the motions of a family look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub enum Shape {
     /// Limit cycles, whose amplitude is not free.
     Cycle,
     /// Even in time about both turning points.

@@ -20,3 +20,4 @@ mod slow_flow;
 mod symbolic_expansions;
 mod truncated_system;
 mod two_sided;
+mod unit;

@@ -221,6 +221,3 @@ impl Condition {
         Some((unknown, value))
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -33,9 +33,11 @@
 
 mod averaging;
 mod error;
-mod half_swing;
+#[doc(hidden)]
+pub(crate) mod half_swing;
 mod limit_cycle;
-mod phase_functions;
+#[doc(hidden)]
+pub(crate) mod phase_functions;
 mod weak_force;
 
 use super::gauge::Gauge;

@@ -9,7 +9,7 @@ use libration_numbers::{
 pub(in crate::perturbation) type Coefficient<R> = <<R as PhaseFunctions>::Numbers as Ring>::Element;
 
 /// Functions of the phase that can be multiplied, and that force the oscillator y″ + y.
-pub(in crate::perturbation) trait PhaseFunctions: Ring {
+pub trait PhaseFunctions: Ring {
     /// Where the coefficients come from.
     type Numbers: Ring;
 
@@ -34,13 +34,15 @@ pub(in crate::perturbation) trait PhaseFunctions: Ring {
 }
 
 /// The wave that the forcing must not have if y is to go on as it began, and a y that the rest makes of y″ + y.
-pub(in crate::perturbation) struct Response<R: PhaseFunctions + ?Sized> {
-    pub(super) secular: HarmonicPair<Coefficient<R>>,
-    pub(super) forced: R::Element,
+#[expect(missing_debug_implementations, reason = "its numbers are those of a ring that may have none")]
+pub struct Response<R: PhaseFunctions + ?Sized> {
+    pub secular: HarmonicPair<Coefficient<R>>,
+    pub forced: R::Element,
 }
 
 /// ψᵖ(c·cos kψ + s·sin kψ).
-pub(in crate::perturbation) struct Term<N> {
+#[derive(Debug)]
+pub struct Term<N> {
     pub(in crate::perturbation) power: usize,
     pub(in crate::perturbation) k: usize,
     pub(in crate::perturbation) wave: HarmonicPair<N>,

@@ -1,6 +1,7 @@
 //! The open gauge against the published coefficients and the exact solution of the pendulum.
 
-use super::*;
+use libration::algebra::{Rational, Variable};
+use libration::perturbation::{EpsilonPowers, OpenGauge, OpenGaugeError};
 
 fn rational(text: &str) -> Rational {
     text.parse().unwrap()

@@ -1,0 +1,5 @@
+mod backbone;
+mod enclosed;
+mod quantity;
+mod relation;
+mod work;

@@ -1,0 +1,4 @@
+mod certificate;
+mod gauge;
+mod open_gauge;
+mod slow_flow;
