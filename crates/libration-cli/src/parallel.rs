@@ -139,7 +139,7 @@ pub fn map_until_asked<T: Sync, R: Send>(
         result
     };
     let mut results = Vec::with_capacity(all);
-    for result in with_progress(&how_far, || map(items, counted)) {
+    for result in with_progress(how_far, || map(items, counted)) {
         results.extend(result);
     }
     results

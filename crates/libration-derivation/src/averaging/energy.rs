@@ -92,13 +92,18 @@ fn force(question: &Question, highest: usize) -> Vec<Rational> {
     force
 }
 
+/// The entries without the small parameter.
+fn undamped<V: Clone>(all: &BTreeMap<Place, V>) -> BTreeMap<Place, V> {
+    let mut undamped = BTreeMap::new();
+    for (place, value) in all.iter().filter(|((_, j), _)| *j == 0) {
+        undamped.insert(*place, value.clone());
+    }
+    undamped
+}
+
 /// The mean of f·v over the undamped motion by powers of the amplitude.
 fn loss(question: &Question, flow: &Flow, highest: usize) -> Vec<PiNumber> {
-    let undamped = |(_, j): &Place| *j == 0;
-    let motion: Series =
-        flow.motion.iter().filter(|(it, _)| undamped(it)).map(|(it, part)| (*it, part.clone())).collect();
-    let frequency = flow.frequency.iter().filter(|(it, _)| undamped(it));
-    let frequency: BTreeMap<Place, PiNumber> = frequency.map(|(it, value)| (*it, value.clone())).collect();
+    let (motion, frequency) = (undamped(&flow.motion), undamped(&flow.frequency));
     let growth = BTreeMap::new();
     let along = Along { growth: &growth, frequency: &frequency, level: highest, parameter_order: 0, lift: 0 };
     let velocity = along.rate(&motion);

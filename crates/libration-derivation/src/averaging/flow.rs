@@ -73,10 +73,10 @@ impl Flow {
     /// Finds all powers up to those that are asked for.
     pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
-            motion: BTreeMap::from([((1, 0), PhaseFunction::cosine())]),
+            motion: alone((1, 0), PhaseFunction::cosine()),
             velocity: BTreeMap::new(),
             growth: BTreeMap::new(),
-            frequency: BTreeMap::from([((0, 0), question.omega0().clone().into())]),
+            frequency: alone((0, 0), question.omega0().clone().into()),
             orders: Vec::new(),
         };
         let omega0 = PiNumber::from(question.omega0().clone());
@@ -157,7 +157,7 @@ impl Flow {
         let growth = names(&self.growth, "a");
         let mut frequency = names(&self.frequency, "w");
         frequency.insert((0, 0), Polynomial::constant(flow.omega0.clone()));
-        let one = BTreeMap::from([((0, 0), Polynomial::constant(Rational::from(1)))]);
+        let one = alone((0, 0), Polynomial::constant(Rational::from(1)));
         let product = |factors: &[&Named]| {
             let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, place));
             whole.get(&place).cloned().unwrap_or_default()
@@ -171,7 +171,7 @@ impl Flow {
             (Part::Drift, product(&[&growth, &by_amplitude(&growth), &by_amplitude(&x)])),
         ];
         for (number, term) in flow.terms.iter().enumerate() {
-            let shift = BTreeMap::from([((0, term.parameter), Polynomial::constant(term.factor.clone()))]);
+            let shift = alone((0, term.parameter), Polynomial::constant(term.factor.clone()));
             let powers = std::iter::repeat_n(&x, term.position).chain(std::iter::repeat_n(&v, term.velocity));
             let factors: Vec<&Named> = [&shift].into_iter().chain(powers).collect();
             parts.push((Part::Force(number), product(&factors)));
@@ -257,18 +257,29 @@ pub(crate) fn variable(letters: &str, (n, j): Place) -> Variable {
     Variable::indexed(letters, u32::try_from(10 * n + j).unwrap_or(u32::MAX))
 }
 
+/// A map with one entry.
+fn alone<V>(place: Place, value: V) -> BTreeMap<Place, V> {
+    let mut map = BTreeMap::new();
+    map.insert(place, value);
+    map
+}
+
 fn names<V>(known: &BTreeMap<Place, V>, letters: &str) -> Named {
-    known.keys().map(|place| (*place, Polynomial::variable(variable(letters, *place)))).collect()
+    let mut names = Named::new();
+    for place in known.keys() {
+        names.insert(*place, Polynomial::variable(variable(letters, *place)));
+    }
+    names
 }
 
 /// The derivative by the amplitude.
 fn derivative(series: &Named) -> Named {
-    let present = series.iter().filter(|((n, _), _)| *n > 0);
-    let lowered = present.map(|((n, j), it)| {
+    let mut lowered = Named::new();
+    for ((n, j), it) in series.iter().filter(|((n, _), _)| *n > 0) {
         let degree = Rational::from(i64::try_from(*n).unwrap_or(i64::MAX));
-        ((n - 1, *j), it.scaled(&degree))
-    });
-    lowered.collect()
+        lowered.insert((n - 1, *j), it.scaled(&degree));
+    }
+    lowered
 }
 
 /// The product as far as it counts at a place.

@@ -32,7 +32,10 @@ impl Contributions {
         for (place, factor) in question.force.iter().enumerate().skip(1) {
             power = product(&power, &displacement, question.order);
             if !factor.is_zero() {
-                let factors = power.iter().map(|(key, it)| (*key, it.scaled(factor))).collect();
+                let mut factors = Factors::new();
+                for (key, it) in &power {
+                    factors.insert(*key, it.scaled(factor));
+                }
                 parts.push((monomial(factor, &question.u(), place + 1), factors));
             }
         }
@@ -95,25 +98,32 @@ fn linear_part(question: &Question) -> Formula {
 fn displacement(question: &Question) -> Factors {
     let all =
         question.harmonics().into_iter().flat_map(|k| question.powers().into_iter().map(move |n| (n, k)));
-    let present =
-        all.map(|(n, k)| (key(n, k), coefficient_name(k, n))).filter(|(_, it)| !vanishes(question, it));
-    present.map(|(key, it)| (key, Polynomial::variable(it))).collect()
+    let mut present = Factors::new();
+    for (n, k) in all {
+        let name = coefficient_name(k, n);
+        if !vanishes(question, &name) {
+            present.insert(key(n, k), Polynomial::variable(name));
+        }
+    }
+    present
 }
 
 /// Those of Δ²u″ + u.
 fn linear(question: &Question, displacement: &Factors) -> Factors {
     let one = Polynomial::constant(Rational::from(1));
-    let corrections = question.powers().into_iter().filter(|n| *n > 1).map(|n| {
+    let mut ratio = Factors::new();
+    ratio.insert((0, 0), one);
+    for n in question.powers().into_iter().filter(|n| *n > 1) {
         let (n, _) = key(n - 1, 0);
-        ((n, 0), Polynomial::variable(Variable::indexed(FREQUENCY, n)))
-    });
-    let ratio: Factors = [((0, 0), one)].into_iter().chain(corrections).collect();
-    let second = displacement.iter().map(|((n, k), it)| {
+        ratio.insert((n, 0), Polynomial::variable(Variable::indexed(FREQUENCY, n)));
+    }
+    let mut second = Factors::new();
+    for ((n, k), it) in displacement {
         let factor = -i64::from(*k) * i64::from(*k);
-        ((*n, *k), it.scaled(&Rational::from(factor)))
-    });
+        second.insert((*n, *k), it.scaled(&Rational::from(factor)));
+    }
     let squared = product(&ratio, &ratio, question.order);
-    let mut sum = product(&squared, &second.collect(), question.order);
+    let mut sum = product(&squared, &second, question.order);
     for (key, it) in displacement {
         add(&mut sum, *key, it.clone());
     }

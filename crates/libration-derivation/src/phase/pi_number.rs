@@ -66,13 +66,21 @@ impl PiNumber {
 
     /// This times a power of π.
     pub fn times_power_of_pi(&self, power: i32) -> Self {
-        Self { terms: self.terms.iter().map(|(p, coefficient)| (p + power, coefficient.clone())).collect() }
+        let mut product = Self::default();
+        for (own, coefficient) in &self.terms {
+            product.terms.insert(own + power, coefficient.clone());
+        }
+        product
     }
 
     /// Whether it is this number of the library.
     pub(crate) fn is(&self, other: &PiSum) -> bool {
-        let fractions = other.terms().iter().map(|(power, surd)| Some((*power, surd.to_rational()?.clone())));
-        fractions.collect::<Option<BTreeMap<i32, Rational>>>().is_some_and(|terms| terms == self.terms)
+        let mut terms = BTreeMap::new();
+        for (power, surd) in other.terms() {
+            let Some(fraction) = surd.to_rational() else { return false };
+            terms.insert(*power, fraction.clone());
+        }
+        terms == self.terms
     }
 
     fn add(&mut self, power: i32, coefficient: Rational) {

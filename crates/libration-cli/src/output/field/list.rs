@@ -21,16 +21,17 @@ impl<A> std::fmt::Debug for Fields<A> {
 }
 
 impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
-    fn from(fields: [Field<A>; N]) -> Self {
-        Self::of(fields.into())
+    fn from(mut fields: [Field<A>; N]) -> Self {
+        Self::taken_from(&mut fields)
     }
 }
 
 impl<A> Fields<A> {
-    fn of(list: Vec<Field<A>>) -> Self {
+    /// Empties these fields: no list of them has to be known to the compiler for every answer.
+    fn taken_from(list: &mut [Field<A>]) -> Self {
         let mut fields = Self { plans: Plans::default(), contents: vec![] };
-        for mut field in list {
-            fields.plans.push(field.plan, fields.contents.len());
+        for field in list {
+            fields.plans.push(std::mem::take(&mut field.plan), fields.contents.len());
             fields.contents.append(&mut field.contents);
         }
         fields

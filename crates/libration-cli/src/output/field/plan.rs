@@ -15,6 +15,7 @@ const KEY: &str = "KEY";
 const NAME: &str = "NAME";
 
 /// A field without its value.
+#[derive(Default)]
 pub(super) struct Plan {
     pub(super) key: &'static str,
     unit: &'static str,
