@@ -4,6 +4,10 @@ use crate::command::{directory, libration, message, text};
 use crate::drawing::Drawing;
 use std::fs;
 
+#[path = "../../../libration-testing/src/sweep.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the crate for tests, of which nothing else is wanted here")]
+mod extent;
+
 const PICTURES: [&str; 12] = [
     "errors",
     "errors --formulas small_angle,bernoulli,power_series_2,power_series_3,black_vel_1,black_vel_2,black_vel_3,molina,\
@@ -31,9 +35,11 @@ fn smallest(picture: &str, side: &str, file: &str) -> u32 {
     named.unwrap_or_else(|| panic!("{picture}: no size in: {message}"))
 }
 
+/// By default every sixth picture, and the one with the most names.
 #[test]
-fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused() {
-    for (number, picture) in PICTURES.iter().enumerate() {
+fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused_in_a_sweep() {
+    let most_names = |(_, picture): &(usize, &&str)| picture.contains("lima_2008");
+    for (number, picture) in extent::part_and(PICTURES.iter().enumerate(), 6, most_names) {
         let file = directory(&format!("smallest-{number}")).join("figure.svg").display().to_string();
         let width = smallest(picture, "--width", &file);
         // Text is broken into more lines where it is narrower.
@@ -55,23 +61,21 @@ fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused() 
 
 /// A column of a journal holds every picture, and so do a slide and the largest canvas.
 #[test]
-fn columns_slides_and_posters_hold_every_picture() {
-    for (number, picture) in PICTURES.iter().enumerate() {
-        let file = directory(&format!("formats-{number}")).join("figure.svg").display().to_string();
-        for (size, width) in
-            [("--size column", 302.36), ("--size slide", 1280.0), ("--width 4000 --height 4000", 4000.0)]
-        {
-            // Thirty names are more than the height of a slide, two ticks of eight digits more than the width of a column.
-            if (size.ends_with("slide") && picture.contains("lima_2008"))
-                || (size.ends_with("column") && picture.contains("10.00001deg"))
-            {
-                continue;
-            }
-            text(&format!("figure {picture} {size} --output {file}"));
-            let drawing = Drawing::read(&fs::read_to_string(&file).unwrap());
-            assert!((drawing.width - width).abs() < 0.01, "{picture} {size}: {}", drawing.width);
-            is_right(&format!("{picture} {size}"), &drawing);
-        }
+fn columns_slides_and_posters_hold_every_picture_in_a_sweep() {
+    let file = directory("formats").join("figure.svg").display().to_string();
+    let sizes = [("--size column", 302.36), ("--size slide", 1280.0), ("--width 4000 --height 4000", 4000.0)];
+    let all = PICTURES.iter().flat_map(|picture| sizes.map(|(size, width)| (picture, size, width)));
+    // Thirty names are more than the height of a slide, two ticks of eight digits more than the width of a column.
+    let is_held = |(picture, size, _): &(&&str, &str, f64)| {
+        !(size.ends_with("slide") && picture.contains("lima_2008"))
+            && !(size.ends_with("column") && picture.contains("10.00001deg"))
+    };
+    // Four cases on are another picture in another size.
+    for (picture, size, width) in extent::part(all.filter(is_held), 4) {
+        text(&format!("figure {picture} {size} --output {file}"));
+        let drawing = Drawing::read(&fs::read_to_string(&file).unwrap());
+        assert!((drawing.width - width).abs() < 0.01, "{picture} {size}: {}", drawing.width);
+        is_right(&format!("{picture} {size}"), &drawing);
     }
 }
 
@@ -121,7 +125,7 @@ fn pictures_of_the_usual_size_hold_whatever_they_show() {
 }
 
 #[test]
-fn pictures_of_other_commands_hold_what_they_show() {
+fn pictures_of_other_commands_hold_what_they_show_in_a_sweep() {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     let questions = [
         "motion 90deg --compare small-angle,fourier-3,fourier-5,fourier-7".to_owned(),
@@ -149,7 +153,7 @@ fn pictures_of_other_commands_hold_what_they_show() {
         format!("fit gates {examples}/gate_synthetic.csv --length 0.958m --diameter 25mm"),
         format!("fit trace {examples}/swing_synthetic.csv --model linear"),
     ];
-    for (number, question) in questions.iter().enumerate() {
+    for (number, question) in extent::part(questions.iter().enumerate(), 2) {
         let file = directory(&format!("other-{number}")).join("figure.svg").display().to_string();
         text(&format!("{question} --figure {file}"));
         is_right(question, &Drawing::read(&fs::read_to_string(&file).unwrap()));

@@ -1,11 +1,21 @@
 //! Proven remainders of period and frequency for polynomial forces, against the integrated motion.
 
-use libration::comparison::{SeriesComparison, SeriesQuantity};
+use libration::comparison::{ExactMotion, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Certainty, Gauge, PeriodMajorant, expand};
+use libration::quantity::Displacement;
 
 fn oscillator(equation: &str) -> Oscillator {
     Oscillator::new(&equation.parse().unwrap()).unwrap()
+}
+
+/// Parts of the limit, and the motion at each, which no order of a series changes.
+fn motions<const N: usize>(oscillator: &Oscillator, limit: f64, shares: [f64; N]) -> [(f64, ExactMotion); N] {
+    let expansion = expand(oscillator, 3, &Gauge::Fundamental).unwrap();
+    shares.map(|share| {
+        let amplitude = Displacement::from_f64(share * limit).unwrap();
+        (share, ExactMotion::new(oscillator, &expansion, &amplitude).unwrap())
+    })
 }
 
 /// The force, and the amplitude at which Σ |cₘ| A^(2m−2) is one.
@@ -23,12 +33,13 @@ const FORCES: [(&str, f64); 7] = [
 fn the_error_is_below_the_bound_up_to_the_limit() {
     for (equation, limit) in FORCES {
         let oscillator = oscillator(equation);
+        let motions = motions(&oscillator, limit, [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999]);
         for order in [5, 15, 41] {
             let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
             let period = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
-            for share in [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999] {
+            for (share, motion) in &motions {
                 let amplitude = share * limit;
-                let exact = period.exact_at(amplitude).unwrap();
+                let exact = motion.value(SeriesQuantity::Period).unwrap();
                 for step in period.evaluation_at(amplitude).steps() {
                     let remainder = step.remainder;
                     assert_eq!(remainder.certainty, Certainty::Proven);
@@ -84,15 +95,15 @@ const ANY_FORCES: [(&str, f64); 5] = [
 fn the_error_is_below_the_bound_for_any_polynomial_force() {
     for (equation, limit) in ANY_FORCES {
         let oscillator = oscillator(equation);
+        let motions = motions(&oscillator, limit, [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999]);
         for order in [6, 15, 31] {
             let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
-            for (quantity, shares) in [
-                (SeriesQuantity::Period, &[1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999][..]),
-                (SeriesQuantity::Frequency, &[1e-3, 0.1, 0.3, 0.5, 0.7]),
-            ] {
+            for (quantity, shares) in
+                [(SeriesQuantity::Period, &motions[..]), (SeriesQuantity::Frequency, &motions[..5])]
+            {
                 let series = SeriesComparison::new(&oscillator, &expansion, quantity);
-                for share in shares {
-                    let exact = series.exact_at(share * limit).unwrap();
+                for (share, motion) in shares {
+                    let exact = motion.value(quantity).unwrap();
                     let evaluation = series.evaluation_at(share * limit);
                     for step in evaluation.steps() {
                         assert_eq!(step.remainder.certainty, Certainty::Proven, "{equation} {share}");

@@ -1,11 +1,13 @@
 //! Forces with one power series above the equilibrium and another below, compared with the integral of the energy and with orbits.
 
 use libration::algebra::{LaurentPolynomial, Rational};
-use libration::comparison::{SeriesComparison, SeriesQuantity};
+use libration::comparison::{ExactMotion, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Certificate, Expansion, Gauge, Precision, expand, expand_with_pi};
 use libration::quadrature::double_exponential;
+use libration::quantity::Displacement;
+use libration_testing::sweep;
 use std::f64::consts::PI;
 
 fn oscillator(text: &str) -> Oscillator {
@@ -102,13 +104,14 @@ fn an_asymmetric_force_has_half_the_period_of_either_side() {
 
 /// Frequency, mean and harmonics of order N beside orbits, and the same series in digits.
 #[test]
-fn harmonics_are_those_of_orbits() {
-    for (text, amplitude) in [
+fn harmonics_are_those_of_orbits_in_a_sweep() {
+    let cases = [
         ("x'' + x + x*abs(x) = 0", 0.02),
         ("x'' + 2*x + abs(x)^3/2 - x^2/3 = 0", 0.05),
         ("x'' = -(x - 1) - (x - 1)*abs(1 - x)/3", 0.05),
         ("x'' + sin(x) + x^2*sign(x)/5 = 0", 0.05),
-    ] {
+    ];
+    for (text, amplitude) in sweep::part(cases, 3) {
         let oscillator = oscillator(text);
         let exact = expand_with_pi(&oscillator, 8, &Gauge::Fundamental).unwrap().unwrap();
         let digits = expand(&oscillator, 8, &Gauge::Fundamental).unwrap();
@@ -118,31 +121,33 @@ fn harmonics_are_those_of_orbits() {
         );
         let (exact, in_digits) = (exact.of_amplitude.unwrap(), digits.of_amplitude.clone().unwrap());
         assert_eq!(exact.harmonics.len(), in_digits.harmonics.len());
+        let orbit =
+            ExactMotion::new(&oscillator, &digits, &Displacement::from_f64(amplitude).unwrap()).unwrap();
         for ((k, series), (_, other)) in exact.harmonics.iter().zip(&in_digits.harmonics) {
             for (a, b) in series.iter().zip(other) {
                 // Powers of π with opposite signs cancel up to three digits.
                 assert!((number(a) - b.to_f64()).abs() < 1e-12, "{text} a{k}");
             }
-            let relation = SeriesComparison::new(&oscillator, &digits, SeriesQuantity::Cosine(*k));
-            let motion = relation.exact_at(amplitude).unwrap();
+            let motion = orbit.value(SeriesQuantity::Cosine(*k)).unwrap();
             let error = (value(&numbers(series), amplitude) - motion.value).abs();
             assert!(error < 20.0 * libm::pow(amplitude, 9.0) + motion.uncertainty, "{text} a{k}: {error:e}");
             assert!(motion.uncertainty < 1e-12);
         }
-        let relation = SeriesComparison::new(&oscillator, &digits, SeriesQuantity::Frequency);
-        let motion = relation.exact_at(amplitude).unwrap();
+        let motion = orbit.value(SeriesQuantity::Frequency).unwrap();
         let error = (value(&numbers(&exact.frequency_ratio), amplitude) - motion.value).abs();
         assert!(error < 20.0 * libm::pow(amplitude, 8.0) + motion.uncertainty, "{text}: {error:e}");
     }
 }
 
 #[test]
-fn every_gauge_gives_the_same_of_the_amplitude() {
-    for text in ["x'' + x + x*abs(x) = 0", "x'' + x + abs(x)^3 + x^2 = 0"] {
+fn every_gauge_gives_the_same_of_the_amplitude_in_a_sweep() {
+    let gauges = [Gauge::XMax, Gauge::HalfSwing, Gauge::Energy, "A1=2,A2=1/3".parse().unwrap()];
+    for (place, text) in ["x'' + x + x*abs(x) = 0", "x'' + x + abs(x)^3 + x^2 = 0"].iter().enumerate() {
         let natural = with_pi(text, 4, &Gauge::Fundamental);
-        let gauges = [Gauge::XMax, Gauge::HalfSwing, Gauge::Energy, "A1=2,A2=1/3".parse().unwrap()];
-        for gauge in gauges {
-            let other = with_pi(text, 4, &gauge);
+        // By default one gauge: the first of one force, the last of the other.
+        let run = |(number, _): &(usize, &Gauge)| sweep::is_full() || *number == 3 * place;
+        for (_, gauge) in gauges.iter().enumerate().filter(run) {
+            let other = with_pi(text, 4, gauge);
             let (a, b) = (natural.of_amplitude.clone().unwrap(), other.of_amplitude.clone().unwrap());
             assert_eq!((a.period_ratio, a.harmonics), (b.period_ratio, b.harmonics), "{text} {gauge}");
             let half =

@@ -1,0 +1,89 @@
+//! How much of a sweep a test runs: a fixed part of it with a fixed seed by default, all of it in the long run, there with fresh seeds too.
+//!
+//! | variable | does |
+//! |---|---|
+//! | `LIBRATION_SWEEP=full` | runs every case of every sweep |
+//! | `LIBRATION_SEED=12345` | draws other random inputs; failures print the seed that repeats them |
+//!
+//! A test that heeds either has `sweep` in its name, so that `cargo test sweep` finds it.
+
+use core::ops::Range;
+
+/// Whether all cases are run.
+pub fn is_full() -> bool {
+    std::env::var("LIBRATION_SWEEP").is_ok_and(|extent| extent == "full")
+}
+
+/// The number for the default run, or that for the full one.
+pub fn number<T>(usual: T, full: T) -> T {
+    if is_full() { full } else { usual }
+}
+
+/// The test's own seed, mixed with `LIBRATION_SEED` where that is set. Says on the standard error, which is shown of a test that fails,
+/// how the run is repeated.
+///
+/// # Panics
+/// `LIBRATION_SEED` is no decimal number below 2⁶⁴.
+pub fn seed(own: u64) -> u64 {
+    let Ok(text) = std::env::var("LIBRATION_SEED") else {
+        eprintln!("seed {own}, the test's own");
+        return own;
+    };
+    let given: u64 = text.parse().expect("LIBRATION_SEED is a decimal number below 2^64");
+    eprintln!("seed {own} mixed with LIBRATION_SEED={given}");
+    mixed(own, given)
+}
+
+/// A change of any bit of either number changes half of the bits: the last steps of splitmix64, as in `random`.
+fn mixed(own: u64, given: u64) -> u64 {
+    let z = own.wrapping_add(given.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ given.rotate_left(32);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The first case, every so many after it, and the last; all of them in the full run.
+pub fn part<T>(cases: impl IntoIterator<Item = T>, step: usize) -> Vec<T> {
+    part_and(cases, step, |_| false)
+}
+
+/// As [`part`], and the cases at seams, where a fault is likeliest.
+pub fn part_and<T>(
+    cases: impl IntoIterator<Item = T>,
+    step: usize,
+    is_at_seam: impl Fn(&T) -> bool,
+) -> Vec<T> {
+    let cases: Vec<T> = cases.into_iter().collect();
+    let (full, count) = (is_full(), cases.len());
+    let is_run = |(place, case): &(usize, T)| {
+        full || place.is_multiple_of(step) || place + 1 == count || is_at_seam(case)
+    };
+    cases.into_iter().enumerate().filter(is_run).map(|(_, case)| case).collect()
+}
+
+/// Between which a number lies that random draws give.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// For the sample of the default run, whatever its seed.
+    pub usual: Range<f64>,
+    /// For the full sample, whatever its seed.
+    pub full: Range<f64>,
+    /// For the full sample of the test's own seed. It is always the same, so that these limits may be narrower than chance asks for.
+    pub own: Range<f64>,
+}
+
+impl Limits {
+    /// Asserts that the number is within the limits of this run.
+    ///
+    /// # Panics
+    /// It is not.
+    pub fn check(&self, found: f64, what: &str) {
+        let range = match (is_full(), std::env::var("LIBRATION_SEED").is_ok()) {
+            (false, _) => &self.usual,
+            (true, true) => &self.full,
+            (true, false) => &self.own,
+        };
+        eprintln!("{what}: {found} in {range:?}");
+        assert!(range.contains(&found), "{what}: {found} is not in {range:?}");
+    }
+}
