@@ -6,6 +6,7 @@ use libration_lab::fit::response::{
     MeasuredAmplitude, ResponseColumns, ResponseFit, ResponseFitError, ResponseModel, ResponseTable,
     ResponseWarning, response,
 };
+use libration_testing::sweep::{self, Limits};
 
 /// Frequency, peak, fundamental and lag of a sweep up and down.
 fn sweep(text: &str) -> [Vec<f64>; 4] {
@@ -93,20 +94,27 @@ fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
     (0..size).map(|i| rows[i][size] * rows[i][size] / rows[i][i]).sum()
 }
 
-/// Fits of a sweep with errors of a part of the largest amplitude, and of phases that are as uncertain.
+/// By the stated uncertainties, not enlarged where chance makes the rows scatter more than stated.
+fn stated_distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
+    let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
+    distance_squared(fit, truth) * enlargement * enlargement
+}
+
+/// Fits of so many sweeps with errors of a part of the largest amplitude, and of phases that are as uncertain.
 fn draws(
     columns: [Vec<f64>; 4],
     model: ResponseModel,
     part: f64,
     with_phases: bool,
+    [number, seed]: [u64; 2],
 ) -> impl Iterator<Item = ResponseFit> {
     let [frequencies, peaks, _, lags] = columns;
-    let mut random = Random::seeded(0x5eed);
+    let mut random = Random::seeded(seed);
     let largest = peaks.iter().copied().fold(0.0, f64::max);
     let of_amplitudes: Vec<f64> = peaks.iter().map(|peak| (part * largest).min(0.1 * peak)).collect();
     let of_phases: Vec<f64> =
         of_amplitudes.iter().zip(&peaks).map(|(deviation, peak)| deviation / peak).collect();
-    (0..16).map(move |_| {
+    (0..number).map(move |_| {
         let mut noisy = |values: &[f64], deviations: &[f64]| -> Vec<f64> {
             let pairs = values.iter().zip(deviations);
             pairs.map(|(value, deviation)| value + deviation * random.normal()).collect()
@@ -124,39 +132,41 @@ fn draws(
     })
 }
 
-/// Sums of 16 draws of χ² with three degrees of freedom have the mean 48 and the standard deviation √96 = 9.8.
+/// A sum of n draws is χ² with 3n degrees of freedom: of 5 draws in the default run, 16 in the full one, and thrice as many together. A false
+/// alarm has the probability 1e-6, as each of eight tails has 1.25e-7: `scipy.stats.chi2.ppf(1.25e-7, 3*n)` and `isf`.
 #[test]
-fn stated_uncertainties_cover_the_truth() {
-    for (with_phases, part) in [(false, 0.003), (false, 0.03), (true, 0.01)] {
-        let fits = draws(pendulum(), ResponseModel::Pendulum, part, with_phases);
-        let distance: f64 = fits
-            .map(|fit| {
-                // Not enlarged where chance makes the rows scatter more than stated.
-                let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
-                distance_squared(&fit, &PENDULUM) * enlargement * enlargement
-            })
-            .sum();
-        assert!((19.0..78.0).contains(&distance), "{with_phases} {part}: {distance}");
+fn stated_uncertainties_cover_the_truth_in_a_sweep() {
+    let one = Limits { usual: 0.9..61.8, full: 13.1..116.6, own: 19.0..78.0 };
+    let three = Limits { usual: 11.6..112.0, full: 72.7..249.2, own: 72.7..249.2 };
+    let (number, seed) = (sweep::number(5, 16), sweep::seed(0x5eed));
+    let mut all = 0.0;
+    for (place, (with_phases, part)) in (0..).zip([(false, 0.003), (false, 0.03), (true, 0.01)]) {
+        let seeded = [number, seed.wrapping_add(place)];
+        let fits = draws(pendulum(), ResponseModel::Pendulum, part, with_phases, seeded);
+        let distance: f64 = fits.map(|fit| stated_distance_squared(&fit, &PENDULUM)).sum();
+        one.check(distance, &format!("{with_phases} {part}"));
+        all += distance;
     }
+    three.check(all, "together");
 }
 
-/// Likewise with four: 64 ± 11.3. The top of this resonance was not reached, so that phases tell the damping.
+/// Likewise with four, of 5 draws and of 16, and two tails of 5e-7. The top of this resonance was not reached, so that phases tell the damping.
 #[test]
-fn stated_uncertainties_cover_a_cubic_coefficient() {
-    let fits = draws(duffing(), ResponseModel::Duffing, 0.01, true);
-    let distance: f64 = fits
-        .map(|fit| {
-            let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
-            distance_squared(&fit, &DUFFING) * enlargement * enlargement
-        })
-        .sum();
-    assert!((30.0..98.0).contains(&distance), "{distance}");
+fn stated_uncertainties_cover_a_cubic_coefficient_in_a_sweep() {
+    let limits = Limits { usual: 2.36..67.3, full: 22.9..135.4, own: 30.0..98.0 };
+    let seeded = [sweep::number(5, 16), sweep::seed(0x5eed)];
+    let fits = draws(duffing(), ResponseModel::Duffing, 0.01, true, seeded);
+    limits.check(fits.map(|fit| stated_distance_squared(&fit, &DUFFING)).sum(), "four parameters");
 }
 
 /// A linear oscillator with ω0 = 5, c = 0.5 and A = 0.2, of which amplitudes and phases are read with errors of their own.
-fn unstated_draws(of_amplitude: f64, of_phase: impl Fn(f64) -> f64) -> Vec<ResponseFit> {
+fn unstated_draws(
+    of_amplitude: f64,
+    of_phase: impl Fn(f64) -> f64,
+    [number, seed]: [u64; 2],
+) -> Vec<ResponseFit> {
     let frequencies: Vec<f64> = (0..25).map(|row| 3.0 + f64::from(row) / 6.0).collect();
-    let mut random = Random::seeded(0x5eed);
+    let mut random = Random::seeded(seed);
     let draw = |_| {
         let (mut amplitudes, mut phases) = (vec![], vec![]);
         for w in &frequencies {
@@ -173,28 +183,47 @@ fn unstated_draws(of_amplitude: f64, of_phase: impl Fn(f64) -> f64) -> Vec<Respo
         };
         fit(&columns, ResponseModel::Linear, MeasuredAmplitude::Peak)
     };
-    (0..60).map(draw).collect()
+    (0..number).map(draw).collect()
 }
 
-/// Sums of 60 draws of Student's variables with 47 degrees of freedom, squared: three of them 188 ± 20, and that of ω0 63 ± 12. With one
-/// scatter for both kinds u(ω0) was half as large as it should be where phases are read to a degree.
+/// Squares of Student's variables, three of them and that of ω0, summed over 10 draws in the default run and over 60 in the full one. How many
+/// degrees of freedom a scatter has depends on which rows tell the most: between the 22 of 25 rows of one kind with all three parameters,
+/// which the upper limits suppose, and so many that they are normal, which the lower ones suppose. A false alarm has the probability 1e-6,
+/// as each of 22 tails has 4.5e-8: quantiles of sums of 3·F(3, 22) and F(1, 22) (`scipy.stats.f`, convolved by Fourier transforms), of
+/// `chi2(3*n)` and `chi2(n)`; for the mean square of the scatters of `chi2(22*n)`. With one scatter for both kinds u(ω0) was half as large
+/// as it should be where phases are read to a degree.
 #[test]
-fn amplitudes_and_phases_scatter_each_by_their_own() {
+fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     const TRUTH: [f64; 3] = [5.0, 0.5, 0.2];
+    let of_three = Limits { usual: 4.83..154.5, full: 96.2..372.1, own: 120.0..256.0 };
+    let of_omega = Limits { usual: 0.179..98.4, full: 18.4..182.4, own: 33.0..95.0 };
+    let of_scatter = Limits { usual: 0.570..1.596, full: 0.805..1.223, own: 0.81..1.21 };
+    let together = Limits { usual: 35.5..245.8, full: 382.2..851.1, own: 382.2..851.1 };
+    let (number, seed) = (sweep::number(10, 60), sweep::seed(0x5eed));
+    let draws = |place: u64, of_phase: &dyn Fn(f64) -> f64| {
+        unstated_draws(5e-4, of_phase, [number, seed.wrapping_add(place)])
+    };
     let degree = 1.0_f64.to_radians();
-    for of_phase in [0.1, 1.0, 5.0] {
-        let fits = unstated_draws(5e-4, |_| of_phase * degree);
+    let mut sum = 0.0;
+    for (place, of_phase) in (0..).zip([0.1, 1.0, 5.0]) {
+        let fits = draws(place, &|_| of_phase * degree);
         let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
+        of_three.check(all, &format!("all of {of_phase} deg"));
         let deviations = fits.iter().map(|fit| fit.natural_frequency.deviation_from(5.0));
-        let omega: f64 = deviations.map(|z| z * z).sum();
-        assert!((120.0..256.0).contains(&all) && (33.0..95.0).contains(&omega), "{of_phase}: {all} {omega}");
-        let scatter = fits.iter().filter_map(|fit| fit.amplitude_scatter).sum::<f64>() / 60.0;
-        assert!((scatter / 5e-4 - 1.0).abs() < 0.1, "{scatter}");
+        of_omega.check(deviations.map(|z| z * z).sum(), &format!("that of {of_phase} deg"));
+        let scatters = fits.iter().filter_map(|fit| fit.amplitude_scatter);
+        let squares: f64 = scatters.map(|scatter| (scatter / 5e-4) * (scatter / 5e-4)).sum();
+        of_scatter.check(
+            squares / f64::from(u32::try_from(number).unwrap()),
+            &format!("scatter of {of_phase} deg"),
+        );
+        sum += all;
     }
+    together.check(sum, "together");
     // Those of sines are not as well known as they could be, and are not said to be better known.
-    let fits = unstated_draws(5e-4, |amplitude| 5e-4 / amplitude);
+    let fits = draws(3, &|amplitude| 5e-4 / amplitude);
     let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
-    assert!((60.0..256.0).contains(&all), "{all}");
+    Limits { usual: 2.4..154.5, full: 48.1..372.1, own: 60.0..256.0 }.check(all, "sines");
 }
 
 /// Duffing's oscillator has a parameter more than the pendulum, and the pendulum is no simpler than a linear one.
@@ -215,12 +244,14 @@ fn rows_prefer_the_oscillator_that_they_are_of() {
     }
 }
 
-/// Of 34 rows less three parameters: 16·31 = 496 with a standard deviation of √(2·496) = 31.5.
+/// Of 34 rows less three parameters: χ² with 31n degrees of freedom, of 3 draws in the default run and of 16 in the full one. A false alarm has
+/// the probability 1e-6: `scipy.stats.chi2.ppf(5e-7, 31*n)` and `isf`.
 #[test]
-fn residuals_are_as_large_as_stated() {
-    let fits = draws(pendulum(), ResponseModel::Pendulum, 0.01, false);
-    let chi2: f64 = fits.filter_map(|fit| fit.chi2).sum();
-    assert!((400.0..592.0).contains(&chi2), "{chi2}");
+fn residuals_are_as_large_as_stated_in_a_sweep() {
+    let limits = Limits { usual: 40.7..175.6, full: 356.9..665.7, own: 400.0..592.0 };
+    let seeded = [sweep::number(3, 16), sweep::seed(0x5eed)];
+    let fits = draws(pendulum(), ResponseModel::Pendulum, 0.01, false, seeded);
+    limits.check(fits.filter_map(|fit| fit.chi2).sum(), "residuals");
 }
 
 /// a = A/|ω0² − Ω² + icΩ| and the lag arg(ω0² − Ω² + icΩ), here of a quality of a thousand; phases that lead, turns more, rows in any order.
