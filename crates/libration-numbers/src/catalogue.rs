@@ -1,17 +1,4 @@
 //! What can be asked for by name: entries with keys, their parameters, and the error where no entry has a key.
-//!
-//! ```
-//! # extern crate libration_numbers as libration;
-//! use libration::oscillator::NamedOscillator;
-//! use libration::period_formulas::PeriodFormula;
-//! use libration::systems::NamedSystem;
-//! assert_eq!(NamedOscillator::by_key("duffing")?.key, "duffing");
-//! assert_eq!(NamedSystem::by_key("dufing").unwrap_err().kind, "system");
-//! let unknown = PeriodFormula::by_key("molino").unwrap_err();
-//! assert_eq!(unknown.near[0], "molina");
-//! assert!(unknown.known.iter().any(|key| key == "bernoulli"));
-//! # Ok::<(), libration::catalogue::UnknownKey>(())
-//! ```
 
 use crate::quantity::{excerpt, nearest};
 

@@ -3,25 +3,6 @@
 //! Every call that may take long has a variant that ends in `_watched` and takes a [`Watch`], which it asks again and again,
 //! at least once in each step of an integration, order of an expansion or piece of a catalogue. Once it has been answered
 //! with `Break` it asks no more, and gives what is done or an error that says [`Interrupted`].
-//!
-//! ```
-//! # extern crate libration_numbers as libration;
-//! use libration::chaos::{Points, Section, section_watched};
-//! use libration::taylor::{Effort, Moment};
-//! use libration::watch::Watch;
-//! use std::ops::ControlFlow;
-//! let duffing = "x'' + x'/4 - x + x^3 = 0.3*cos(t)".parse()?;
-//! let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
-//! let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
-//! let points = Points { skipped: 0, recorded: 1000 };
-//! let ask = |progress: libration::watch::Progress| match progress.done {
-//!     10.. => ControlFlow::Break(()),
-//!     _ => ControlFlow::Continue(()),
-//! };
-//! let found = section_watched(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &Watch::new(&ask))?;
-//! assert_eq!(found.points.len(), 10);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
 
 use std::cell::Cell;
 use std::fmt;

@@ -66,6 +66,40 @@
 //! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
 //! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
 //!
+//! Oscillators, systems and formulas have keys; an unknown one is an error that names the nearest:
+//!
+//! ```
+//! use libration::oscillator::NamedOscillator;
+//! use libration::period_formulas::PeriodFormula;
+//! use libration::systems::NamedSystem;
+//! assert_eq!(NamedOscillator::by_key("duffing")?.key, "duffing");
+//! assert_eq!(NamedSystem::by_key("dufing").unwrap_err().kind, "system");
+//! let unknown = PeriodFormula::by_key("molino").unwrap_err();
+//! assert_eq!(unknown.near[0], "molina");
+//! assert!(unknown.known.iter().any(|key| key == "bernoulli"));
+//! # Ok::<(), libration::catalogue::UnknownKey>(())
+//! ```
+//!
+//! Calls that may take long have a variant that ends in `_watched`, which a [`Watch`](watch::Watch) can stop, with what is done:
+//!
+//! ```
+//! use libration::chaos::{Points, Section, section_watched};
+//! use libration::taylor::{Effort, Moment};
+//! use libration::watch::Watch;
+//! use std::ops::ControlFlow;
+//! let duffing = "x'' + x'/4 - x + x^3 = 0.3*cos(t)".parse()?;
+//! let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
+//! let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
+//! let points = Points { skipped: 0, recorded: 1000 };
+//! let ask = |progress: libration::watch::Progress| match progress.done {
+//!     10.. => ControlFlow::Break(()),
+//!     _ => ControlFlow::Continue(()),
+//! };
+//! let found = section_watched(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &Watch::new(&ask))?;
+//! assert_eq!(found.points.len(), 10);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! The library reads no files, prints nothing and knows no clock. Functions of numbers return NaN outside
 //! their documented domain; constructors check their arguments once and return an error that says what was
 //! got and what would do. Results are the same bits on every platform, and each batch equals its own scalar

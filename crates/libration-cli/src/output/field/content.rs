@@ -18,6 +18,9 @@ pub(super) enum Content<A> {
     Text(Of<A, String>),
 }
 
+/// The values of an answer by their places, those of fields and the texts that people see.
+pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
+
 /// The value of a field in one answer.
 pub(super) enum Datum {
     /// Not finite: null with a note.

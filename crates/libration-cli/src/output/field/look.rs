@@ -1,6 +1,6 @@
 //! How people see a field: in a column of a table, or on a line of a sheet.
 
-use super::plan::Values;
+use super::content::Values;
 use crate::output::number;
 
 /// Below a title, or behind it.

@@ -1,14 +1,11 @@
 //! What is known of fields without an answer, and what is made of an answer's values: the same work for every answer.
 
-use super::content::Datum;
+use super::content::{Datum, Values};
 use super::look::{Look, Shown};
 use crate::output::description::Description;
 use crate::output::json::Record;
 use crate::output::table::Column;
 use crate::output::{csv, number};
-
-/// The values of an answer by their places, those of fields and the texts that people see.
-pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
 
 /// Stands in names and titles for the key of what there are several of.
 const KEY: &str = "KEY";
