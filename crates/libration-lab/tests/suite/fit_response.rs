@@ -221,6 +221,7 @@ fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     }
     together.check(sum, "together");
     // Those of sines are not as well known as they could be, and are not said to be better known.
+    // The lower limits are half those above: the variances are supposed to be stated at most twice too large.
     let fits = draws(3, &|amplitude| 5e-4 / amplitude);
     let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
     Limits { usual: 2.4..154.5, full: 48.1..372.1, own: 60.0..256.0 }.check(all, "sines");
