@@ -2,11 +2,8 @@
 
 use crate::command::{directory, libration, message, text};
 use crate::drawing::Drawing;
+use libration_testing::sweep;
 use std::fs;
-
-#[path = "../../../libration-testing/src/sweep.rs"]
-#[allow(dead_code, unreachable_pub, reason = "the crate for tests, of which nothing else is wanted here")]
-mod extent;
 
 const PICTURES: [&str; 12] = [
     "errors",
@@ -39,7 +36,7 @@ fn smallest(picture: &str, side: &str, file: &str) -> u32 {
 #[test]
 fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused_in_a_sweep() {
     let most_names = |(_, picture): &(usize, &&str)| picture.contains("lima_2008");
-    for (number, picture) in extent::part_and(PICTURES.iter().enumerate(), 6, most_names) {
+    for (number, picture) in sweep::part_and(PICTURES.iter().enumerate(), 6, most_names) {
         let file = directory(&format!("smallest-{number}")).join("figure.svg").display().to_string();
         let width = smallest(picture, "--width", &file);
         // Text is broken into more lines where it is narrower.
@@ -72,7 +69,7 @@ fn columns_slides_and_posters_hold_every_picture_in_a_sweep() {
         !is_too_high && !is_too_wide
     };
     // Four cases on are another picture in another size.
-    for (picture, size, width) in extent::part(all.filter(is_held), 4) {
+    for (picture, size, width) in sweep::part(all.filter(is_held), 4) {
         text(&format!("figure {picture} {size} --output {file}"));
         let drawing = Drawing::read(&fs::read_to_string(&file).unwrap());
         assert!((drawing.width - width).abs() < 0.01, "{picture} {size}: {}", drawing.width);
@@ -154,7 +151,7 @@ fn pictures_of_other_commands_hold_what_they_show_in_a_sweep() {
         format!("fit gates {examples}/gate_synthetic.csv --length 0.958m --diameter 25mm"),
         format!("fit trace {examples}/swing_synthetic.csv --model linear"),
     ];
-    for (number, question) in extent::part(questions.iter().enumerate(), 2) {
+    for (number, question) in sweep::part(questions.iter().enumerate(), 2) {
         let file = directory(&format!("other-{number}")).join("figure.svg").display().to_string();
         text(&format!("{question} --figure {file}"));
         is_right(question, &Drawing::read(&fs::read_to_string(&file).unwrap()));

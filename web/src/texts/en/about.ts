@@ -28,7 +28,7 @@ export const about = {
   licences: {
     title: "Licences",
     own: "libration and this page may be used under the MIT licence or the Apache Licence 2.0, as you like.",
-    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, serde, nalgebra, calamine, csv, zip and encoding_rs among them, and letters of STIX Two Math.",
+    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, nalgebra, csv, rawzip, quick-xml and serde_json among them, and letters of STIX Two Math.",
     list: "All of them, and the texts of their licences",
   },
   cite: {
