@@ -1,6 +1,7 @@
 //! A branch of periodic motions, followed from a place on it.
 
 use super::corrector::{Corrected, Corrector, norm};
+use super::established::{Milestone, is_established};
 use super::node::{Node, Tests, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
 use super::space::Space;
@@ -19,8 +20,10 @@ pub struct Branch {
     pub special: Vec<SpecialPoint>,
     /// Why it does not go on before the first point.
     pub beginning: Ending,
-    /// And behind the last.
+    /// Why it does not go on after the last point.
     pub ending: Ending,
+    /// Ranges of the parameter in which the absence of further special points is not established by the shortest steps.
+    pub unresolved: Vec<[f64; 2]>,
 }
 
 /// Where a branch comes from.
@@ -52,6 +55,8 @@ pub enum Ending {
     /// The period of the drive grows beyond a hundred times its least, or without a drive that of the motion beyond a hundred times its first:
     /// the branch goes on to the frequency zero.
     SlowDrive,
+    /// The motion has grown to a billion times the size of the first one.
+    Unbounded,
     /// Its motions can be followed no farther: no step is short enough.
     Lost,
     /// The watch said so.
@@ -71,8 +76,12 @@ pub(super) struct Limits {
 const STEPS: [f64; 2] = [0.12, 1e-7];
 /// The first.
 const FIRST: f64 = 0.02;
-/// A step that is short enough to tell a fold from a place where branches meet, and two folds from none.
+/// A step that is short enough to tell a fold from a place where branches meet.
 const SHORT: f64 = 0.01;
+/// The shortest step to which steps are halved to establish that no special points are passed unseen.
+const RESOLVED: f64 = 2e-4;
+/// A motion so many times as large as the first one, and as a unit, ends a branch.
+const UNBOUNDED: f64 = 1e9;
 /// A step whose guess is farther off than this part of it may have come to another branch.
 const FAR: f64 = 0.2;
 /// A product of all multipliers less one that is no more than this is that of a crossing at the end of the range.
@@ -87,9 +96,13 @@ pub(super) struct Walk<'a> {
     /// The largest swing so far.
     largest: f64,
     nodes: Vec<Node>,
+    milestones: Vec<Milestone>,
+    unresolved: Vec<[f64; 2]>,
     special: Vec<(SpecialPoint, Node)>,
     /// The length of the last step.
     last: f64,
+    /// The size of the first motion, at least one.
+    scale: f64,
     /// Where it meets the branch it is a side of.
     meeting: Option<f64>,
     /// The Hopf point in which it ends.
@@ -123,6 +136,7 @@ impl Walked {
         let then = onward.specials.iter().cloned().map(|(special, node)| (later(special), node));
         self.specials = first.chain(then).collect();
         self.branch.points.reverse();
+        self.branch.unresolved.extend_from_slice(&onward.branch.unresolved);
         self.branch.points.extend_from_slice(&onward.branch.points[1..]);
         (self.branch.beginning, self.branch.ending) = (self.branch.ending, onward.branch.ending);
         self.meeting = self.meeting.or(onward.meeting);
@@ -137,7 +151,10 @@ impl<'a> Walk<'a> {
             corrector,
             limits,
             largest,
+            scale: size(&start.point).max(1.0),
+            milestones: vec![Milestone { at: 0.0, tests: start.tests }],
             nodes: vec![start],
+            unresolved: vec![],
             special: vec![],
             last: 0.0,
             meeting: None,
@@ -155,7 +172,8 @@ impl<'a> Walk<'a> {
             Origin::Primary | Origin::FreeOscillation => Ending::RangeEnd,
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
-        let branch = Branch { origin, space: self.corrector.space, points, special, beginning, ending };
+        let Self { corrector: Corrector { space, .. }, unresolved, .. } = self;
+        let branch = Branch { origin, space, points, special, beginning, ending, unresolved };
         Walked { branch, specials: self.special, meeting: self.meeting }
     }
 
@@ -181,15 +199,17 @@ impl<'a> Walk<'a> {
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
         let next = self.next(&units, *length).filter(|(next, ..)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
-            *length <= SHORT
-                || !(stretch.may_meet_other_branch()
-                    || stretch.may_hide_folds()
-                    || stretch.may_cross_other_branch())
+            (*length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_cross_other_branch()))
+                && (*length <= RESOLVED || self.is_established(next, *length))
         });
         let Some((next, turn, off)) = next else {
             *length *= 0.5;
             return (*length < STEPS[1]).then_some(Ending::Lost);
         };
+        if !self.is_established(&next, *length) {
+            let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
+            self.unresolved.push([from.min(to), from.max(to)]);
+        }
         self.last = *length;
         let longer = (TURNS[1] / turn.max(1e-3)).min(libm::cbrt(0.2 * FAR / off.max(1e-6))).clamp(0.5, 1.6);
         *length = (*length * longer).min(STEPS[0]);
@@ -197,6 +217,9 @@ impl<'a> Walk<'a> {
         let [low, high] = self.limits.range;
         if next.point.period > self.limits.longest_period {
             return Some(Ending::SlowDrive);
+        }
+        if size(&next.point) > UNBOUNDED * self.scale {
+            return Some(Ending::Unbounded);
         }
         if !(low..=high).contains(&parameter) {
             let boundary = if parameter < low { low } else { high };
@@ -317,7 +340,22 @@ impl<'a> Walk<'a> {
         let before = self.nodes.len();
         self.special.extend(found.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
         self.largest = self.largest.max(largest_swing(&next.point));
+        self.milestones.push(self.milestone(&next, self.last));
         self.nodes.push(next);
         None
     }
+
+    fn milestone(&self, next: &Node, length: f64) -> Milestone {
+        let at = self.milestones.last().map_or(0.0, |last| last.at + length);
+        Milestone { at, tests: next.tests }
+    }
+
+    fn is_established(&self, next: &Node, length: f64) -> bool {
+        is_established(&self.milestones, &self.milestone(next, length))
+    }
+}
+
+/// The largest distance of a coordinate from zero.
+fn size(point: &BranchPoint) -> f64 {
+    point.ranges.iter().flatten().map(|x| x.abs()).fold(0.0, f64::max)
 }

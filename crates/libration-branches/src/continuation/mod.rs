@@ -39,6 +39,7 @@ mod hopf;
 
 mod backbone;
 mod branch;
+mod established;
 
 mod jumps;
 

@@ -140,19 +140,6 @@ impl Stretch<'_> {
         Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
     }
 
-    /// Whether the parameter seems to turn back and forth again on the way, as the directions at both ends tell: two folds near a cusp.
-    pub(super) fn may_hide_folds(&self) -> bool {
-        const NEARLY: f64 = 0.3;
-        let [a, b] = self.ends;
-        let distance = norm(&difference(b.place(), a.place(), self.units));
-        let slopes = [a, b].map(|node| distance * node.tests.fold);
-        let width = self.units.last().copied().unwrap_or(1.0);
-        let way = (b.point.parameter - a.point.parameter) / width;
-        let middle = 1.5 * way - 0.25 * (slopes[0] + slopes[1]);
-        let same_way = (slopes[0] > 0.0) == (slopes[1] > 0.0);
-        same_way && middle * slopes[0].signum() < NEARLY * slopes[0].abs().min(slopes[1].abs())
-    }
-
     /// The size of a state in units.
     fn size(&self, place: &[f64]) -> f64 {
         let state = self.corrector.family.state(place).iter().zip(self.units);
@@ -246,10 +233,15 @@ impl Stretch<'_> {
         let [a, b] = bracket.next()?;
         let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
         let place = between(&a, &b, self.units, from / (from - to));
-        let corrected = Corrected { image: self.corrector.image(&place)?, place, first: 0.0 };
-        let node = Node::new(self.corrector, corrected, &a.direction, self.units)?;
+        let node_by = |corrector: &Corrector<'_>| {
+            let corrected = Corrected { image: corrector.image(&place)?, place: place.clone(), first: 0.0 };
+            Node::new(corrector, corrected, &a.direction, self.units)
+        };
+        let node = node_by(self.corrector)?;
+        let again = node_by(&Corrector { tolerance: TOLERANCES[1], ..self.corrector.clone() })?;
         let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
-        let error = 4.0 * off(&a).max(off(&b)) + 4.0 * f64::EPSILON * node.point.parameter.abs();
+        let missed = off(&a).max(off(&b)) + f64::EPSILON * node.point.parameter.abs();
+        let error = 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
         let special =
             SpecialPoint { kind: SpecialKind::BranchPoint, point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))
@@ -266,7 +258,8 @@ impl Stretch<'_> {
         let again = self.zero(&other, test, near).or_else(|| self.zero(&other, test, [0.0, 1.0]));
         let again = self.node_at(&other, again?)?;
         let parameter = node.point.parameter;
-        let error = 4.0 * (parameter - again.point.parameter).abs() + 4.0 * f64::EPSILON * parameter.abs();
+        let missed = (parameter - again.point.parameter).abs() + f64::EPSILON * parameter.abs();
+        let error = 4.0 * (missed + left_of(test, [&node, &again], self.ends));
         let special =
             SpecialPoint { kind: self.kind(test, &node), point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))
@@ -315,4 +308,18 @@ impl Stretch<'_> {
             Test::Torus => SpecialKind::NeutralSaddle,
         }
     }
+}
+
+/// What two integrations and the rounding of a product of multipliers leave of a test function, as a distance of the parameter: by its slope between
+/// two nodes. A fold is the extremum of the parameter and moves by less.
+fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
+    if test == Test::Fold {
+        return 0.0;
+    }
+    let product = |it: &Node| it.point.multipliers.iter().fold(f64::EPSILON, |size, it| size * (1.0 + it.abs()));
+    let largest = |it: &Node| it.point.multipliers.first().map_or(1.0, |it| it.abs().max(1.0));
+    let scale = if test == Test::Torus { largest(at[0]) * largest(at[0]) } else { 1.0 };
+    let left: f64 = at.iter().map(|it| test.of(&it.tests).abs()).sum::<f64>() + product(at[0]) / scale;
+    let slope = (test.of(&b.tests) - test.of(&a.tests)) / (b.point.parameter - a.point.parameter);
+    if slope.is_normal() { left / slope.abs() } else { 0.0 }
 }

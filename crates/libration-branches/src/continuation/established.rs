@@ -1,0 +1,88 @@
+//! Whether a step along a branch may have passed special points that its ends do not show.
+//!
+//! # Method
+//! The test functions are symmetric polynomials of the multipliers and the slope of the parameter, and so smooth along a branch. On a step each of
+//! them is interpolated by the parabola through the last two nodes and the new one. How far the parabola through the three nodes before the step
+//! was off at its end estimates the third derivative, and with it the error of the interpolation inside the step. A step is accepted where each
+//! interpolated test function stays farther from zero than [`SAFETY`] times that error, or crosses zero once with a slope that the error
+//! cannot turn round; otherwise it is halved.
+//!
+//! This is an estimate, not a proof: it sees windows of any width in which a test function varies on the scale of the steps, and none in which it
+//! varies only within a step.
+
+use super::node::Tests;
+use super::special::Test;
+
+/// A multiple of the estimated error of interpolation that a test function must stay away from zero.
+const SAFETY: f64 = 4.0;
+
+/// The test functions at a node, and the node's distance along the branch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Milestone {
+    pub(super) at: f64,
+    pub(super) tests: Tests,
+}
+
+/// Whether no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
+/// last one.
+pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
+    let Some(&[a, b]) = before.last_chunk::<2>() else { return true };
+    let earlier = before.len().checked_sub(3).map(|place| before[place]);
+    let is_clear = |test: Test| {
+        let value = |it: &Milestone| (it.at, test.of(&it.tests));
+        let three = [value(&a), value(&b), value(next)];
+        // Where a test function is rounding throughout, as in conservative systems, it tells nothing.
+        if three[1..].iter().any(|(_, value)| value.abs() <= test.sure()) {
+            return true;
+        }
+        let off = match &earlier {
+            Some(earlier) => (three[2].1 - parabola([value(earlier), three[0], three[1]], next.at)).abs(),
+            None => (three[2].1 - line([three[0], three[1]], next.at)).abs(),
+        };
+        let [first, step] = [b.at - a.at, next.at - b.at];
+        let whole = earlier.map_or(first + step, |earlier| next.at - earlier.at);
+        // t(t + first)(step − t) against step(step + first)·whole: its maximum is at most step²/4·(step + first).
+        is_clear_of_zero(three, SAFETY * off * 0.25 * step / whole)
+    };
+    [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear)
+}
+
+/// Whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply that
+/// the error leaves one zero.
+fn is_clear_of_zero(points: [(f64, f64); 3], error: f64) -> bool {
+    let [_, (from, start), (to, end)] = points;
+    let step = to - from;
+    let slope = |at: f64| slope_of_parabola(points, at);
+    if (start > 0.0) != (end > 0.0) {
+        // Within the error of zero the slope must be one that an error of this size over a quarter of the step cannot turn.
+        let part = start / (start - end);
+        return slope(from + part * step).abs() * step > 4.0 * error;
+    }
+    let [before, after] = [slope(from), slope(to)];
+    let mut least = start.abs().min(end.abs());
+    if before * start < 0.0 && after * end > 0.0 {
+        let turn = from + step * before / (before - after);
+        least = parabola(points, turn) * start.signum();
+    }
+    least > error
+}
+
+fn line([(x0, y0), (x1, y1)]: [(f64, f64); 2], x: f64) -> f64 {
+    y1 + (x - x1) * (y1 - y0) / (x1 - x0)
+}
+
+/// The parabola through three points, by Newton's divided differences.
+fn parabola(points: [(f64, f64); 3], x: f64) -> f64 {
+    let [(x0, _), (x1, _), _] = points;
+    line([points[0], points[1]], x) + (x - x0) * (x - x1) * bend(points)
+}
+
+fn slope_of_parabola(points: [(f64, f64); 3], x: f64) -> f64 {
+    let [(x0, y0), (x1, y1), _] = points;
+    (y1 - y0) / (x1 - x0) + ((x - x0) + (x - x1)) * bend(points)
+}
+
+/// Half the second derivative.
+fn bend([(x0, y0), (x1, y1), (x2, y2)]: [(f64, f64); 3]) -> f64 {
+    ((y2 - y1) / (x2 - x1) - (y1 - y0) / (x1 - x0)) / (x2 - x0)
+}

@@ -1,0 +1,274 @@
+//! Branches of random driven oscillators compared with a Runge–Kutta integration that shares nothing with the library: every point closes over its
+//! full period, has the stability that deviations show, and no step between two points passes a change of stability unseen.
+//!
+//! By default ten oscillators of each kind, in the long run two hundred parametrons and a hundred of the others.
+
+use libration::continuation::{Branch, BranchPoint, Ending, Response, ResponseOptions};
+use libration::expression::Equation;
+use libration_testing::random::Random;
+use libration_testing::sweep;
+use std::f64::consts::TAU;
+
+/// Steps of a period of the drive.
+const STEPS: u32 = 600;
+
+/// One oscillator x″ = f(t, x, x′; w) with its period 2π/w times `beat`.
+struct Oscillator {
+    text: String,
+    force: Box<dyn Fn(f64, [f64; 2], f64) -> f64>,
+    range: [f64; 2],
+    /// The drive's frequency over the parameter.
+    beat: f64,
+    /// Where the force has kinks.
+    kinks: Vec<f64>,
+}
+
+impl Oscillator {
+    fn response(&self) -> Response {
+        let equation: Equation = self.text.parse().unwrap();
+        let response = Response::over(&equation, "w", self.range, &ResponseOptions::default());
+        response.unwrap_or_else(|error| panic!("{}: {error}", self.text))
+    }
+
+    /// The state after so many periods of the drive from t = 0, by the classical Runge–Kutta method.
+    fn after(&self, state: [f64; 2], w: f64, periods: u32) -> [f64; 2] {
+        self.followed(state, w, periods * STEPS)
+    }
+
+    fn followed(&self, state: [f64; 2], w: f64, steps: u32) -> [f64; 2] {
+        let step = TAU / (self.beat * w) / f64::from(STEPS);
+        (0..steps).fold(state, |state, number| self.step(state, w, step * f64::from(number), step))
+    }
+
+    /// One step, or two where a kink of the force lies between its ends: over a kink the method and its differences are off to the first order.
+    fn step(&self, state: [f64; 2], w: f64, t: f64, step: f64) -> [f64; 2] {
+        let end = self.smooth_step(state, w, t, step);
+        let crosses = |kink: &&f64| (state[0] - **kink) * (end[0] - **kink) < 0.0;
+        let Some(kink) = self.kinks.iter().find(crosses) else { return end };
+        let is_before = |part: f64| {
+            (self.smooth_step(state, w, t, part * step)[0] - kink) * (state[0] - kink) > 0.0
+        };
+        let (mut before, mut after) = (0.0, 1.0);
+        while after - before > 1e-12 {
+            let middle = 0.5 * (before + after);
+            if is_before(middle) { before = middle } else { after = middle }
+        }
+        let [_, v] = self.smooth_step(state, w, t, after * step);
+        self.smooth_step([*kink, v], w, t + after * step, (1.0 - after) * step)
+    }
+
+    fn smooth_step(&self, state: [f64; 2], w: f64, t: f64, step: f64) -> [f64; 2] {
+        let slope = |t: f64, [x, v]: [f64; 2]| [v, (self.force)(t, [x, v], w)];
+        let moved = |[x, v]: [f64; 2], [dx, dv]: [f64; 2], by: f64| [x + by * dx, v + by * dv];
+        let a = slope(t, state);
+        let b = slope(t + 0.5 * step, moved(state, a, 0.5 * step));
+        let c = slope(t + 0.5 * step, moved(state, b, 0.5 * step));
+        let d = slope(t + step, moved(state, c, step));
+        let mean = |i: usize| (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]) / 6.0;
+        moved(state, [mean(0), mean(1)], step)
+    }
+
+    /// The map of so many periods with its derivatives by differences.
+    fn map(&self, state: [f64; 2], w: f64, periods: u32) -> ([f64; 2], [[f64; 2]; 2]) {
+        let aside = 1e-6 * (1.0 + state[0].abs().max(state[1].abs()));
+        let ends = [[aside, 0.0], [-aside, 0.0], [0.0, aside], [0.0, -aside]]
+            .map(|[dx, dv]| self.after([state[0] + dx, state[1] + dv], w, periods));
+        let slope = |i: usize, j: usize| (ends[2 * j][i] - ends[2 * j + 1][i]) / (2.0 * aside);
+        (self.after(state, w, periods), [[slope(0, 0), slope(0, 1)], [slope(1, 0), slope(1, 1)]])
+    }
+
+    /// The periodic motion near a state, by Newton's method, with the size of its largest multiplier.
+    fn periodic(&self, mut state: [f64; 2], w: f64, periods: u32) -> Option<([f64; 2], f64)> {
+        for _ in 0..8 {
+            let (end, [[a, b], [c, d]]) = self.map(state, w, periods);
+            let (r, s) = (end[0] - state[0], end[1] - state[1]);
+            let determinant = (a - 1.0) * (d - 1.0) - b * c;
+            let change = [-((d - 1.0) * r - b * s) / determinant, -((a - 1.0) * s - c * r) / determinant];
+            state = [state[0] + change[0], state[1] + change[1]];
+            if change[0].abs().max(change[1].abs()) < 1e-9 * (1.0 + state[0].abs()) {
+                return Some((state, largest([[a, b], [c, d]])));
+            }
+        }
+        None
+    }
+}
+
+/// The size of the largest eigenvalue.
+fn largest([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+    let (half, determinant) = (0.5 * (a + d), a * d - b * c);
+    let square = half * half - determinant;
+    if square > 0.0 { half.abs() + square.sqrt() } else { determinant.sqrt() }
+}
+
+/// What the Runge–Kutta method and its differences leave open of a multiplier.
+const OPEN: f64 = 1e-4;
+
+fn check_points(oscillator: &Oscillator, branch: &Branch) {
+    let periods = branch.space.drive_periods();
+    for point in branch.points.iter().step_by(3) {
+        let state = [point.state[0], point.state[1]];
+        let (end, map) = oscillator.map(state, point.parameter, periods);
+        let growth = largest(map);
+        let off = (end[0] - state[0]).abs().max((end[1] - state[1]).abs());
+        let size = 1.0 + state[0].abs().max(state[1].abs());
+        let label = format!("{} at w = {:?}", oscillator.text, point.parameter);
+        assert!(off <= 1e-5 * size * growth.max(1.0), "{label} misses its start by {off:e}");
+        if (growth - 1.0).abs() > OPEN {
+            assert_eq!(point.stable, growth < 1.0, "{label}: the largest multiplier is {growth}");
+        }
+    }
+}
+
+/// Between two points without a special point the stability is theirs.
+fn check_steps(oscillator: &Oscillator, branch: &Branch) {
+    let periods = branch.space.drive_periods();
+    for (number, pair) in branch.points.windows(2).enumerate() {
+        let [a, b] = [&pair[0], &pair[1]];
+        let is_left_out = |range: &[f64; 2]| {
+            let [low, high] = [a.parameter.min(b.parameter), a.parameter.max(b.parameter)];
+            low < range[1] && range[0] < high
+        };
+        let has_special = branch.special.iter().any(|special| special.before == number + 1);
+        // Where a branch leaves another one a multiplier is on the unit circle.
+        let leaves = number == 0 && branch.beginning == Ending::BranchPoint;
+        if leaves || has_special || branch.unresolved.iter().any(is_left_out) {
+            continue;
+        }
+        assert_eq!(a.stable, b.stable, "{} from w = {:?} to {:?}", oscillator.text, a.parameter, b.parameter);
+        for part in [0.25, 0.5, 0.75] {
+            check_between(oscillator, [a, b], part, periods);
+        }
+    }
+}
+
+fn check_between(oscillator: &Oscillator, [a, b]: [&BranchPoint; 2], part: f64, periods: u32) {
+    let mean = |x: f64, y: f64| x + part * (y - x);
+    let guess = [0, 1].map(|i| mean(a.state[i], b.state[i]));
+    let w = mean(a.parameter, b.parameter);
+    let Some((state, growth)) = oscillator.periodic(guess, w, periods) else { return };
+    // A branch of which no step turns by more than a third of a radian is so near its chord.
+    let far = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs().max((p[1] - q[1]).abs());
+    let chord = far([a.state[0], a.state[1]], [b.state[0], b.state[1]]);
+    let is_other_motion = far(state, guess) > 1e-6 + 0.1 * chord;
+    if !is_other_motion && (growth - 1.0).abs() > OPEN {
+        assert_eq!(a.stable, growth < 1.0, "{} at w = {w:?}: {state:?} has the largest multiplier {growth}; expected near {guess:?}, {periods} periods, {:?} {:?}", oscillator.text, a.multipliers, b.multipliers);
+    }
+}
+
+/// A stable motion of one or two periods that motions from several starts settle to lies on a followed branch, and is stable there.
+fn check_settled(oscillator: &Oscillator, response: &Response, w: f64, random: &mut Random) {
+    let start = [random.between(-1.5, 1.5), random.between(-1.5, 1.5)];
+    let state = oscillator.after(start, w, 400);
+    if !(state[0].abs() < 1e3) {
+        return;
+    }
+    let returned = |periods: u32| {
+        let end = oscillator.after(state, w, periods);
+        (end[0] - state[0]).abs().max((end[1] - state[1]).abs()) < 1e-6
+    };
+    let Some(periods) = [1, 2].into_iter().find(|periods| returned(*periods)) else { return };
+    let Some((_, growth)) = oscillator.periodic(state, w, periods) else { return };
+    // Another phase of a motion of twice the period, or the mirror image of one without symmetry, is on the same branch.
+    let mirrored = |state: [f64; 2]| oscillator.followed(state, w, STEPS / 2).map(|x| -x);
+    let other = oscillator.after(state, w, 1);
+    let copies = [state, other, mirrored(state), mirrored(other)];
+    let passes = |branch: &Branch, is_counted: &dyn Fn(&BranchPoint) -> bool| {
+        branch.points.windows(2).any(|pair| {
+            let [a, b] = [&pair[0], &pair[1]];
+            let part = (w - a.parameter) / (b.parameter - a.parameter);
+            let is_near = |copy: &[f64; 2]| {
+                (0..2).all(|i| {
+                    let mean = a.state[i] + part * (b.state[i] - a.state[i]);
+                    (mean - copy[i]).abs() < 0.01 + 0.3 * (a.state[i] - b.state[i]).abs()
+                })
+            };
+            (0.0..=1.0).contains(&part) && (is_counted(a) || is_counted(b)) && copies.iter().any(is_near)
+        })
+    };
+    let is_on = |is_counted: &dyn Fn(&BranchPoint) -> bool| {
+        response.branches.iter().any(|branch| passes(branch, is_counted))
+    };
+    if growth < 1.0 - OPEN && is_on(&|_| true) {
+        let label = &oscillator.text;
+        assert!(is_on(&|point| point.stable), "{label} at w = {w:?} settles to {state:?}, called unstable");
+    }
+}
+
+fn check(oscillator: &Oscillator, random: &mut Random) {
+    let response = oscillator.response();
+    for branch in &response.branches {
+        check_points(oscillator, branch);
+        check_steps(oscillator, branch);
+    }
+    let [low, high] = oscillator.range;
+    let unresolved: f64 = response.branches.iter().flat_map(|it| &it.unresolved).map(|[a, b]| b - a).sum();
+    assert!(unresolved <= 0.01 * (high - low), "{}: {unresolved} of the range is unresolved", oscillator.text);
+    for number in 0..sweep::number(4, 24) {
+        let part = (f64::from(number) + 0.5) / f64::from(sweep::number(4, 24));
+        check_settled(oscillator, &response, low + part * (high - low), random);
+    }
+}
+
+fn parametron(random: &mut Random) -> Oscillator {
+    let damping = random.between(0.002, 0.02);
+    let modulation = random.between(2.2 * 2.0 * damping, 0.12);
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' + (1 - {modulation:?}*cos(2*w*t))*x + x^3 = 0"),
+        force: Box::new(move |t, [x, v], w| {
+            -damping * v - (1.0 - modulation * (2.0 * w * t).cos()) * x - x * x * x
+        }),
+        range: [0.95, 1.05],
+        beat: 2.0,
+        kinks: vec![],
+    }
+}
+
+fn clearance(random: &mut Random) -> Oscillator {
+    let [damping, stiffness, drive] = [(0.08, 0.3), (0.2, 4.0), (0.1, 0.6)].map(|(a, b)| random.between(a, b));
+    let [gap, other] = [random.between(0.05, 0.8), random.between(0.05, 0.8)];
+    let is_two_sided = random.below(2) == 0;
+    let spring = format!("{stiffness:?}*max(x - {gap:?}, 0)");
+    let second = if is_two_sided { format!(" - {stiffness:?}*max(-x - {other:?}, 0)") } else { String::new() };
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' + x + {spring}{second} = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| {
+            let back = if is_two_sided { stiffness * (-x - other).max(0.0) } else { 0.0 };
+            drive * (w * t).cos() - damping * v - x - stiffness * (x - gap).max(0.0) + back
+        }),
+        range: [0.6, 2.0],
+        beat: 1.0,
+        kinks: if is_two_sided { vec![gap, -other] } else { vec![gap] },
+    }
+}
+
+fn smooth(random: &mut Random) -> Oscillator {
+    let [damping, square, cube, drive] =
+        [(0.05, 0.3), (-0.4, 0.4), (0.1, 1.0), (0.05, 0.5)].map(|(a, b)| random.between(a, b));
+    Oscillator {
+        text: format!("x'' + {damping:?}*x' + x + ({square:?})*x^2 + {cube:?}*x^3 = {drive:?}*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| {
+            drive * (w * t).cos() - damping * v - x - square * x * x - cube * x * x * x
+        }),
+        range: [0.6, 2.0],
+        beat: 1.0,
+        kinks: vec![],
+    }
+}
+
+#[test]
+fn parametrons_have_the_tongues_and_motions_of_a_sweep_by_brute_force() {
+    let mut random = Random::seeded(sweep::seed(35_001));
+    (0..sweep::number(10, 200)).for_each(|_| check(&parametron(&mut random), &mut random));
+}
+
+#[test]
+fn clearance_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
+    let mut random = Random::seeded(sweep::seed(35_002));
+    (0..sweep::number(10, 100)).for_each(|_| check(&clearance(&mut random), &mut random));
+}
+
+#[test]
+fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
+    let mut random = Random::seeded(sweep::seed(35_003));
+    (0..sweep::number(10, 100)).for_each(|_| check(&smooth(&mut random), &mut random));
+}
