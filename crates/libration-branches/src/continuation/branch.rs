@@ -5,7 +5,7 @@ use super::established::{Milestone, is_established};
 use super::node::{Node, Tests, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
 use super::space::Space;
-use super::special::{SpecialKind, SpecialPoint, Stretch};
+use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +37,8 @@ pub enum Origin {
     SymmetryBreaking,
     /// A doubling of the period.
     PeriodDoubling,
+    /// The end of another branch, which meets this one.
+    Meeting,
 }
 
 /// Why a branch goes on no farther.
@@ -104,7 +106,7 @@ pub(super) struct Walk<'a> {
     /// The size of the first motion, at least one.
     scale: f64,
     /// Where it meets the branch it is a side of.
-    meeting: Option<f64>,
+    meeting: Option<Meeting>,
     /// The Hopf point in which it ends.
     hopf: Option<SpecialPoint>,
 }
@@ -114,8 +116,8 @@ pub(super) struct Walk<'a> {
 pub(super) struct Walked {
     pub(super) branch: Branch,
     pub(super) specials: Vec<(SpecialPoint, Node)>,
-    /// The value of the parameter where it meets the branch it is a side of.
-    pub(super) meeting: Option<f64>,
+    /// Where it meets the branches it is a side of, at either end.
+    pub(super) meetings: Vec<Meeting>,
 }
 
 impl Walked {
@@ -139,7 +141,7 @@ impl Walked {
         self.branch.unresolved.extend_from_slice(&onward.branch.unresolved);
         self.branch.points.extend_from_slice(&onward.branch.points[1..]);
         (self.branch.beginning, self.branch.ending) = (self.branch.ending, onward.branch.ending);
-        self.meeting = self.meeting.or(onward.meeting);
+        self.meetings.extend_from_slice(&onward.meetings);
         self
     }
 }
@@ -169,12 +171,12 @@ impl<'a> Walk<'a> {
         let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
         let beginning = match origin {
             _ if ending == Ending::Closed => Ending::Closed,
-            Origin::Primary | Origin::FreeOscillation => Ending::RangeEnd,
+            Origin::Primary | Origin::FreeOscillation | Origin::Meeting => Ending::RangeEnd,
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
         let Self { corrector: Corrector { space, .. }, unresolved, .. } = self;
         let branch = Branch { origin, space, points, special, beginning, ending, unresolved };
-        Walked { branch, specials: self.special, meeting: self.meeting }
+        Walked { branch, specials: self.special, meetings: self.meeting.into_iter().collect() }
     }
 
     fn followed(&mut self) -> Ending {
@@ -331,8 +333,8 @@ impl<'a> Walk<'a> {
                 self.hopf = Some(SpecialPoint { before: self.nodes.len(), ..hopf });
                 return Some(Ending::Rest);
             }
-            if let Some(parameter) = stretch.meeting() {
-                self.meeting = Some(parameter);
+            if let Some(meeting) = stretch.meeting() {
+                self.meeting = Some(meeting);
                 return Some(Ending::BranchPoint);
             }
         }

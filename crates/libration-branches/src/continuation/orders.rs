@@ -6,6 +6,7 @@ use super::error::NoBranch;
 use super::full_strength::ToFullStrength;
 use super::jumps::landing;
 use super::order::ResonanceOrder;
+use super::point::BranchPoint;
 use super::search::{Search, Start};
 use super::space::{Space, Symmetry};
 use libration_motion::orbit::Orbit;
@@ -118,18 +119,25 @@ impl Search<'_> {
     pub(super) fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
         /// Of the size of the state.
         const SAME: f64 = 1e-6;
+        let pairs = branches.iter().flat_map(|branch| {
+            branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
+        });
+        let mut here = pairs.filter(|(_, [a, b])| (a.parameter < value) != (b.parameter < value));
+        let is_at_rest = |point: &BranchPoint| point.ranges.iter().flatten().all(|x| *x == 0.0);
+        if self.family.is_driven() && start.unknowns.iter().all(|x| *x == 0.0) {
+            return here.any(|(_, [a, b])| is_at_rest(a) && is_at_rest(b));
+        }
+        let same = here.filter(|(space, _)| space.drive_periods() == start.space.drive_periods());
+        let mut landings = same.map(|(space, pair)| landing(&self.corrector(space), pair, value, self.width()));
+        if !self.family.is_driven() {
+            let turns = f64::from(start.space.drive_periods());
+            let period = start.unknowns.last().map_or(f64::NAN, |turn| turn * turns);
+            return landings.any(|it| (it.period - period).abs() <= SAME * period);
+        }
         let Some(copies) = self.copies(start, value) else { return false };
         let size = start.unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
         let is_copy = |state: &[f64]| copies.iter().any(|copy| start.space.is_near(copy, state, SAME * size));
-        let stretches = branches.iter().flat_map(|branch| {
-            branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
-        });
-        stretches
-            .filter(|(space, [a, b])| {
-                space.drive_periods() == start.space.drive_periods()
-                    && (a.parameter < value) != (b.parameter < value)
-            })
-            .any(|(space, pair)| is_copy(&landing(&self.corrector(space), pair, value, self.width()).state))
+        landings.any(|landing| is_copy(&landing.state))
     }
 
     /// The states of a motion and of its mirror image whenever the phase of the drive is zero.

@@ -1,6 +1,6 @@
 //! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
-use super::branch::Branch;
+use super::branch::{Branch, Origin, Walked};
 use super::error::NoBranch;
 use super::family::Family;
 use super::jumps::{Jump, jumps};
@@ -9,6 +9,7 @@ use super::orders::OrderAnswers;
 use super::point::BranchPoint;
 use super::search::{Search, Start};
 use super::space::Space;
+use super::special::Meeting;
 use super::switching::Leaving;
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::{Stage, Watch};
@@ -115,18 +116,27 @@ impl Response {
     }
 }
 
+/// What is followed, and what is left to follow.
+#[derive(Default)]
+struct Found {
+    branches: Vec<Branch>,
+    leaving: Vec<(usize, Leaving)>,
+    /// Where a branch has met another one, which then has no second branch to switch to there.
+    met: Vec<(Space, Meeting)>,
+    /// Those whose other branch is not looked for yet.
+    open: Vec<Meeting>,
+}
+
 impl Search<'_> {
     fn response(&self) -> Result<Response, NoBranch> {
-        let mut branches: Vec<Branch> = vec![];
-        let mut left: Vec<(usize, Leaving)> = vec![];
-        let mut met: Vec<(Space, f64)> = vec![];
+        let mut found = Found::default();
         let mut missing = None;
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
         for (value, into) in places {
             let starts = match self.starts(value) {
                 Ok(starts) => starts,
-                Err(NoBranch::Interrupted(interrupted)) if branches.is_empty() => {
+                Err(NoBranch::Interrupted(interrupted)) if found.branches.is_empty() => {
                     return Err(interrupted.into());
                 }
                 Err(error) => {
@@ -135,44 +145,58 @@ impl Search<'_> {
                 }
             };
             for start in starts {
-                if self.is_known(&branches, value, &start) {
+                if self.is_known(&found.branches, value, &start) {
                     continue;
                 }
-                let walked = match self.through(value, &start, into) {
-                    Ok(Some(walked)) => walked,
-                    Ok(None) => continue,
-                    Err(error) => {
-                        missing = Some(error);
-                        continue;
-                    }
-                };
-                left.extend(self.leaving(&walked, 0));
-                met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
-                branches.push(walked.branch);
+                match self.through(value, &start, into) {
+                    Ok(walked) => walked.into_iter().for_each(|walked| self.keep(&mut found, walked, 0)),
+                    Err(error) => missing = Some(error),
+                }
             }
         }
         let mut orders = vec![];
         for order in &self.options.orders {
-            orders.push(self.of_order(*order, &mut branches, |walked| left.extend(self.leaving(walked, 0)))?);
+            orders.push(self.of_order(*order, &mut found.branches, |walked| {
+                found.leaving.extend(self.leaving(walked, 0));
+            })?);
         }
-        if let (true, Some(error)) = (branches.is_empty(), missing) {
+        if let (true, Some(error)) = (found.branches.is_empty(), missing) {
             return Err(error);
         }
-        while let Some((generation, start)) = left.pop() {
-            if self.family.watch.is_stopped() {
-                break;
-            }
-            if met.iter().any(|(space, parameter)| self.is_met(&start, *space, *parameter)) {
-                continue;
-            }
-            let Some(walked) = self.switched(&start) else { continue };
-            left.extend(self.leaving(&walked, generation));
-            met.extend(walked.meeting.map(|parameter| (walked.branch.space, parameter)));
-            branches.push(walked.branch);
-        }
+        while !self.family.watch.is_stopped() && self.follow_next(&mut found) {}
+        let branches = found.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());
         let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
         Ok(Response { branches, orders, jumps, driven, interrupted })
+    }
+
+    /// Takes a branch in, with what leaves it and what it ends in.
+    fn keep(&self, found: &mut Found, walked: Walked, generation: usize) {
+        found.leaving.extend(self.leaving(&walked, generation));
+        found.met.extend(walked.meetings.iter().map(|it| (walked.branch.space, it.clone())));
+        found.open.extend(walked.meetings);
+        found.branches.push(walked.branch);
+    }
+
+    /// Follows a branch that another one ends in, or one that leaves another; `false` where none is left.
+    fn follow_next(&self, found: &mut Found) -> bool {
+        if let Some(Meeting { parameter, unknowns, space }) = found.open.pop() {
+            let start = Start { unknowns, space };
+            if !self.is_followed(&found.branches, parameter, &start)
+                && let Ok(Some(mut walked)) = self.both_ways(parameter, &start)
+            {
+                walked.branch.origin = Origin::Meeting;
+                self.keep(found, walked, 0);
+            }
+            return true;
+        }
+        let Some((generation, start)) = found.leaving.pop() else { return false };
+        if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
+            && let Some(walked) = self.switched(&start)
+        {
+            self.keep(found, walked, generation);
+        }
+        true
     }
 
     /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.

@@ -121,6 +121,14 @@ pub(super) struct Located {
     pub(super) node: Node,
 }
 
+/// Where a branch ends in another one, whose motions belong to a smaller space.
+#[derive(Clone, Debug)]
+pub(super) struct Meeting {
+    pub(super) parameter: f64,
+    pub(super) unknowns: Vec<f64>,
+    pub(super) space: Space,
+}
+
 impl Stretch<'_> {
     /// Whether the branch turns back on the way, in a space with parts that other branches are in.
     pub(super) fn may_meet_other_branch(&self) -> bool {
@@ -173,23 +181,26 @@ impl Stretch<'_> {
         Some(SpecialPoint { kind: SpecialKind::Hopf, error: point.error, point, before: 0 })
     }
 
-    /// The value of the parameter where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is
-    /// a side of, and goes back as its own mirror image or half a period later.
-    pub(super) fn meeting(&self) -> Option<f64> {
+    /// Where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is a side of, and goes back as its own
+    /// mirror image or half a period later.
+    pub(super) fn meeting(&self) -> Option<Meeting> {
         /// Of the size of the motion: on a short stretch the interpolation misses much less.
         const SAME: f64 = 1e-3;
         let place = self.turn();
-        let (parameter, state) = place.split_last()?;
+        let (parameter, unknowns) = place.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
+        let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
+        if space.mirrored {
+            // The state at rest.
+            return (self.size(&place) < REST).then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
+        }
         let misses = |smaller: Space| {
-            let image = family.image(smaller, state, &[*parameter], *tolerance)?;
+            let image = family.image(smaller, unknowns, &[*parameter], *tolerance)?;
             Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
         };
-        if space.mirrored {
-            return (self.size(&place) < REST).then_some(*parameter);
-        }
         let mut smaller = space.within(family.symmetry).into_iter();
-        smaller.any(|it| misses(it).is_some_and(|off| off < SAME)).then_some(*parameter)
+        let smaller = smaller.find(|it| misses(*it).is_some_and(|off| off < SAME))?;
+        Some(meeting(smaller, unknowns.to_vec()))
     }
 
     /// The singular points on the way, in their order.
