@@ -5,6 +5,7 @@ pub mod chaos;
 pub mod decay;
 pub mod orbit;
 pub mod oscillator;
+mod periodic;
 pub mod spectrum;
 pub mod systems;
 pub mod taylor;
@@ -36,6 +37,9 @@ pub mod internals {
     }
     pub mod oscillator {
         pub use crate::oscillator::roots::zeros;
+    }
+    pub mod periodic {
+        pub use crate::periodic::{Extrema, Flow, Variations, extrema, multiplier_errors};
     }
     pub mod spectrum {
         pub use crate::spectrum::{

@@ -57,7 +57,7 @@ pub mod internals {
     pub mod linear {
         pub use crate::linear::{
             characteristic::characteristic_polynomial,
-            eigenvalues::eigenvalues,
+            eigenvalues::{eigenvalue_errors, eigenvalues},
             elimination::{null_space, solve},
             least_squares::least_squares,
         };

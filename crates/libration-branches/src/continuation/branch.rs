@@ -139,6 +139,7 @@ impl Walked {
         self.specials = first.chain(then).collect();
         self.branch.points.reverse();
         self.branch.unresolved.extend_from_slice(&onward.branch.unresolved);
+        self.branch.unresolved = merged(self.branch.unresolved);
         self.branch.points.extend_from_slice(&onward.branch.points[1..]);
         (self.branch.beginning, self.branch.ending) = (self.branch.ending, onward.branch.ending);
         self.meetings.extend_from_slice(&onward.meetings);
@@ -174,7 +175,8 @@ impl<'a> Walk<'a> {
             Origin::Primary | Origin::FreeOscillation | Origin::Meeting => Ending::RangeEnd,
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
-        let Self { corrector: Corrector { space, .. }, unresolved, .. } = self;
+        let Self { corrector: Corrector { space, .. }, .. } = self;
+        let unresolved = merged(self.unresolved);
         let branch = Branch { origin, space, points, special, beginning, ending, unresolved };
         Walked { branch, specials: self.special, meetings: self.meeting.into_iter().collect() }
     }
@@ -355,6 +357,19 @@ impl<'a> Walk<'a> {
     fn is_established(&self, next: &Node, length: f64) -> bool {
         is_established(&self.milestones, &self.milestone(next, length))
     }
+}
+
+/// Ranges in ascending order, those that touch as one.
+fn merged(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut merged: Vec<[f64; 2]> = vec![];
+    for [low, high] in ranges {
+        match merged.last_mut() {
+            Some(last) if low <= last[1] => last[1] = last[1].max(high),
+            _ => merged.push([low, high]),
+        }
+    }
+    merged
 }
 
 /// The largest distance of a coordinate from zero.

@@ -3,10 +3,10 @@
 use super::curve::SpecialCurve;
 use super::family::{Family, TOLERANCES};
 use super::node::Tests;
-use super::point::is_stable;
+use super::point::multipliers;
 use super::space::Space;
 use super::special::Test;
-use libration_numbers::internals::linear::eigenvalues;
+use libration_motion::orbit::Stability;
 use libration_numbers::roots::{Tolerance, zero_between};
 
 /// Whether a state of rest is stable, on a grid over two parameters.
@@ -90,7 +90,9 @@ impl<'a> Grid<'a> {
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
         let tests = Tests::new(&image, 0.0)?;
-        Some((tests, is_stable(&eigenvalues(&image.map)?)))
+        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0)?;
+        let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
+        Some((tests, stability != Stability::Unstable))
     }
 
     /// Where tests vanish along the lines of the grid.

@@ -6,15 +6,10 @@ use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
 use super::symmetry::symmetry;
 use libration_motion::internals::orbit::depends_on_time;
-use libration_motion::taylor::{
-    Effort, IntegrationError, Moment, OwnedStep, StateLayout, System, Trajectory, with_sensitivities,
-};
-use libration_numbers::algebra::Doubles;
+use libration_motion::internals::periodic::{Flow, Variations};
+use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
+use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
-use libration_numbers::{
-    expression::{Equation, Symbol},
-    internals::expression::{Jet, Tape},
-};
 
 /// What sets the period of a motion.
 #[derive(Debug)]
@@ -31,10 +26,7 @@ pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
     beat: Beat,
-    plain: System,
-    /// Followed by the derivatives by each parameter and by each number of the start.
-    with_derivatives: System,
-    rates: Tape,
+    flow: Flow,
     pub(super) watch: &'w Watch<'w>,
 }
 
@@ -116,19 +108,13 @@ impl<'w> Family<'w> {
         beat: Beat,
         watch: &'w Watch<'w>,
     ) -> Result<Self, NoBranch> {
-        let layout = StateLayout::new(equation);
-        let plain = System::with_parameters(equation, parameters)?.for_many_steps();
-        let derivatives = with_sensitivities(equation, parameters, layout.numbers());
-        let with_derivatives = System::with_parameters(&derivatives, parameters)?.for_many_steps();
-        let mut inputs = layout.symbols(equation.variables());
-        inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
-        let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
+        let flow = Flow::new(equation, parameters, MOST_STEPS)?.for_many_steps();
         let law = match &beat {
             Beat::Drive(law) => Some(law),
             Beat::Own(_) => None,
         };
-        let symmetry = symmetry(&layout, &rates, law, ranges);
-        Ok(Self { layout, symmetry, beat, plain, with_derivatives, rates, watch })
+        let symmetry = symmetry(&flow.layout, flow.rates(), law, ranges);
+        Ok(Self { layout: flow.layout.clone(), symmetry, beat, flow, watch })
     }
 
     pub(super) fn is_driven(&self) -> bool {
@@ -175,26 +161,20 @@ impl<'w> Family<'w> {
     ) -> Option<Image> {
         let state = self.state(unknowns);
         let duration = self.duration(space, unknowns, parameters)?;
-        let (numbers, by) = (self.layout.numbers(), parameters.len());
-        let place = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, by + numbers);
-        let mut start = vec![0.0; numbers * (1 + by + numbers)];
-        for (number, value) in state.iter().enumerate() {
-            start[place(number, 0)] = *value;
-            start[place(number, 1 + by + number)] = 1.0;
-        }
-        let end = self.end(&self.with_derivatives, start, parameters, duration, tolerance)?;
-        let own: Vec<f64> = (0..numbers).map(|number| end[place(number, 0)]).collect();
         let sign = space.sign();
-        let rate: Vec<f64> = self.rate(&own, duration, parameters)?.iter().map(|x| sign * x).collect();
-        let row =
-            |number: usize| (0..numbers).map(|start| sign * end[place(number, 1 + by + start)]).collect();
-        let by_parameter =
-            |number: usize| (0..numbers).map(|it| sign * end[place(it, 1 + number)]).collect::<Vec<f64>>();
+        let signed = |vector: Vec<f64>| vector.into_iter().map(|x| sign * x).collect::<Vec<f64>>();
+        let found = self.flow.variations(state, parameters, duration, tolerance, || self.watch.flow()).ok()?;
+        let Variations { end, by_start, by_parameters } = found;
+        let all = end.iter().chain(by_start.iter().flatten()).chain(by_parameters.iter().flatten());
+        if !all.copied().all(f64::is_finite) {
+            return None;
+        }
+        let rate = signed(self.rate(&end, duration, parameters)?);
         let image = Image {
-            defect: space.missed(&own, state),
-            map: (0..numbers).map(row).collect(),
+            defect: space.missed(&end, state),
+            map: by_start.into_iter().map(signed).collect(),
             returned: None,
-            by_parameters: (0..by).map(by_parameter).collect(),
+            by_parameters: by_parameters.into_iter().map(signed).collect(),
         };
         let share = 0.5 * f64::from(space.half_periods);
         match &self.beat {
@@ -224,38 +204,22 @@ impl<'w> Family<'w> {
 
     /// How often the first coordinate turns back in a period from a turn on.
     pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
-        let (steps, _) = self.motion(state, &[value], period, TOLERANCES[1]).ok()?;
+        let (steps, _) = self.motion(state, &[value], [0.0, period], TOLERANCES[1]).ok()?;
         let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
         let begins_to = |own: &&OwnedStep| !rises(own, own.step().start()) && rises(own, own.step().end());
         u32::try_from(steps.iter().filter(begins_to).count().max(1)).ok()
     }
 
-    fn end(
-        &self,
-        system: &System,
-        state: Vec<f64>,
-        parameters: &[f64],
-        duration: f64,
-        tolerance: f64,
-    ) -> Option<Vec<f64>> {
-        let start = Moment { time: 0.0, state };
-        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
-        let solution = trajectory.integrate_watched(system, &effort(tolerance), |_| self.watch.flow());
-        Some(solution.ok()?.end.state).filter(|state| state.iter().all(|it| it.is_finite()))
-    }
-
-    /// The motion alone, step by step, and its end.
+    /// The motion alone between two times, step by step, and its end.
     pub(super) fn motion(
         &self,
         state: &[f64],
         parameters: &[f64],
-        duration: f64,
+        times: [f64; 2],
         tolerance: f64,
     ) -> Result<(Vec<OwnedStep>, Vec<f64>), IntegrationError> {
-        let start = Moment { time: 0.0, state: state.to_vec() };
-        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
         let mut steps = vec![];
-        let solution = trajectory.integrate_watched(&self.plain, &effort(tolerance), |step| {
+        let solution = self.flow.motion(state, parameters, times, tolerance, |step| {
             steps.push(step.to_owned_step());
             self.watch.flow()
         })?;
@@ -263,30 +227,13 @@ impl<'w> Family<'w> {
     }
 
     /// Where a state at a phase of the drive leads from one time to another.
-    pub(super) fn moved_on(&self, state: &[f64], value: f64, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
-        let start = Moment { time: from, state: state.to_vec() };
-        let trajectory = Trajectory { start, parameters: vec![value], times: &[to] };
-        let solution =
-            trajectory.integrate_watched(&self.plain, &effort(TOLERANCES[1]), |_| self.watch.flow());
+    pub(super) fn moved_on(&self, state: &[f64], value: f64, times: [f64; 2]) -> Option<Vec<f64>> {
+        let solution = self.flow.motion(state, &[value], times, TOLERANCES[1], |_| self.watch.flow());
         Some(solution.ok()?.end.state)
     }
 
     /// The derivative of a state by the time.
     pub(super) fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
-        let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
-        let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;
-        let coordinates = 0..self.layout.coordinates();
-        let mut rate = vec![0.0; state.len()];
-        for coordinate in coordinates {
-            if let Some(velocity) = self.layout.velocity(coordinate) {
-                rate[coordinate] = state[velocity];
-            }
-            rate[self.layout.driven(coordinate)] = jet.result(coordinate)[0];
-        }
-        Some(rate)
+        self.flow.rate(state, time, parameters)
     }
-}
-
-fn effort(tolerance: f64) -> Effort {
-    Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) }
 }

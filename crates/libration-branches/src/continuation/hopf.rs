@@ -1,7 +1,7 @@
 //! Hopf points: where a limit cycle shrinks to a state of rest.
 
 use super::field::Field;
-use super::point::{BranchPoint, is_stable};
+use super::point::BranchPoint;
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::internals::linear::{eigenvalues, solve};
 use libration_numbers::roots::{Tolerance, zero_between};
@@ -45,18 +45,23 @@ pub(super) fn hopf(
         Complex { re: libm::cos(it.im * period), im: libm::sin(it.im * period) }
             .scaled(libm::exp(it.re * period))
     };
-    let mut multipliers: Vec<Complex> = eigenvalues.into_iter().map(multiplier).collect();
-    multipliers.sort_by(|a, b| b.abs().total_cmp(&a.abs()));
-    Some(BranchPoint {
+    // An eigenvalue is known to some roundings of the largest.
+    let rounding = 16.0 * f64::EPSILON * eigenvalues.first()?.abs() * period;
+    let with_error = |it: Complex| (multiplier(it), multiplier(it).abs() * rounding);
+    let mut multipliers: Vec<(Complex, f64)> = eigenvalues.into_iter().map(with_error).collect();
+    multipliers.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let point = BranchPoint {
         parameter,
         period,
         rotation: None,
         ranges: state.iter().map(|x| [*x; 2]).collect(),
         state,
-        stable: is_stable(&multipliers),
-        multipliers,
+        stable: false,
+        multipliers: vec![],
+        multiplier_errors: vec![],
         error,
-    })
+    };
+    Some(point.with_multipliers(multipliers))
 }
 
 impl Rest {

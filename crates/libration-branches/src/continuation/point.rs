@@ -2,11 +2,13 @@
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
 use super::family::{Family, Image, TOLERANCES};
+use super::node::largest_swing;
 use super::space::{Rotation, Space};
+use libration_motion::internals::periodic::{extrema, multiplier_errors};
+use libration_motion::orbit::Stability;
 use libration_motion::taylor::{OwnedStep, StateLayout};
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::internals::linear::{eigenvalues, solve};
-use libration_numbers::roots::{Tolerance, bisect};
 use std::f64::consts::TAU;
 
 /// A periodic motion at one value of the parameter.
@@ -25,14 +27,14 @@ pub struct BranchPoint {
     /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
     /// one of them is exactly 1, that of a deviation along the motion.
     pub multipliers: Vec<Complex>,
-    /// Whether all deviations die out, or none grows where energy is conserved.
+    /// The error of each multiplier: an estimate from the error of the flow.
+    pub multiplier_errors: Vec<f64>,
+    /// Whether all deviations die out, or none grows where energy is conserved: `true` unless a multiplier is outside the unit circle by more than
+    /// its error.
     pub stable: bool,
     /// The state may be wrong by so much: what another tolerance of the integration and rounding change, across the branch.
     pub error: f64,
 }
-
-/// Multipliers beyond the unit circle by less than this are on it.
-const ON_THE_CIRCLE: f64 = 1e-9;
 
 impl BranchPoint {
     /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there; of one that goes around,
@@ -41,6 +43,13 @@ impl BranchPoint {
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {
         let rotates = self.rotation.is_some_and(|it| it.coordinate == coordinate);
         amplitude_of(self.ranges[coordinate], is_angle, rotates)
+    }
+
+    /// The motion with multipliers and their errors, and the stability that follows.
+    pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
+        let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
+        let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
+        Self { multipliers, multiplier_errors, stable: stability != Stability::Unstable, ..self }
     }
 
     /// Whether the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
@@ -69,22 +78,42 @@ impl Corrector<'_> {
         point.state.iter().copied().chain(period).collect()
     }
 
-    /// What there is to say about a motion; `None` where it cannot be followed.
+    /// The description of a motion; `None` where it cannot be followed, or does not close over its whole period.
     pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
         let (&parameter, unknowns) = corrected.place.split_last()?;
-        let state = self.family.state(unknowns);
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
-        let duration = self.family.duration(self.space, unknowns, &[parameter])?;
-        let (steps, end) = self.family.motion(state, &[parameter], duration, other).ok()?;
-        let defect = self.space.missed(&end, state);
-        let point = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &steps)?;
+        let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
+        let point = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &motion)?;
         // Where branches cross the state is not determined.
-        let error = error(corrected, &defect, tangent, units).unwrap_or(f64::INFINITY);
-        Some(BranchPoint { error, ..point })
+        let error = error(corrected, &motion.defect, tangent, units).unwrap_or(f64::INFINITY);
+        closes(&corrected.image, &motion, error, units).then_some(BranchPoint { error, ..point })
     }
 }
 
+/// A motion over its whole period, by integration of the equation alone.
+struct Whole {
+    steps: Vec<OwnedStep>,
+    /// What the end of the time of its space misses.
+    defect: Vec<f64>,
+    /// What the end of the whole period misses of the start; that of a mirrored motion comes after twice the time of its space.
+    closing: Vec<f64>,
+}
+
 impl Family<'_> {
+    fn whole(&self, space: Space, unknowns: &[f64], parameters: &[f64], tolerance: f64) -> Option<Whole> {
+        let state = self.state(unknowns);
+        let duration = self.duration(space, unknowns, parameters)?;
+        let (mut steps, end) = self.motion(state, parameters, [0.0, duration], tolerance).ok()?;
+        let defect = space.missed(&end, state);
+        if !space.mirrored {
+            return Some(Whole { steps, closing: defect.clone(), defect });
+        }
+        let (second, end) = self.motion(&end, parameters, [duration, 2.0 * duration], tolerance).ok()?;
+        steps.extend(second);
+        let closing = end.iter().zip(state).map(|(end, start)| end - start).collect();
+        Some(Whole { steps, defect, closing })
+    }
+
     /// A motion at some parameters, of which the first is named in it, with an error that is known.
     pub(super) fn point(
         &self,
@@ -94,9 +123,8 @@ impl Family<'_> {
         image: &Image,
         error: f64,
     ) -> Option<BranchPoint> {
-        let duration = self.duration(space, unknowns, parameters)?;
-        let (steps, _) = self.motion(self.state(unknowns), parameters, duration, TOLERANCES[1]).ok()?;
-        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &steps)? })
+        let motion = self.whole(space, unknowns, parameters, TOLERANCES[1])?;
+        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &motion)? })
     }
 
     fn described(
@@ -105,35 +133,74 @@ impl Family<'_> {
         unknowns: &[f64],
         parameters: &[f64],
         image: &Image,
-        steps: &[OwnedStep],
+        motion: &Whole,
     ) -> Option<BranchPoint> {
         let duration = self.duration(space, unknowns, parameters)?;
-        let mut own = eigenvalues(image.return_map())?;
+        let period = if space.mirrored { 2.0 * duration } else { duration };
+        let point = BranchPoint {
+            parameter: *parameters.first()?,
+            state: self.state(unknowns).to_vec(),
+            period,
+            rotation: space.rotation,
+            ranges: ranges(&self.layout, &motion.steps, space, period),
+            multipliers: vec![],
+            multiplier_errors: vec![],
+            stable: false,
+            error: 0.0,
+        };
+        let units = self.units(&point, largest_swing(&point), 1.0);
+        let mut own = multipliers(image, &units, apart(image, motion, &units))?;
         if !self.is_driven() {
             // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
             own.pop();
-            let before = own.iter().take_while(|it| it.abs() > 1.0).count();
-            own.insert(before, Complex::from(1.0));
+            let before = own.iter().take_while(|(it, _)| it.abs() > 1.0).count();
+            own.insert(before, (Complex::from(1.0), 0.0));
         }
-        // Of a mirrored motion the whole period is twice the time of its map.
-        let multipliers: Vec<Complex> =
-            if space.mirrored { own.into_iter().map(|it| it * it).collect() } else { own };
-        Some(BranchPoint {
-            parameter: *parameters.first()?,
-            state: self.state(unknowns).to_vec(),
-            period: if space.mirrored { 2.0 * duration } else { duration },
-            rotation: space.rotation,
-            ranges: ranges(&self.layout, steps, space, duration),
-            stable: is_stable(&multipliers),
-            multipliers,
-            error: 0.0,
-        })
+        if space.mirrored {
+            // The whole period is twice the time of the map.
+            own.iter_mut().for_each(|it| *it = squared(*it));
+        }
+        Some(point.with_multipliers(own))
     }
 }
 
-/// Whether none is outside of the unit circle.
-pub(super) fn is_stable(multipliers: &[Complex]) -> bool {
-    multipliers.iter().all(|it| it.abs() <= 1.0 + ON_THE_CIRCLE)
+/// How far two integrations to different tolerances end apart, in units.
+fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
+    let ends = image.defect.iter().zip(&motion.defect).zip(units);
+    ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
+}
+
+/// The eigenvalues of a map with their errors, where two integrations to different tolerances end apart by a part of the units.
+pub(super) fn multipliers(image: &Image, units: &[f64], apart: f64) -> Option<Vec<(Complex, f64)>> {
+    /// Variations are integrated together with the motion, to the same tolerance.
+    const APART: f64 = 16.0;
+    let map = image.return_map();
+    let own = eigenvalues(map)?;
+    let errors = multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON));
+    Some(own.into_iter().zip(errors).collect())
+}
+
+/// The square of a multiplier with its error.
+pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
+    (multiplier * multiplier, error * (2.0 * multiplier.abs() + error))
+}
+
+/// Whether a motion comes back to its start after its whole period, within the error of the start as it grows and that of the integrations.
+fn closes(image: &Image, motion: &Whole, error: f64, units: &[f64]) -> bool {
+    /// Of the errors.
+    const CLOSED: f64 = 32.0;
+    /// Growth of rounding errors in a period beyond which the end tells nothing of the start.
+    const LOST: f64 = 1e-6;
+    let map = image.return_map();
+    let numbers = map.len();
+    let entries = (0..numbers).flat_map(|i| (0..numbers).map(move |j| map[i][j] * units[j] / units[i]));
+    let norm = 1.0 + norm(&entries.collect::<Vec<f64>>());
+    if norm * norm * f64::EPSILON > LOST || !error.is_finite() {
+        return true;
+    }
+    let missed = motion.closing.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+    let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
+    missed <= CLOSED * norm * norm * (error / unit + apart(image, motion, units) + f64::EPSILON)
 }
 
 /// How far both defects lead across the branch, and what the rounding of the state does.
@@ -157,37 +224,9 @@ pub(super) fn ranges(
     space: Space,
     duration: f64,
 ) -> Vec<[f64; 2]> {
-    /// A step may be longer than from one turning point to the next: of an oscillator, whose series converge everywhere, it is 3 to 5 radians. None
-    /// of its quarters has two of them.
-    const PARTS: u32 = 4;
     let of_coordinate = |coordinate: usize| {
         let even = TAU * f64::from(space.turns_of(coordinate)) / duration;
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
-        for own in steps {
-            let step = own.step();
-            let place = |time: f64| step.number_at(coordinate, time) - even * time;
-            let rises = |time: f64| match layout.velocity(coordinate) {
-                Some(velocity) => step.number_at(velocity, time) > even,
-                None => step.speeds_at(time)[coordinate] > even,
-            };
-            let length = step.end() - step.start();
-            let mut before = (step.start(), rises(step.start()));
-            widen(place(step.start()));
-            for number in 1..=PARTS {
-                let time = step.start() + length * f64::from(number) / f64::from(PARTS);
-                let after = (time, rises(time));
-                if after.1 != before.1 {
-                    let is_before = |time: f64| rises(time) != after.1;
-                    let [turn, _] = bisect([before.0, time], Tolerance::relative(1e-9), is_before);
-                    widen(place(turn));
-                }
-                before = after;
-            }
-            widen(place(before.0));
-        }
-        let [low, high] = range;
-        if space.mirrored { [low.min(-high), high.max(-low)] } else { range }
+        extrema(steps, coordinate, even, f64::INFINITY)
     };
     (0..layout.coordinates()).map(of_coordinate).collect()
 }

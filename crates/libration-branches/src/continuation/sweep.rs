@@ -190,7 +190,7 @@ impl Sweeping<'_> {
     ) -> Option<SweepPoint> {
         let space = Space { rotation, ..Space::of_periods(drive_periods.unwrap_or(LOOKED_AT)) };
         let duration = self.family.duration(space, &[], &[value])?;
-        let (steps, _) = self.family.motion(&state, &[value], duration, SETTLED).ok()?;
+        let (steps, _) = self.family.motion(&state, &[value], [0.0, duration], SETTLED).ok()?;
         let ranges = ranges(&self.family.layout, &steps, space, duration);
         Some(SweepPoint { parameter: value, state, drive_periods, rotation, ranges })
     }

@@ -2,7 +2,7 @@
 
 use super::branch::{Branch, Origin, Walk, Walked};
 use super::node::{Node, largest_swing};
-use super::point::BranchPoint;
+use super::point::{BranchPoint, squared};
 use super::search::Search;
 use super::space::{Rotation, Space};
 use super::special::{SpecialKind, SpecialPoint};
@@ -73,10 +73,11 @@ impl Search<'_> {
 impl Branch {
     /// Puts the point before it where the branch leaves another one, as a motion of twice the period: its multipliers are the squares.
     fn begin_with(&mut self, point: BranchPoint) {
-        let multipliers = point.multipliers.iter().map(|it| *it * *it).collect();
         let is_doubled = self.origin == Origin::PeriodDoubling;
         let (period, rotation) = (2.0 * point.period, point.rotation.map(Rotation::doubled));
-        let doubled = BranchPoint { multipliers, period, rotation, ..point.clone() };
+        let with_errors = point.multipliers.iter().copied().zip(point.multiplier_errors.iter().copied());
+        let multipliers = with_errors.map(squared).collect();
+        let doubled = BranchPoint { period, rotation, ..point.clone() }.with_multipliers(multipliers);
         self.points.insert(0, if is_doubled { doubled } else { point });
         self.special.iter_mut().for_each(|special| special.before += 1);
     }

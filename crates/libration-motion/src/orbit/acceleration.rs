@@ -4,7 +4,7 @@ use super::path::Path;
 use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::{
-    expression::{Equation, Symbol, WithoutValue},
+    expression::{Equation, Expression, Symbol, WithoutValue},
     internals::expression::{Jet, Operation, Tape},
 };
 
@@ -14,6 +14,8 @@ pub struct Acceleration {
     pub tape: Tape,
     /// Whether it is one of the place only, which conserves an energy.
     pub(super) is_free_of_velocity: bool,
+    /// Whether it is the same for the opposite velocity, so that motions go back as they came.
+    pub(super) is_reversible: bool,
 }
 
 /// States at which the rounding is measured.
@@ -28,7 +30,9 @@ impl Acceleration {
         let velocity = Symbol::plain(name).with_primes(1);
         let formula = &equation.accelerations()[0];
         let tape = Tape::new(&[formula], &[Symbol::plain(name), velocity.clone()])?;
-        Ok(Self { tape, is_free_of_velocity: !formula.contains(&velocity) })
+        let is_free_of_velocity = !formula.contains(&velocity);
+        let is_reversible = is_free_of_velocity || is_even(formula, &velocity);
+        Ok(Self { tape, is_free_of_velocity, is_reversible })
     }
 
     /// Whether no |…| and no sign stands in it, which have no derivative at zero.
@@ -90,4 +94,11 @@ impl Acceleration {
             _ => false,
         })
     }
+}
+
+/// Whether a formula is proved to be the same for the opposite value of a symbol.
+fn is_even(formula: &Expression, symbol: &Symbol) -> bool {
+    let opposite = Expression::Negate(Box::new(Expression::Symbol(symbol.clone())));
+    let mirrored = formula.substitute(symbol, &opposite);
+    Expression::Subtract(Box::new(mirrored), Box::new(formula.clone())).vanishes()
 }

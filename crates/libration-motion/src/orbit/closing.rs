@@ -3,23 +3,16 @@
 use super::error::NoOrbit;
 use super::near::OrbitGuess;
 use super::path::{Path, sign_change, until};
-use crate::taylor::{Effort, IntegrationError, Moment, StateLayout, System, with_tangents};
-use libration_numbers::algebra::Doubles;
+use crate::periodic::Flow;
+use crate::taylor::{IntegrationError, Moment, StateLayout};
+use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
-use libration_numbers::{
-    expression::{Equation, Symbol},
-    internals::expression::{Jet, Tape},
-};
 use std::f64::consts::TAU;
 
-/// A system together with its small deviations.
+/// The flow of a system without parameters, round by round.
 #[derive(Debug)]
 pub(super) struct Rounds<'w> {
-    plain: System,
-    /// One deviation for each number of the state.
-    with_deviations: System,
-    derivatives: Tape,
-    pub(super) layout: StateLayout,
+    flow: Flow,
     watch: &'w Watch<'w>,
 }
 
@@ -39,16 +32,16 @@ pub(super) struct Round {
 const LEAST_SIZE: f64 = 1e-5;
 /// Steps of one round; van der Pol's oscillator with the strength 1000 takes 3e5.
 const MOST_STEPS: usize = 1_000_000;
+/// The tolerance to which variations are integrated, and another one that makes other errors.
+const VARIATIONS: [f64; 2] = [1e-15, 1e-14];
 
 impl<'w> Rounds<'w> {
     pub(super) fn new(equation: &Equation, watch: &'w Watch<'w>) -> Result<Self, NoOrbit> {
-        let plain = System::new(equation)?;
-        let layout = StateLayout::new(equation);
-        let with_deviations = System::new(&with_tangents(equation, layout.numbers()))?;
-        let mut inputs = layout.symbols(equation.variables());
-        inputs.push(Symbol::plain("t"));
-        let derivatives = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { plain, with_deviations, derivatives, layout, watch })
+        Ok(Self { flow: Flow::new(equation, &[], MOST_STEPS)?, watch })
+    }
+
+    pub(super) fn layout(&self) -> &StateLayout {
+        &self.flow.layout
     }
 
     /// The motion alone.
@@ -59,15 +52,16 @@ impl<'w> Rounds<'w> {
         tolerance: f64,
     ) -> Result<Path, IntegrationError> {
         let start = Moment { time: 0.0, state: state.to_vec() };
-        Path::to_time(&self.plain, &start, duration, &effort(tolerance), self.watch)
+        Path::to_time(self.flow.system(), &start, duration, &self.flow.effort(tolerance), self.watch)
     }
 
     /// The motion of one coordinate with a velocity from a maximum to the next, which is expected after about the period of the guess.
     pub(super) fn turn(&self, start: &OrbitGuess, tolerance: f64) -> Result<Option<Path>, IntegrationError> {
         let horizons = [1.5 * start.period, 2.0 * start.period];
         let start = Moment { time: 0.0, state: start.state.clone() };
-        until(&self.plain, &start, horizons, &effort(tolerance), self.watch, |step| {
-            let velocity = self.layout.driven(0);
+        let effort = self.flow.effort(tolerance);
+        until(self.flow.system(), &start, horizons, &effort, self.watch, |step| {
+            let velocity = self.layout().driven(0);
             let rises = step.state_at(step.start())[velocity] > 0.0;
             sign_change(step, velocity).filter(|_| rises)
         })
@@ -86,14 +80,14 @@ impl<'w> Rounds<'w> {
     /// The number of the state that keeps its value while a cycle is closed that begins at a maximum of the first coordinate: the
     /// velocity, and without one what moves fastest there, since the coordinate itself stands still.
     pub(super) fn held_at_maximum(&self, guess: &OrbitGuess) -> Result<usize, NoOrbit> {
-        if let Some(velocity) = self.layout.velocity(0) {
+        if let Some(velocity) = self.layout().velocity(0) {
             return Ok(velocity);
         }
         let round = self.round(&guess.state, guess.period)?;
         let rate = self.rate(&guess.state, 0.0)?;
         let paces: Vec<f64> = rate
             .iter()
-            .zip(round.sizes(&self.layout, guess))
+            .zip(round.sizes(self.layout(), guess))
             .map(|(rate, size)| (rate / size).abs())
             .collect();
         let fastest = (0..paces.len()).max_by(|a, b| paces[*a].total_cmp(&paces[*b]));
@@ -101,34 +95,29 @@ impl<'w> Rounds<'w> {
     }
 
     /// How the state after a time depends on that at the start, by rows.
-    fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, NoOrbit> {
-        let numbers = self.layout.numbers();
-        let place =
-            |deviation: usize, number: usize| self.layout.place_in_copy(number, 1 + deviation, numbers);
-        let mut start = vec![0.0; numbers * (1 + numbers)];
-        for (number, value) in state.iter().enumerate() {
-            start[place(number, number)] = 1.0;
-            start[self.layout.place_in_copy(number, 0, numbers)] = *value;
-        }
-        let start = Moment { time: 0.0, state: start };
-        let end = Path::to_time(&self.with_deviations, &start, duration, &effort(1e-15), self.watch)?
-            .state_at(duration);
-        Ok((0..numbers).map(|row| (0..numbers).map(|column| end[place(column, row)]).collect()).collect())
+    fn monodromy(
+        &self,
+        state: &[f64],
+        duration: f64,
+    ) -> Result<Vec<Vec<f64>>, IntegrationError> {
+        Ok(self.flow.variations(state, &[], duration, VARIATIONS[0], || self.watch.flow())?.by_start)
+    }
+
+    /// The same to another tolerance, and the largest size of each derivative on the way.
+    pub(super) fn largest_variations(
+        &self,
+        state: &[f64],
+        duration: f64,
+    ) -> Result<[Vec<Vec<f64>>; 2], IntegrationError> {
+        let (end, largest) =
+            self.flow.largest_variations(state, duration, VARIATIONS[1], || self.watch.flow())?;
+        Ok([end.by_start, largest])
     }
 
     /// The derivative of the state by the time.
     pub(super) fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, NoOrbit> {
-        let inputs: Vec<f64> = state.iter().copied().chain([time]).collect();
-        let refusal = |_| NoOrbit::Start { state: state.to_vec(), wanted: self.layout.numbers() };
-        let jet = Jet::new(&Doubles, &self.derivatives, &inputs).map_err(refusal)?;
-        let mut rate = vec![0.0; state.len()];
-        for coordinate in 0..self.layout.coordinates() {
-            if let Some(velocity) = self.layout.velocity(coordinate) {
-                rate[coordinate] = state[velocity];
-            }
-            rate[self.layout.driven(coordinate)] = jet.result(coordinate)[0];
-        }
-        Ok(rate)
+        let refusal = || NoOrbit::Start { state: state.to_vec(), wanted: self.layout().numbers() };
+        self.flow.rate(state, time, &[]).ok_or_else(refusal)
     }
 }
 
@@ -164,8 +153,4 @@ impl Round {
         };
         (0..numbers).map(range).collect()
     }
-}
-
-fn effort(tolerance: f64) -> Effort {
-    Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) }
 }

@@ -26,6 +26,9 @@ const MOST_STEPS: usize = 500_000;
 const LONGEST: usize = 8;
 /// Swings below this part of the whole range are rest: a thousand tolerances of the search.
 const VANISHED: f64 = 1e-9;
+/// A motion so slow that it would take this many times the time so far to cross its range comes to rest: past a saddle, where rounding drives it
+/// away at 1e-16 of its size, no motion is so slow.
+const FADED: f64 = 1e-30;
 /// A state has returned when it differs by less than this part of the swing; Newton's method does the rest.
 const RETURNED: f64 = 1e-3;
 
@@ -117,7 +120,7 @@ fn drifted(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Resu
 /// The cycle near a guess that begins at a maximum of the first coordinate.
 fn at_maximum(equation: &Equation, rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Orbit, NoOrbit> {
     let held = rounds.held_at_maximum(guess)?;
-    let free = (0..rounds.layout.numbers()).filter(|number| *number != held).collect();
+    let free = (0..rounds.layout().numbers()).filter(|number| *number != held).collect();
     closed(equation, rounds, guess, &Unknowns { free, period: true })
 }
 
@@ -131,7 +134,7 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
     let effort = Effort::to_tolerance(1e-12);
     let outcome = integrate_watched(system, &start, &[FAR], &effort, |step| {
         guess = maxima.watch(step).filter(|_| !maxima.vanish());
-        if guess.is_some() || maxima.are_enough() || maxima.vanish() {
+        if guess.is_some() || maxima.are_enough() || maxima.vanish() || maxima.fade() {
             ControlFlow::Break(())
         } else {
             watch.flow()
@@ -178,6 +181,8 @@ struct Maxima {
     time: f64,
     /// How fast the first coordinate moves there.
     pace: f64,
+    /// Steps one after the other with next to no motion at their ends.
+    faded: usize,
 }
 
 impl Maxima {
@@ -192,6 +197,7 @@ impl Maxima {
             range: (f64::INFINITY, f64::NEG_INFINITY),
             time: 0.0,
             pace: 0.0,
+            faded: 0,
         }
     }
 
@@ -203,6 +209,8 @@ impl Maxima {
         for time in [step.start(), step.end()] {
             self.widen(&step.state_at(time));
         }
+        let is_faded = self.pace * self.time < FADED * (self.range.1 - self.range.0);
+        self.faded = if is_faded { self.faded + 1 } else { 0 };
         let rises = step.speeds_at(step.start())[0] > 0.0;
         let time = turn_in(step).filter(|_| rises)?;
         let mut state = step.state_at(time);
@@ -235,6 +243,11 @@ impl Maxima {
     /// Whether no more are waited for.
     fn are_enough(&self) -> bool {
         self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
+    }
+
+    /// Whether the motion has faded at the ends of several steps, one of which may be a turning point.
+    fn fade(&self) -> bool {
+        self.faded >= 3
     }
 
     /// Whether the first coordinate would take many times the time so far to move by anything beside all the way that was gone.

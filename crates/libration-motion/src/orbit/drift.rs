@@ -16,7 +16,7 @@ pub(super) const MOST_LEAPS: usize = 60;
 /// The maximum to which the drift of one turn leads from a maximum in a leap; `None` where the first coordinate has no velocity, or does not
 /// turn.
 pub(super) fn leap(rounds: &Rounds<'_>, from: &OrbitGuess) -> Result<Option<OrbitGuess>, NoOrbit> {
-    let Some(velocity) = rounds.layout.velocity(0) else { return Ok(None) };
+    let Some(velocity) = rounds.layout().velocity(0) else { return Ok(None) };
     let Some(path) = rounds.turn(from, 1e-16)? else { return Ok(None) };
     let period = path.end_time();
     let drift = difference(&path.state_at(period), &from.state);

@@ -50,7 +50,7 @@ impl Orbit {
             return Err(NoOrbit::NotDriven);
         }
         let rounds = Rounds::new(equation, watch)?;
-        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
+        let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
         let mut guess = OrbitGuess { state: start.to_vec(), period };
         let mut outcome = closed(equation, &rounds, &guess, &unknowns);
         for _ in 1..TRIES {
@@ -73,7 +73,7 @@ impl Orbit {
         watch: &Watch<'_>,
     ) -> Result<Self, NoOrbit> {
         let rounds = Rounds::new(equation, watch)?;
-        let unknowns = Unknowns { free: (0..rounds.layout.numbers()).collect(), period: false };
+        let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
         let guess = OrbitGuess { state: start.to_vec(), period };
         finished(closed(equation, &rounds, &guess, &unknowns), watch)
     }

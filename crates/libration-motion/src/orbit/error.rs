@@ -120,6 +120,12 @@ pub enum NoOrbit {
         /// The distance between start and end, in sizes of the orbit.
         defect: f64,
     },
+    /// An orbit whose neighbours close as well, within rounding errors.
+    #[error(
+        "closed orbits near the start cannot be told apart in double precision: neighbouring motions close as well, and the start is known to \
+         {0:.0e} of its size only"
+    )]
+    Undetermined(f64),
     /// An orbit that cannot be followed to its end.
     #[error(transparent)]
     Integration(IntegrationError),

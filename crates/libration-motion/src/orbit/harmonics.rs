@@ -31,6 +31,8 @@ pub struct Harmonics {
     pub terms: Vec<Harmonic>,
     /// No harmonic that is left out is larger, as the last quarter of those that the samples tell apart suggests.
     pub remainder: f64,
+    /// The error of each coefficient: twice that of the states, and what the sums round.
+    pub error: f64,
     /// At how many times in a period the orbit was looked at.
     pub samples: usize,
 }
@@ -47,8 +49,7 @@ impl Orbit {
     /// sums gather from higher ones is smaller still.
     ///
     /// # Accuracy
-    /// Each to some 1e-16 of the largest and what [`remainder`](Harmonics::remainder) says, times what the uncertainty of the
-    /// period makes of it.
+    /// As [`error`](Harmonics::error) says, and what [`remainder`](Harmonics::remainder) says of higher ones.
     #[must_use]
     pub fn harmonics(&self, number: usize) -> Harmonics {
         let [mut samples, most] = SAMPLES;
@@ -57,7 +58,9 @@ impl Orbit {
             let largest = all.iter().skip(1).map(Harmonic::amplitude).fold(0.0, f64::max);
             let last = all[3 * all.len() / 4..].iter().map(Harmonic::amplitude).fold(0.0, f64::max);
             if last <= 8.0 * NEGLIGIBLE * largest || samples >= most {
-                return significant(all, last.max(NEGLIGIBLE * largest), samples);
+                let own = self.state_errors().get(number).copied().unwrap_or(f64::NAN);
+                let error = 2.0 * own + NEGLIGIBLE * largest.max(all[0].cosine.abs());
+                return significant(all, last.max(NEGLIGIBLE * largest), error, samples);
             }
             samples *= 2;
         }
@@ -71,10 +74,10 @@ impl Orbit {
 }
 
 /// The terms up to the last one above a size.
-fn significant(mut terms: Vec<Harmonic>, remainder: f64, samples: usize) -> Harmonics {
+fn significant(mut terms: Vec<Harmonic>, remainder: f64, error: f64, samples: usize) -> Harmonics {
     let last = terms.iter().rposition(|term| term.amplitude() > remainder).unwrap_or(0);
     terms.truncate(last + 1);
-    Harmonics { terms, remainder, samples }
+    Harmonics { terms, remainder, error, samples }
 }
 
 /// The harmonics below half the number of samples.

@@ -27,7 +27,7 @@ mod harmonics;
 mod near;
 mod periodic;
 
-mod floquet;
+mod divergence;
 
 #[doc(hidden)]
 pub(crate) mod acceleration;
@@ -51,8 +51,8 @@ mod driven;
 mod search;
 
 pub use error::{Lost, NoOrbit};
-pub use floquet::{Floquet, Stability};
 pub use harmonics::{Harmonic, Harmonics};
+pub use crate::periodic::{Floquet, Stability};
 pub use near::OrbitGuess;
 pub use periodic::Orbit;
 pub use search::{OrbitKind, OrbitSearch};

@@ -1,5 +1,6 @@
 //! A motion as the steps of its integration.
 
+use crate::periodic::{Extrema, extrema};
 use crate::taylor::{
     DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_watched,
 };
@@ -55,6 +56,41 @@ impl Path {
     /// The states at the ends of all steps.
     pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
         self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
+    }
+
+    /// The least and the greatest value of a component.
+    pub(super) fn extrema(&self, component: usize) -> Extrema {
+        let [low, high] = extrema(self.steps.steps(), component, 0.0, self.end);
+        // On the way back the velocity is the opposite one.
+        if self.there_and_back && component == 1 { [low.min(-high), high.max(-low)] } else { [low, high] }
+    }
+
+    /// The largest rate of change of each component, as the ends of the steps show it.
+    pub(super) fn largest_rates(&self, components: usize) -> Vec<f64> {
+        let rates = |component: usize| {
+            let steps = self.steps.steps().iter();
+            steps.map(move |own| own.step().rate_at(component, own.step().start()).abs())
+        };
+        (0..components).map(|component| rates(component).fold(0.0, f64::max)).collect()
+    }
+
+    /// The largest difference of each component from another path at the same part of the way.
+    pub(super) fn apart(&self, other: &Self) -> Vec<f64> {
+        const LOOKS: u32 = 97;
+        let at = |path: &Self, part: f64| {
+            let [from, to] = [path.start_time(), path.end];
+            path.state_at(from + part * (to - from))
+        };
+        let mut largest: Vec<f64> = vec![];
+        for look in 0..=LOOKS {
+            let part = f64::from(look) / f64::from(LOOKS);
+            let [own, other] = [at(self, part), at(other, part)];
+            largest.resize(own.len(), 0.0);
+            for (largest, (a, b)) in largest.iter_mut().zip(own.iter().zip(&other)) {
+                *largest = largest.max((a - b).abs());
+            }
+        }
+        largest
     }
 
     /// The integral of a function of the state over all the time, step by step.

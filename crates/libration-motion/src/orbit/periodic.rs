@@ -1,7 +1,7 @@
 //! A periodic orbit and what it is asked for.
 
-use super::floquet::Floquet;
 use super::path::Path;
+use crate::periodic::Floquet;
 use libration_numbers::expression::Equation;
 use std::f64::consts::TAU;
 
@@ -12,11 +12,39 @@ pub struct Orbit {
     path: Path,
     uncertainty: f64,
     floquet: Option<Floquet>,
+    errors: StateErrors,
+}
+
+/// The errors of the states of an orbit, component by component.
+#[derive(Clone, Debug)]
+pub(super) struct StateErrors {
+    /// The error of the start.
+    pub(super) start: Vec<f64>,
+    /// The largest error on the way, at the same part of the period.
+    pub(super) way: Vec<f64>,
+}
+
+impl StateErrors {
+    /// The errors on a path from an error of its start as it has grown on the way, from another path, and from the error of the period.
+    pub(super) fn new(path: &Path, start: Vec<f64>, grown: &[f64], apart: &[f64], period: f64) -> Self {
+        let rates = path.largest_rates(start.len());
+        let error = |component: usize| {
+            let size = path.extrema(component).map(f64::abs).into_iter().fold(0.0, f64::max);
+            grown[component] + apart[component] + rates[component] * period + 4.0 * f64::EPSILON * size
+        };
+        Self { way: (0..start.len()).map(error).collect(), start }
+    }
 }
 
 impl Orbit {
-    pub(super) fn new(equation: &Equation, path: Path, uncertainty: f64, floquet: Option<Floquet>) -> Self {
-        Self { variables: equation.variables().to_vec(), path, uncertainty, floquet }
+    pub(super) fn new(
+        equation: &Equation,
+        path: Path,
+        uncertainty: f64,
+        floquet: Option<Floquet>,
+        errors: StateErrors,
+    ) -> Self {
+        Self { variables: equation.variables().to_vec(), path, uncertainty, floquet, errors }
     }
 
     /// The orbit as one of a family, in which the start chooses it. In a plane of states both multipliers are then 1 exactly, by how the
@@ -76,15 +104,24 @@ impl Orbit {
         self.path.state_at(start + part)
     }
 
-    /// The least and the greatest value of one number of the state, as the ends of the steps and a few times between show
-    /// them: to about a thousandth of the swing, exactly at turning points where steps end.
+    /// The error of each component of [`start`](Self::start): the residual of the closing, the error of the flow and rounding, taken through the
+    /// inverse of the bordered monodromy matrix; zero where the start is given.
     #[must_use]
-    pub fn range(&self, number: usize) -> (f64, f64) {
-        /// Between them the k-th harmonic is missed by at most (πk/512)²/2 of itself: 2e-5 of the first, 1e-3 of the seventh.
-        const LOOKS: u32 = 512;
-        let times = (0..LOOKS).map(|j| self.period() * f64::from(j) / f64::from(LOOKS));
-        let values = times.filter_map(|time| self.state_at(time).get(number).copied());
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    pub fn start_errors(&self) -> &[f64] {
+        &self.errors.start
+    }
+
+    /// The largest error of each component of the state on the orbit, at the same part of the period: an estimate from two integrations, the error
+    /// of the start as it grows, and that of the period.
+    #[must_use]
+    pub fn state_errors(&self) -> &[f64] {
+        &self.errors.way
+    }
+
+    /// The least and the greatest value of one component of the state, with the errors that [`state_errors`](Self::state_errors) says.
+    #[must_use]
+    pub fn range(&self, component: usize) -> (f64, f64) {
+        self.path.extrema(component).into()
     }
 
     /// Its Floquet multipliers; `None` for a release from rest, which needs none to be found.

@@ -6,10 +6,11 @@
 
 use super::closing::Rounds;
 use super::error::NoOrbit;
-use super::floquet::{Divergence, Floquet};
+use super::divergence::Divergence;
 use super::near::OrbitGuess;
 use super::path::Path;
-use super::periodic::Orbit;
+use super::periodic::{Orbit, StateErrors};
+use crate::periodic::Floquet;
 use libration_numbers::expression::Equation;
 
 /// A deviation as large as the orbit is below its last bit after a turn with this logarithm: e⁻⁴⁰ = 4e-18.
@@ -18,6 +19,9 @@ const FORGOTTEN: f64 = -40.0;
 /// A turn to the next maximum is the whole cycle, and not a part of one with several maxima, where it takes the period of the guess to this
 /// part: the guess has returned to a thousandth of the swing.
 const SAME_PERIOD: f64 = 0.01;
+
+/// The relative error of a multiplier that the quadrature of the divergence leaves, as far as it is above zero at all.
+const LOGARITHM: f64 = 1e-6;
 
 /// The cycle near a guess; `None` where deviations are not forgotten.
 pub(super) fn forgetful(
@@ -37,16 +41,23 @@ pub(super) fn forgetful(
     // A turn may have some 1e5 steps.
     drop(first);
     let Some(path) = rounds.turn(&start, 1e-17)? else { return Ok(None) };
-    let other = rounds.turn(&start, 1e-16)?.map(|path| path.end_time());
-    let Some(other) = other else { return Ok(None) };
+    let Some(again) = rounds.turn(&start, 1e-16)? else { return Ok(None) };
+    let (other, apart) = (again.end_time(), path.apart(&again));
+    drop(again);
     let period = path.end_time();
     let missed = (path.state_at(period)[0] - start.state[0]).abs();
     // How much the period changes with the start, as both turns tell.
     let slope = (first_period - period) / (first_start - start.state[0]);
     let late = if slope.is_finite() { missed * slope.abs() } else { 0.0 };
     let uncertainty = 4.0 * ((period - other).abs() + late + f64::EPSILON * period);
-    let floquet = Floquet::of_cycle(divergence.along(&path));
-    Ok(Some(Orbit::new(equation, path, uncertainty, Some(floquet))))
+    // The start is the end of a turn before, which forgets where that began.
+    let start_errors = vec![4.0 * (missed + f64::EPSILON * start.state[0].abs()), 0.0];
+    let apart: Vec<f64> = apart.iter().map(|it| 4.0 * it).collect();
+    let grown = start_errors.clone();
+    let errors = StateErrors::new(&path, start_errors, &grown, &apart, uncertainty);
+    // Of the integral over many steps, in proportion to its size.
+    let floquet = Floquet::of_cycle(divergence.along(&path), LOGARITHM);
+    Ok(Some(Orbit::new(equation, path, uncertainty, Some(floquet), errors)))
 }
 
 /// The maximum at the end of a turn.

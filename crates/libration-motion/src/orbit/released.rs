@@ -6,7 +6,7 @@
 use super::acceleration::Acceleration;
 use super::error::{Lost, NoOrbit, finished};
 use super::path::{Path, sign_change, until};
-use super::periodic::Orbit;
+use super::periodic::{Orbit, StateErrors};
 use super::place::ReleasePlace;
 use super::precise::{HalfPeriod, Motion, NoHalfPeriod};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
@@ -22,7 +22,9 @@ const UNCERTAIN: f64 = 1e-4;
 const TRUSTED: f64 = 2.9e-14;
 /// Further off than this part of the swing an oscillation does not end where it began: next to an unstable equilibrium a rounding of
 /// the energy moves a turning point by its root, 1e-8, and a hundred of that are left.
-const CLOSED: f64 = 1e-6;
+const NEARLY_CLOSED: f64 = 1e-6;
+/// A motion whose force takes or gives energy is closed within so many times the error of its integration.
+const CLOSED: f64 = 32.0;
 /// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
 const PRECISIONS: [usize; 3] = [128, 192, 256];
 /// Two precisions agree in a period when they differ by less than this part of it; while they differ by more the lower one has lost the
@@ -146,7 +148,14 @@ impl<'a> Release<'a> {
         let first = self.acceleration.at(&[self.start, 0.0]).abs();
         let grown = 2.0 + self.condition(period, swing.copysign(other_side - self.start)) * largest / first;
         let uncertainty = 16.0 * spread + 4.0 * rounding * grown * period;
-        Ok(Orbit::new(self.equation, around.full, uncertainty, None))
+        let [end, other_end] = [&around, &again].map(|it| it.full.state_at(it.full.end_time())[0]);
+        let flow = (end - other_end).abs() + f64::EPSILON * self.start.abs().max(other_side.abs());
+        if !self.acceleration.is_reversible && (end - self.start).abs() > CLOSED * flow {
+            return Err(NoOrbit::NotClosed { start: self.start, end });
+        }
+        let apart: Vec<f64> = around.full.apart(&again.full).iter().map(|it| 16.0 * it).collect();
+        let errors = StateErrors::new(&around.full, vec![0.0; 2], &[0.0; 2], &apart, uncertainty);
+        Ok(Orbit::new(self.equation, around.full, uncertainty, None, errors))
     }
 
     /// By how many parts of it the period changes when the amplitude changes by a part of the swing, as a neighbour tells it: infinite
@@ -222,10 +231,10 @@ impl<'a> Release<'a> {
         let full = there.followed_by(self.to_rest(&other_side, place, &effort)?);
         let end = full.state_at(full.end_time())[0];
         let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
-        if back < CLOSED * swing {
+        if back < NEARLY_CLOSED * swing {
             return Err(NoOrbit::NoReturn { start: place, why: Lost::Rest });
         }
-        if (end - place).abs() > CLOSED * swing {
+        if (end - place).abs() > NEARLY_CLOSED * swing {
             return Err(match self.acceleration.is_free_of_velocity {
                 true => NoOrbit::Separatrix(place),
                 false => NoOrbit::NotClosed { start: place, end },
@@ -284,14 +293,22 @@ impl Halves {
         let (period, other_side) = (self.period().to_f64(), self.there.end.to_f64());
         let Some(back) = self.back else {
             let path = Path::there_and_back(self.there.steps, period);
-            return Ok(Orbit::new(equation, path, uncertainty, None));
+            return Ok(Self::orbit(equation, path, uncertainty));
         };
         let end = back.end.to_f64();
-        if (end - start).abs() > CLOSED * (start - other_side).abs() {
+        if (end - start).abs() > CLOSED * f64::EPSILON * start.abs().max(other_side.abs()) {
             return Err(NoOrbit::NotClosed { start, end });
         }
         let path = Path::of_steps([self.there.steps, back.steps].concat(), period);
-        Ok(Orbit::new(equation, path, uncertainty, None))
+        Ok(Self::orbit(equation, path, uncertainty))
+    }
+}
+
+impl Halves {
+    /// The orbit of steps that were rounded from many bits.
+    fn orbit(equation: &Equation, path: Path, uncertainty: f64) -> Orbit {
+        let errors = StateErrors::new(&path, vec![0.0; 2], &[0.0; 2], &[0.0; 2], uncertainty);
+        Orbit::new(equation, path, uncertainty, None, errors)
     }
 }
 

@@ -122,10 +122,13 @@ impl OrbitSearch {
         match through()? {
             Some(orbit) => Ok((OrbitKind::Family, orbit)),
             None if self.conserves_energy => near(&[start, family]),
-            None => near(&[start]).and_then(|found: (OrbitKind, Orbit)| {
-                let is_known = found.1.period_uncertainty() <= OPEN * found.1.period();
-                if is_known { Ok(found) } else { near(&[start, family]) }
-            }),
+            None => match near(&[start]) {
+                // Of an isolated cycle the period is known, as it is not where it is no number.
+                Ok(found) if found.1.period_uncertainty() <= OPEN * found.1.period() => Ok(found),
+                Ok(_) => near(&[start, family]),
+                Err(NoOrbit::Undetermined(_)) => near(&[start, family]),
+                found => found,
+            },
         }
     }
 

@@ -2,10 +2,11 @@
 
 use super::closing::{Round, Rounds};
 use super::error::{Lost, NoOrbit, finished};
-use super::floquet::{Divergence, Floquet, Stability};
+use super::divergence::Divergence;
 use super::near::OrbitGuess;
-use super::periodic::Orbit;
+use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
+use crate::periodic::{Floquet, Stability};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::linear::least_squares;
 use libration_numbers::watch::Watch;
@@ -55,7 +56,7 @@ impl Orbit {
             return Err(NoOrbit::DependsOnTime);
         }
         let rounds = Rounds::new(equation, watch)?;
-        let free = (0..rounds.layout.numbers()).filter(|number| !fixed.contains(number)).collect();
+        let free = (0..rounds.layout().numbers()).filter(|number| !fixed.contains(number)).collect();
         let unknowns = Unknowns { free, period: true };
         finished(closed(equation, &rounds, guess, &unknowns), watch)
     }
@@ -73,9 +74,13 @@ pub(super) struct Unknowns {
 const MOST_ROUNDS: usize = 40;
 /// No round changes a number of the state by more than this part of its size.
 const LARGEST_CHANGE: f64 = 0.3;
-/// An orbit that misses its start by less than this part of its size is closed: what rounding, 1e-15, becomes in a round with a
-/// multiplier of 1e5.
-const CLOSED: f64 = 1e-10;
+/// While an orbit misses its start by less than this part of its size, and rounds no longer halve it, nothing more is to be gained.
+const NEARLY_CLOSED: f64 = 1e-10;
+/// An orbit that misses its start by more than so many times the error of the flow and of the rounding of its start is none.
+const CLOSED: f64 = 32.0;
+
+/// An orbit whose start is known to no more than this part of its size is not told apart from its neighbours.
+const UNDETERMINED: f64 = 0.01;
 
 /// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.
 const VANISHED: f64 = 1e-6;
@@ -94,21 +99,11 @@ pub(super) fn closed(
     if newton.size() < VANISHED * size_of_guess {
         return Err(NoOrbit::NoCycle(newton.kind_of_rest()));
     }
-    if newton.miss > CLOSED {
-        return Err(NoOrbit::NoConvergence { rounds: taken, defect: newton.miss });
-    }
-    let uncertainty = newton.period_uncertainty()?;
-    let floquet = Floquet::new(&newton.round.monodromy, unknowns.period).map(|floquet| Floquet {
-        logarithm: Divergence::new(equation)
-            .filter(|_| unknowns.period)
-            .map(|divergence| divergence.along(&newton.round.path)),
-        ..floquet
-    });
-    Ok(Orbit::new(equation, newton.round.path, uncertainty, floquet))
+    newton.judged(equation, taken)
 }
 
 fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
-    let wanted = rounds.layout.numbers();
+    let wanted = rounds.layout().numbers();
     if guess.state.len() != wanted || !guess.state.iter().all(|x| x.is_finite()) {
         return Err(NoOrbit::Start { state: guess.state.clone(), wanted });
     }
@@ -132,20 +127,22 @@ struct Newton<'a> {
 impl<'a> Newton<'a> {
     fn new(rounds: &'a Rounds<'a>, unknowns: &'a Unknowns, guess: &OrbitGuess) -> Result<Self, NoOrbit> {
         let round = rounds.round(&guess.state, guess.period)?;
-        let sizes = round.sizes(&rounds.layout, guess);
+        let sizes = round.sizes(rounds.layout(), guess);
         let miss = miss(&round.defect, &sizes);
         Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
     }
 
     /// What a rest is at which it has ended: one to which motions come, or another.
     fn kind_of_rest(&self) -> Lost {
-        let stays = Floquet::new(&self.round.monodromy, false).map(|floquet| floquet.stability);
-        if stays == Some(Stability::Attracting) { Lost::Rest } else { Lost::UnstableRest }
+        /// Variations are integrated to this part of their size.
+        const VARIATIONS: f64 = 1e-12;
+        let floquet = Floquet::new(&self.round.monodromy, &self.sizes, VARIATIONS, false);
+        if floquet.map(|it| it.stability) == Some(Stability::Attracting) { Lost::Rest } else { Lost::UnstableRest }
     }
 
     /// The largest swing of a coordinate.
     fn size(&self) -> f64 {
-        self.sizes[..self.rounds.layout.coordinates()].iter().copied().fold(0.0, f64::max)
+        self.sizes[..self.rounds.layout().coordinates()].iter().copied().fold(0.0, f64::max)
     }
 
     /// Rounds until they improve nothing; how many there were.
@@ -155,7 +152,7 @@ impl<'a> Newton<'a> {
             if before == 0.0 || !self.improve()? {
                 return Ok(count);
             }
-            if self.miss > 0.5 * before && self.miss < CLOSED {
+            if self.miss > 0.5 * before && self.miss < NEARLY_CLOSED {
                 return Ok(count + 1);
             }
         }
@@ -221,17 +218,81 @@ impl<'a> Newton<'a> {
         next
     }
 
-    /// The last change of the period that is not made, for the orbit as it is and as other steps find it.
-    fn period_uncertainty(&self) -> Result<f64, NoOrbit> {
-        if !self.unknowns.period {
-            return Ok(0.0);
+    /// The orbit with its errors, if it closes within the error of the flow and the rounding of its start.
+    fn judged(self, equation: &Equation, rounds: usize) -> Result<Orbit, NoOrbit> {
+        let again = self.rounds.path(&self.at.state, self.at.period, 1e-16)?;
+        let end = again.state_at(self.at.period);
+        let other: Vec<f64> = end.iter().zip(&self.at.state).map(|(a, b)| a - b).collect();
+        let rounding = self.rounding();
+        let spread: Vec<f64> = other.iter().zip(&self.round.defect).map(|(a, b)| (a - b).abs()).collect();
+        if self.miss > CLOSED * (miss(&spread, &self.sizes) + miss(&rounding, &self.sizes)) {
+            return Err(NoOrbit::NoConvergence { rounds, defect: self.miss });
         }
-        let again = self.rounds.path(&self.at.state, self.at.period, 1e-16)?.state_at(self.at.period);
-        let other: Vec<f64> = again.iter().zip(&self.at.state).map(|(a, b)| a - b).collect();
+        let uncertainty = self.period_uncertainty(&other);
+        let [monodromy, largest] = self.rounds.largest_variations(&self.at.state, self.at.period)?;
+        let residual = (0..rounding.len()).map(|i| self.round.defect[i].abs() + other[i].abs() + rounding[i]);
+        let start = self.start_errors(&residual.collect::<Vec<f64>>());
+        let undetermined = miss(&start, &self.sizes);
+        if undetermined > UNDETERMINED {
+            return Err(NoOrbit::Undetermined(undetermined));
+        }
+        let grown: Vec<f64> =
+            largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();
+        let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|it| 4.0 * it).collect();
+        let errors = StateErrors::new(&self.round.path, start, &grown, &apart, uncertainty);
+        let autonomous = self.unknowns.period;
+        let change = self.change_of_map(&monodromy, &errors.start);
+        let floquet = Floquet::new(&self.round.monodromy, &self.sizes, change, autonomous);
+        let divergence = Divergence::new(equation).filter(|_| autonomous);
+        let logarithm = divergence.map(|divergence| divergence.along(&self.round.path));
+        let floquet = floquet.map(|floquet| Floquet { logarithm, ..floquet });
+        Ok(Orbit::new(equation, self.round.path, uncertainty, floquet, errors))
+    }
+
+    /// What the rounding of each component of the start becomes at the end.
+    fn rounding(&self) -> Vec<f64> {
+        let of_row = |row: &Vec<f64>| row.iter().zip(&self.at.state).map(|(a, x)| (a * x).abs()).sum::<f64>();
+        let end = self.round.monodromy.iter().zip(&self.at.state).map(|(row, x)| of_row(row) + x.abs());
+        end.map(|size| f64::EPSILON * size).collect()
+    }
+
+    /// The part of its norm by which the monodromy matrix may be off: as another integration tells, and as the error of the start changes it, by its
+    /// own size over that of the orbit.
+    fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
+        let norm = |matrix: &dyn Fn(usize, usize) -> f64| {
+            let entries = (0..start.len()).flat_map(|i| (0..start.len()).map(move |j| (i, j)));
+            entries.fold(0.0, |norm: f64, (i, j)| {
+                libm::hypot(norm, matrix(i, j) * self.sizes[j] / self.sizes[i])
+            })
+        };
+        let own = &self.round.monodromy;
+        let apart = norm(&|i, j| own[i][j] - other[i][j]);
+        4.0 * (apart / norm(&|i, j| own[i][j]) + miss(start, &self.sizes))
+    }
+
+    /// The errors of the start that a residual leaves, zero for the components that are held.
+    fn start_errors(&self, residual: &[f64]) -> Vec<f64> {
+        let mut errors = vec![0.0; residual.len()];
+        for (i, size) in residual.iter().enumerate() {
+            let mut alone = vec![0.0; residual.len()];
+            alone[i] = *size;
+            let change = self.change(&alone);
+            for (place, &j) in self.unknowns.free.iter().enumerate() {
+                errors[j] += change.as_ref().map_or(f64::INFINITY, |it| 2.0 * it[place].abs());
+            }
+        }
+        errors
+    }
+
+    /// The last change of the period that is not made, for the orbit as it is and as other steps find it.
+    fn period_uncertainty(&self, other: &[f64]) -> f64 {
+        if !self.unknowns.period {
+            return 0.0;
+        }
         let missing =
             |defect: &[f64]| self.change(defect).and_then(|it| it.last().copied()).map_or(f64::NAN, f64::abs);
-        let spread = missing(&self.round.defect) + missing(&other);
-        Ok(4.0 * (spread + f64::EPSILON * self.at.period))
+        let spread = missing(&self.round.defect) + missing(other);
+        4.0 * (spread + f64::EPSILON * self.at.period)
     }
 }
 

@@ -83,11 +83,15 @@ impl Step<'_> {
     /// How fast each coordinate changes at a time: its velocity, or the slope of its polynomial where the state has none.
     #[doc(hidden)]
     pub fn speeds_at(&self, time: f64) -> Vec<f64> {
-        let speed = |coordinate: usize| match self.layout.velocity(coordinate) {
+        (0..self.layout.coordinates()).map(|coordinate| self.rate_at(coordinate, time)).collect()
+    }
+
+    /// The rate of change of one component of the state at a time.
+    pub(crate) fn rate_at(&self, component: usize, time: f64) -> f64 {
+        match self.layout.velocity(component) {
             Some(velocity) => self.number_at(velocity, time),
-            None => self.slope_at(coordinate, time),
-        };
-        (0..self.layout.coordinates()).map(speed).collect()
+            None => self.slope_at(component, time),
+        }
     }
 
     /// The time derivative of one number of the state at a time.

@@ -532,3 +532,84 @@ fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     let sizes = [&far, &near].map(|orbit| orbit.range(0).1);
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
 }
+
+/// Damping that takes little of a turn is no orbit of a family, and a cycle far away is not where the motion is.
+#[test]
+fn a_motion_with_weak_damping_is_not_periodic() {
+    for text in ["x'' = -x - 1e-6*x'", "x'' = -x - 1e-10*x'", "x'' = -sin(x) - 1e-7*x'", "x'' = -x - 1e-12*x'*abs(x')"] {
+        let refusal = Orbit::released(&equation(text), 2.0).unwrap_err();
+        assert!(matches!(refusal, NoOrbit::NotClosed { .. }), "{text}: {refusal}");
+        let search = OrbitSearch { start: vec![2.0, 0.0], period: None, conserves_energy: false, held: None };
+        let found = Orbit::search(&equation(text), &search).map(|(kind, orbit)| (kind, orbit.start()));
+        assert!(found.is_err(), "{text}: {found:?}");
+    }
+    // Closed with a relative error of 3e-16: an orbit within the errors that are stated.
+    assert!(Orbit::released(&equation("x'' = -x - 1e-17*x'"), 2.0).is_ok());
+    // Van der Pol's cycle has the amplitude 2 + μ²/96 for small μ; the start is far inside it.
+    let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
+    let (kind, cycle) = Orbit::search(&equation("x'' = -x - 1e-7*x'*(x^2 - 1)"), &search).unwrap();
+    assert_eq!(kind, OrbitKind::LimitCycle);
+    assert!((cycle.start()[0] - 2.0).abs() <= cycle.start_errors()[0], "{:?}", cycle.start());
+    assert!(cycle.start_errors()[0] < 1e-7, "{:?}", cycle.start_errors());
+}
+
+/// Exact: x = Re(e^{iνt}/(1 − ν² + iγν)) with the multipliers of the free oscillation.
+#[test]
+fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
+    for (damping, frequency) in [(0.2, 1.5), (1e-3, 0.999), (1e-6, 1.01), (0.5, 0.1)] {
+        let text = format!("x'' = -x - {damping:?}*x' + cos({frequency:?}*t)");
+        let period = TAU / frequency;
+        let orbit = Orbit::driven(&equation(&text), period, &[0.1, 0.0]).unwrap();
+        let (real, imaginary) = (1.0 - frequency * frequency, damping * frequency);
+        let size = real * real + imaginary * imaginary;
+        let start = [real / size, frequency * imaginary / size];
+        let amplitude = 1.0 / size.sqrt();
+        for (component, exact) in start.into_iter().enumerate() {
+            let (off, error) = ((orbit.start()[component] - exact).abs(), orbit.start_errors()[component]);
+            // The closed form is rounded too.
+            let rounding = 4.0 * f64::EPSILON * amplitude * (1.0 + (frequency / real).abs());
+            assert!(off <= error + rounding, "{text}: {off:e} {error:e}");
+            assert!(error < 1e-11 * amplitude / damping.max(1e-3), "{text}: {error:e}");
+        }
+        let (low, high) = orbit.range(0);
+        assert!((high - amplitude).abs() <= orbit.state_errors()[0] + 8.0 * f64::EPSILON * amplitude, "{text}");
+        assert!((low + high).abs() <= 2.0 * orbit.state_errors()[0], "{text}");
+        let harmonics = orbit.harmonics(0);
+        assert!((harmonics.terms[1].cosine - start[0]).abs() <= harmonics.error + 4e-16 * amplitude, "{text}");
+        let floquet = orbit.floquet().unwrap();
+        let free = (1.0 - damping * damping / 4.0).sqrt();
+        let exact = libm::exp(-0.5 * damping * period);
+        for (multiplier, error) in floquet.multipliers.iter().zip(&floquet.errors) {
+            let off = (multiplier.re - exact * libm::cos(free * period)).abs();
+            assert!(off <= *error && *error < 1e-9, "{text}: {off:e} {error:e}");
+        }
+        assert_eq!(floquet.stability, Stability::Attracting, "{text}");
+    }
+}
+
+/// By harmonic balance to the relative order 1e-24: with a = F/(1 − ν²), x(0) = a − a³ + a³/5. Free oscillations of twice the drive's frequency hardly
+/// decay, so that rounding leaves the start open in the seventh digit, and the orbit says so.
+#[test]
+fn a_weakly_damped_orbit_of_small_size_has_its_start() {
+    let text = "x'' + 1e-9*x' + x + x^3 = 1e-6*cos(0.5*t)";
+    let orbit = Orbit::driven(&equation(text), 4.0 * PI, &[0.0, 0.0]).unwrap();
+    let a = 4e-6 / 3.0;
+    let exact = [a - 0.8 * a * a * a, 0.5 * a * (0.5e-9 / 0.75)];
+    for ((start, error), exact) in orbit.start().iter().zip(orbit.start_errors()).zip(exact) {
+        assert!((start - exact).abs() <= *error && *error < 2e-12, "{start:e} for {exact:e} to {error:e}");
+    }
+}
+
+/// The amplitude of van der Pol's cycle for μ = 1 to 20 digits is that of M. Turbiner and others; it is where the first coordinate turns.
+#[test]
+fn extrema_are_those_of_the_motion() {
+    let cycle = Orbit::limit_cycle(&equation("x'' = (1 - x^2)*x' - x"), &[0.5, 0.0]).unwrap();
+    let (low, high) = cycle.range(0);
+    assert!((high - 2.008_619_860_874_843_1).abs() <= cycle.state_errors()[0], "{high:?}");
+    assert!((low + high).abs() <= 2.0 * cycle.state_errors()[0] && cycle.state_errors()[0] < 1e-13);
+    // The largest velocity is not at the end of a step: by quadrature of the exact pendulum it is 2·sin(θ0/2).
+    let swing = released(PENDULUM, 1.0);
+    let (slow, fast) = swing.range(1);
+    assert!((fast - 2.0 * libm::sin(0.5)).abs() <= swing.state_errors()[1], "{fast:?}");
+    assert_within(-slow, fast, 1e-15, "both ways");
+}

@@ -1,6 +1,7 @@
 //! The eigenvalues of a general matrix.
 
 use crate::algebra::Complex;
+use libration_kernels::elementary::count;
 
 /// All eigenvalues, by the QR algorithm with Wilkinson's shifts on a Hessenberg matrix, by descending magnitude; `None` when
 /// it does not converge or an entry is not finite.
@@ -32,6 +33,66 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
     }
     found.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
     found.iter().all(|value| value.is_finite()).then_some(found)
+}
+
+/// How far each eigenvalue may move when the entries of the matrix change by a matrix of this norm, to the first order.
+///
+/// # Method
+/// A changed eigenvalue z solves Π(z − λⱼ) = −tr(adj(z − M)·δM) + …, so that it is within the radius r about λᵢ where
+/// r·Π max(r, |λᵢ − λⱼ|) = ‖adj(λᵢ − M)‖·‖δM‖: of a simple eigenvalue this is the condition number times ‖δM‖, of a k-fold one about the k-th root.
+/// It is never less than ‖δM‖.
+///
+/// # References
+/// J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, Oxford 1965, chapter 2.
+pub fn eigenvalue_errors(matrix: &[Vec<f64>], eigenvalues: &[Complex], change: f64) -> Vec<f64> {
+    let powers = adjugate_powers(matrix);
+    let radius = |own: usize| {
+        let mut distances: Vec<f64> = (0..eigenvalues.len())
+            .filter(|other| *other != own)
+            .map(|other| (eigenvalues[own] - eigenvalues[other]).abs())
+            .collect();
+        distances.sort_by(f64::total_cmp);
+        let right = change * adjugate_norm(&powers, eigenvalues[own]);
+        // The first cluster of nearest neighbours that the radius reaches and none beyond it.
+        let of_cluster = |neighbours: usize| {
+            let beyond: f64 = distances[neighbours..].iter().product();
+            libm::pow(right / beyond, 1.0 / count(neighbours + 1))
+        };
+        let fits = |neighbours: &usize| {
+            distances.get(*neighbours).is_none_or(|next| of_cluster(*neighbours) <= *next)
+        };
+        let neighbours = (0..distances.len()).find(fits).unwrap_or(distances.len());
+        of_cluster(neighbours).max(change)
+    };
+    (0..eigenvalues.len()).map(radius).collect()
+}
+
+/// The matrices B₀, …, Bₙ₋₁ with adj(λ − M) = Σ λᵏ·Bₖ, by Faddeev's and Le Verrier's recurrence.
+fn adjugate_powers(matrix: &[Vec<f64>]) -> Vec<Vec<Vec<f64>>> {
+    let n = matrix.len();
+    let diagonal = |value: f64| -> Vec<Vec<f64>> {
+        (0..n).map(|i| (0..n).map(|j| if i == j { value } else { 0.0 }).collect()).collect()
+    };
+    let mut powers = vec![diagonal(1.0)];
+    for k in 1..n {
+        let last = &powers[k - 1];
+        let entry = |i: usize, j: usize| -> f64 { (0..n).map(|m| matrix[i][m] * last[m][j]).sum() };
+        let mut next: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let trace: f64 = (0..n).map(|i| next[i][i]).sum();
+        (0..n).for_each(|i| next[i][i] -= trace / count(k));
+        powers.push(next);
+    }
+    powers.reverse();
+    powers
+}
+
+fn adjugate_norm(powers: &[Vec<Vec<f64>>], at: Complex) -> f64 {
+    let entry = |i: usize, j: usize| {
+        powers.iter().rev().fold(Complex::default(), |sum, power| sum * at + Complex::from(power[i][j]))
+    };
+    let n = powers.len();
+    let entries = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+    entries.fold(0.0, |norm, (i, j)| libm::hypot(norm, entry(i, j).abs()))
 }
 
 /// A similar matrix with zeros below the subdiagonal, by elimination with pivots.

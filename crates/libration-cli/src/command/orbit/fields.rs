@@ -14,14 +14,15 @@ pub(super) struct Term<'a> {
     pub(super) coordinate: &'a str,
     pub(super) term: Harmonic,
     pub(super) remainder: f64,
+    pub(super) error: f64,
 }
 
 impl Answer {
     pub(super) fn terms(&self) -> impl Iterator<Item = Term<'_>> {
         let all = self.model.coordinates().iter().zip(&self.harmonics);
         all.flat_map(|(coordinate, harmonics)| {
-            let (name, remainder) = (coordinate.name.as_str(), harmonics.remainder);
-            harmonics.terms.iter().map(move |&term| Term { coordinate: name, term, remainder })
+            let (name, remainder, error) = (coordinate.name.as_str(), harmonics.remainder, harmonics.error);
+            harmonics.terms.iter().map(move |&term| Term { coordinate: name, term, remainder, error })
         })
     }
 
@@ -61,6 +62,9 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             json::numbers(&it.orbit.start())
         })
         .line_of("start", start),
+        Of::value("start_error[]", "", "errors of the start, 0 where it is given", |it| {
+            json::numbers(it.orbit.start_errors())
+        }),
         Of::value(
             "closing_error[]",
             "",
@@ -70,21 +74,27 @@ pub(super) fn of_orbit() -> Fields<Answer> {
         .line_of("closes to", |it| {
             at_most(it.orbit.closing_error().into_iter().fold(f64::EPSILON, f64::max))
         }),
-        Of::value(
-            "minimum[]",
-            "",
-            "least value of each number of the state, to a thousandth of its swing",
-            |it| json::list((0..it.numbers()).map(|number| json::number(it.orbit.range(number).0))),
-        ),
-        Of::value("maximum[]", "", "greatest value of each number of the state, as accurate", |it| {
+        Of::value("minimum[]", "", "minimum of each component of the state", |it| {
+            json::list((0..it.numbers()).map(|number| json::number(it.orbit.range(number).0)))
+        }),
+        Of::value("maximum[]", "", "maximum of each component of the state", |it| {
             json::list((0..it.numbers()).map(|number| json::number(it.orbit.range(number).1)))
         }),
+        Of::value(
+            "state_error[]",
+            "",
+            "largest error of each component on the orbit, at the same part of the period; that of minimum and maximum",
+            |it| json::numbers(it.orbit.state_errors()),
+        ),
         Of::value(
             "multipliers[][]",
             "1",
             "Floquet multipliers by descending magnitude, real and imaginary part",
             |it| json::list(it.multipliers().iter().map(pair)),
         ),
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
+            json::numbers(it.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
+        }),
         Of::value(
             "stability",
             "",
@@ -114,9 +124,13 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             "coefficient of cos nΩt, the time counted from the start; the mean for n = 0",
             |it| it.term.cosine,
         )
-        .rounded("cosine", 12),
-        Of::number("sine", "", "coefficient of sin nΩt", |it| it.term.sine).rounded("sine", 12),
-        Of::number("amplitude", "", "√(cosine² + sine²)", |it| it.term.amplitude()).rounded("amplitude", 6),
+        .numeral("cosine", |it| to_its_error(it.term.cosine, it.error, 12)),
+        Of::number("sine", "", "coefficient of sin nΩt", |it| it.term.sine)
+            .numeral("sine", |it| to_its_error(it.term.sine, it.error, 12)),
+        Of::number("amplitude", "", "√(cosine² + sine²)", |it| it.term.amplitude())
+            .numeral("amplitude", |it| to_its_error(it.term.amplitude(), it.error, 6)),
+        Of::number("error", "", "error of cosine and sine", |it| it.error)
+            .numeral("to", |it| at_most(it.error)),
         Of::number("remainder", "", "no harmonic of the coordinate that is left out is larger", |it| {
             it.remainder
         }),
@@ -161,8 +175,12 @@ fn period(answer: &Answer) -> String {
 fn start(answer: &Answer) -> String {
     let names = answer.model.state_names();
     let values = answer.orbit.start();
-    let told = names.iter().zip(&values).map(|(name, value)| format!("{name} = {}", rounded(*value, 14)));
-    told.collect::<Vec<_>>().join(", ")
+    let errors = answer.orbit.start_errors();
+    let components = names.iter().zip(&values).zip(errors);
+    let told = components.map(|((name, value), error)| format!("{name} = {}", to_its_error(*value, *error, 14)));
+    let largest = errors.iter().copied().fold(0.0, f64::max);
+    let to = if largest > 0.0 { format!("; to {}", at_most(largest)) } else { String::new() };
+    told.collect::<Vec<_>>().join(", ") + &to
 }
 
 fn stability(answer: &Answer) -> String {
@@ -173,13 +191,16 @@ fn stability(answer: &Answer) -> String {
 }
 
 fn listed(floquet: &Floquet) -> String {
-    let one = |it: &Complex| match it.im {
-        im if im.abs() > 0.0 => {
-            format!("{} {} {}i", rounded(it.re, 10), if im > 0.0 { '+' } else { '−' }, rounded(im.abs(), 10))
+    let one = |(it, error): (&Complex, &f64)| {
+        let part = |x: f64| to_its_error(x, *error, 10);
+        match it.im {
+            im if im.abs() > *error => {
+                format!("{} {} {}i", part(it.re), if im > 0.0 { '+' } else { '−' }, part(im.abs()))
+            }
+            _ => part(it.re),
         }
-        _ => rounded(it.re, 10),
     };
-    floquet.multipliers.iter().map(one).collect::<Vec<_>>().join(", ")
+    floquet.multipliers.iter().zip(&floquet.errors).map(one).collect::<Vec<_>>().join(", ")
 }
 
 fn pair(number: &Complex) -> Value {

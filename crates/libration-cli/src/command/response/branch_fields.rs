@@ -86,7 +86,8 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "kind",
             "",
-            "where it comes from: primary, from an end of the range; free_oscillation; symmetry_breaking; period_doubling",
+            "where it comes from: primary, from an end of the range; free_oscillation; symmetry_breaking; period_doubling; meeting, where another \
+             branch ends",
             |it| origin(it.branch.origin)[0].into(),
         ),
         Of::value("closed", "", "whether it comes back to its beginning", |it| {
@@ -110,12 +111,18 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "ending",
             "",
-            "why it ends: range_end, closed, branch_point, rest, slow_drive, point_limit, lost or interrupted",
+            "why it ends: range_end, closed, branch_point, rest, slow_drive, unbounded, point_limit, lost or interrupted",
             |it| ending(it.branch.ending)[0].into(),
         ),
         Of::value("beginning", "", "why it does not go on before its first point, in the same words", |it| {
             ending(it.branch.beginning)[0].into()
         }),
+        Of::value(
+            "unresolved[][]",
+            "",
+            "ranges of the parameter in which further special points cannot be excluded, from the lower end to the upper",
+            |it| json::list(it.branch.unresolved.iter().map(|range| json::numbers(range))),
+        ),
         Of::nested("points[].", &of_place(), |it| {
             json::records(it.points().map(|place| of_place().record(&place)))
         }),
@@ -150,6 +157,9 @@ fn of_place<'a>() -> Fields<Place<'a>> {
             "Floquet multipliers of the whole period by descending magnitude, real and imaginary part; below 1e-13 of the first they are rounding",
             |it| json::list(it.point.multipliers.iter().map(pair)),
         ),
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
+            json::numbers(&it.point.multiplier_errors)
+        }),
         Of::number(
             "error",
             "",
@@ -199,6 +209,9 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
         Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {
             json::list(it.point.multipliers.iter().map(pair))
         }),
+        Of::value("multiplier_errors[]", "1", "errors of these multipliers", |it| {
+            json::numbers(&it.point.multiplier_errors)
+        }),
         Of::value("start[]", "", "state at the phase zero of the drive there", |it| {
             json::numbers(&it.point.state)
         }),
@@ -212,6 +225,7 @@ pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
         Origin::FreeOscillation => ["free_oscillation", "from a free oscillation"],
         Origin::SymmetryBreaking => ["symmetry_breaking", "from a loss of symmetry"],
         Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
+        Origin::Meeting => ["meeting", "through the end of another branch"],
     }
 }
 
@@ -222,8 +236,9 @@ pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
         Ending::BranchPoint => ["branch_point", "ends in another branch"],
         Ending::Rest => ["rest", "ends in a state of rest"],
         Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero"],
+        Ending::Unbounded => ["unbounded", "grows to a billion times its size"],
         Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
-        Ending::Lost => ["lost", "cannot be followed farther"],
+        Ending::Lost => ["lost", "cannot be continued: the corrector fails at the minimum step"],
         Ending::Interrupted => ["interrupted", "is interrupted"],
     }
 }

@@ -166,7 +166,8 @@ fn summary(branch: &Numbered<'_>) -> String {
         false => "",
     };
     let even = if rotates { " ahead of an even rotation and behind it" } else { "" };
-    let end = points.last().filter(|_| branch.branch.ending == Ending::RangeEnd);
+    let is_at_a_value = matches!(branch.branch.ending, Ending::RangeEnd | Ending::Lost | Ending::Unbounded);
+    let end = points.last().filter(|_| is_at_a_value);
     let at = end.map_or_else(String::new, |point| {
         format!(
             " at {} with {}",
@@ -175,12 +176,26 @@ fn summary(branch: &Numbered<'_>) -> String {
         )
     });
     let before = match (branch.branch.origin, branch.branch.beginning) {
-        (Origin::Primary | Origin::FreeOscillation, Ending::RangeEnd | Ending::Closed)
+        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, Ending::RangeEnd | Ending::Closed)
         | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
-        (Origin::Primary | Origin::FreeOscillation, other) => format!("; backwards it {}", ending(other)[1]),
+        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, other) => format!("; backwards it {}", ending(other)[1]),
+    };
+    let unresolved = match &branch.branch.unresolved[..] {
+        [] => String::new(),
+        ranges => {
+            let low = ranges.iter().map(|it| it[0]).fold(f64::INFINITY, f64::min);
+            let high = ranges.iter().map(|it| it[1]).fold(f64::NEG_INFINITY, f64::max);
+            let width: f64 = ranges.iter().map(|[low, high]| high - low).sum();
+            format!(
+                "; further special points cannot be excluded in {} of the range, between {} and {}",
+                at_most(width),
+                answer.value_text(low),
+                answer.value_text(high),
+            )
+        }
     };
     format!(
-        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}{even}; {}{at}{before}",
+        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}{even}; {}{at}{before}{unresolved}",
         origin(branch.branch.origin)[1],
         points.len(),
         answer.amplitude_text(largest),

@@ -117,6 +117,7 @@ fn said(ending: Ending) -> &'static str {
         Ending::BranchPoint => " (it ends in another curve)",
         Ending::Rest | Ending::SlowDrive | Ending::Lost => " (it cannot be followed farther)",
         Ending::PointLimit => " (the largest number of points)",
+        Ending::Unbounded => " (grows without bound)",
         Ending::Interrupted => " (interrupted)",
     }
 }

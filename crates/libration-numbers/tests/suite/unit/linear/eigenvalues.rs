@@ -1,5 +1,6 @@
 use libration::algebra::Complex;
-use libration::internals::linear::eigenvalues;
+use libration::internals::linear::{eigenvalue_errors, eigenvalues};
+use libration_testing::random::Random;
 
 fn close(found: &[Complex], expected: &[(f64, f64)], tolerance: f64) {
     assert_eq!(found.len(), expected.len());
@@ -53,4 +54,28 @@ fn triangular_and_zero_matrices_show_their_diagonal() {
     close(&eigenvalues(&vec![vec![0.0; 3]; 3]).unwrap(), &[(0.0, 0.0); 3], 1e-300);
     assert_eq!(eigenvalues(&[]), Some(vec![]));
     assert_eq!(eigenvalues(&[vec![f64::NAN]]), None);
+}
+
+/// Of simple eigenvalues, of a pair that no vectors tell apart, and of a multiple of the identity.
+#[test]
+fn changed_matrices_have_their_eigenvalues_within_the_errors() {
+    let mut random = Random::seeded(6);
+    let simple = vec![vec![1.0, 3.0, -2.0], vec![0.0, 0.5, 1.0], vec![0.3, 0.0, -0.8]];
+    let defective = vec![vec![1.0, 5.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 0.2]];
+    let identity = vec![vec![1.0, 0.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 1.0]];
+    for (matrix, most) in [(simple, 10.0), (defective, 1e6), (identity, 4.0)] {
+        let own = eigenvalues(&matrix).unwrap();
+        let change = 1e-9;
+        let errors = eigenvalue_errors(&matrix, &own, change);
+        assert!(errors.iter().all(|it| *it <= most * change), "{errors:?}");
+        for _ in 0..200 {
+            // The norm of such a matrix is below three times its entries.
+            let mut moved = matrix.clone();
+            moved.iter_mut().flatten().for_each(|x| *x += random.between(-1.0, 1.0) * change / 3.0);
+            for value in eigenvalues(&moved).unwrap() {
+                let fits = |(own, error): (&Complex, &f64)| (value - *own).abs() <= 1.01 * error;
+                assert!(own.iter().zip(&errors).any(fits), "{value:?} {own:?} {errors:?}");
+            }
+        }
+    }
 }

@@ -1,0 +1,33 @@
+//! How fast deviations of one coordinate shrink or grow together.
+
+use super::path::Path;
+use libration_numbers::algebra::Doubles;
+use libration_numbers::{
+    expression::{Equation, Symbol},
+    internals::expression::{Jet, Tape},
+};
+
+/// How fast deviations of one coordinate that no force beats time for shrink or grow together: ∂F/∂x′.
+#[derive(Debug)]
+pub(super) struct Divergence {
+    of_state: Tape,
+}
+
+impl Divergence {
+    /// `None` for several coordinates, or a derivative without values.
+    pub(super) fn new(equation: &Equation) -> Option<Self> {
+        let [variable] = equation.variables() else { return None };
+        equation.refuse_first_order().ok()?;
+        let x = Symbol::plain(variable);
+        let velocity = x.with_primes(1);
+        let slope = equation.accelerations()[0].derivative(&velocity).simplified();
+        Some(Self { of_state: Tape::new(&[&slope], &[x, velocity]).ok()? })
+    }
+
+    /// Its integral along a motion.
+    pub(super) fn along(&self, path: &Path) -> f64 {
+        path.integral(|state| {
+            Jet::new(&Doubles, &self.of_state, state).map_or(f64::NAN, |jet| jet.result(0)[0])
+        })
+    }
+}

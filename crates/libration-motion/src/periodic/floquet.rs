@@ -1,0 +1,88 @@
+//! The Floquet multipliers of a periodic orbit, with their errors, and its stability.
+
+use libration_numbers::algebra::Complex;
+use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};
+use std::cmp::Ordering;
+
+/// The Floquet multipliers of a periodic orbit: the eigenvalues of its monodromy matrix, which maps a deviation to what it is one period later.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Floquet {
+    /// The multipliers by descending magnitude.
+    pub multipliers: Vec<Complex>,
+    /// The error of each multiplier, in the same order: an estimate from the error of the flow, and of a multiplier that occurs k times about the
+    /// k-th root of it.
+    pub errors: Vec<f64>,
+    /// The stability that the multipliers establish within their errors.
+    pub stability: Stability,
+    /// The logarithm of the other multiplier of a cycle of one coordinate, which may be below all numbers.
+    pub logarithm: Option<f64>,
+}
+
+/// What small deviations do. A shift along an orbit that no force beats time for stays, and does not count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// All die out.
+    Attracting,
+    /// None grows exponentially, some stay, as in conservative systems; or the errors of the multipliers leave open which.
+    Neutral,
+    /// Some grow exponentially.
+    Unstable,
+}
+
+impl Stability {
+    /// The stability of multipliers with their errors: attracting where all are inside the unit circle by more than their errors, unstable where
+    /// one is outside by more.
+    #[must_use]
+    pub fn of(multipliers: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        multipliers.into_iter().fold(Self::Attracting, |stability, (size, error)| match stability {
+            _ if size - error > 1.0 => Self::Unstable,
+            // An error that is not a number establishes nothing.
+            Self::Attracting if !matches!((size + error).partial_cmp(&1.0), Some(Ordering::Less)) => Self::Neutral,
+            other => other,
+        })
+    }
+}
+
+impl Floquet {
+    /// The multiplier of a cycle of one coordinate by its logarithm, which is known to an error (Liouville's theorem); below all numbers it is 0.
+    pub(crate) fn of_cycle(logarithm: f64, error: f64) -> Self {
+        let own = libm::exp(logarithm);
+        let mut both = vec![(Complex::from(1.0), 0.0), (Complex::from(own), own * error)];
+        both.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+        let (multipliers, errors) = both.into_iter().unzip();
+        let stability = Stability::of([(own, own * error)]);
+        Self { multipliers, errors, stability, logarithm: Some(logarithm) }
+    }
+
+    /// The multipliers of an orbit among others in a plane of states: both are 1 by how the neighbours close.
+    pub(crate) fn in_a_family_of_a_plane(self) -> Self {
+        let multipliers = vec![Complex::from(1.0); 2];
+        Self { multipliers, errors: vec![0.0; 2], stability: Stability::Neutral, ..self }
+    }
+
+    /// The multipliers of a monodromy matrix whose entries are known to an error, in units of the components of the state; `None` where the
+    /// eigenvalues are not found.
+    pub(crate) fn new(monodromy: &[Vec<f64>], units: &[f64], change: f64, autonomous: bool) -> Option<Self> {
+        let multipliers = eigenvalues(monodromy)?;
+        let errors = multiplier_errors(monodromy, units, &multipliers, change);
+        let one = Complex::from(1.0);
+        let distance = |&k: &usize| (multipliers[k] - one).abs();
+        let places = || 0..multipliers.len();
+        let trivial = places().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
+        let counted = places().filter(|k| Some(*k) != trivial).map(|k| (multipliers[k].abs(), errors[k]));
+        let stability = Stability::of(counted);
+        Some(Self { multipliers, errors, stability, logarithm: None })
+    }
+}
+
+/// The errors of the eigenvalues of a monodromy matrix whose entries are known to a part of its norm, where components of the state are measured
+/// in units; and what rounding does to them.
+pub fn multiplier_errors(monodromy: &[Vec<f64>], units: &[f64], multipliers: &[Complex], part: f64) -> Vec<f64> {
+    /// Roundings of the QR algorithm for each row.
+    const ROUNDINGS: f64 = 4.0;
+    let row = |(row, own): (&Vec<f64>, &f64)| row.iter().zip(units).map(|(x, unit)| x * unit / own).collect();
+    let scaled: Vec<Vec<f64>> = monodromy.iter().zip(units).map(row).collect();
+    let norm = scaled.iter().flatten().fold(0.0, |norm: f64, x| libm::hypot(norm, *x));
+    let rows = scaled.iter().fold(0.0, |count, _| count + 1.0);
+    eigenvalue_errors(&scaled, multipliers, norm * (part + ROUNDINGS * rows * f64::EPSILON))
+}

@@ -1,0 +1,181 @@
+//! The flow of a system and how its end depends on its start and on open parameters.
+
+use crate::taylor::{
+    Effort, IntegrationError, Moment, Solution, StateLayout, Step, System, Trajectory, with_sensitivities,
+};
+use libration_numbers::algebra::Doubles;
+use libration_numbers::expression::{Equation, Symbol, WithoutValue};
+use libration_numbers::internals::expression::{Jet, Tape};
+use std::ops::ControlFlow;
+
+/// A system over some open parameters, alone and with its variations.
+#[derive(Debug)]
+pub struct Flow {
+    /// The order of the components of the state.
+    pub layout: StateLayout,
+    plain: System,
+    /// Followed by the derivatives by each parameter and by each component of the start.
+    with_variations: System,
+    rates: Tape,
+    parameters: usize,
+    most_steps: usize,
+}
+
+/// The end of a motion with its derivatives.
+#[derive(Clone, Debug)]
+pub struct Variations {
+    /// The state at the end.
+    pub end: Vec<f64>,
+    /// By the components of the start, as the rows of a matrix.
+    pub by_start: Vec<Vec<f64>>,
+    /// By each parameter.
+    pub by_parameters: Vec<Vec<f64>>,
+}
+
+impl Flow {
+    /// The flow of a system whose motions take at most so many steps.
+    ///
+    /// # Errors
+    /// A symbol that is neither a component of the state, the time, nor one of the parameters.
+    pub fn new(equation: &Equation, parameters: &[&str], most_steps: usize) -> Result<Self, WithoutValue> {
+        let layout = StateLayout::new(equation);
+        let plain = System::with_parameters(equation, parameters)?;
+        let variations = with_sensitivities(equation, parameters, layout.numbers());
+        let with_variations = System::with_parameters(&variations, parameters)?;
+        let mut inputs = layout.symbols(equation.variables());
+        inputs.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
+        let rates = Tape::new(&equation.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
+        Ok(Self { layout, plain, with_variations, rates, parameters: parameters.len(), most_steps })
+    }
+
+    /// The same flow for thousands of motions, which are worth machine code from the first step on.
+    #[must_use]
+    pub fn for_many_steps(self) -> Self {
+        let (plain, with_variations) = (self.plain.for_many_steps(), self.with_variations.for_many_steps());
+        Self { plain, with_variations, ..self }
+    }
+
+    /// The system without its variations.
+    pub const fn system(&self) -> &System {
+        &self.plain
+    }
+
+    /// The derivatives of the system as a tape in the state, the time and the parameters.
+    pub const fn rates(&self) -> &Tape {
+        &self.rates
+    }
+
+    /// The tolerance and the step limit of a motion.
+    pub fn effort(&self, tolerance: f64) -> Effort {
+        Effort { most_steps: self.most_steps, ..Effort::to_tolerance(tolerance) }
+    }
+
+    /// The motion between two times; `each` sees its steps and may stop it.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed to its end, or that is stopped.
+    pub fn motion(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        [from, to]: [f64; 2],
+        tolerance: f64,
+        each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Solution, IntegrationError> {
+        let start = Moment { time: from, state: state.to_vec() };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
+        trajectory.integrate_watched(&self.plain, &self.effort(tolerance), each)
+    }
+
+    /// The end of a motion from t = 0 with its derivatives.
+    ///
+    /// # Errors
+    /// As [`motion`](Self::motion).
+    pub fn variations(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        duration: f64,
+        tolerance: f64,
+        mut each: impl FnMut() -> ControlFlow<()>,
+    ) -> Result<Variations, IntegrationError> {
+        let end = self.followed(state, parameters, duration, tolerance, |_| each())?;
+        Ok(self.taken_apart(&end))
+    }
+
+    /// The end of a motion of a system without parameters with its derivatives, and the largest size of each derivative by the start on the way,
+    /// as the ends of the steps show it.
+    ///
+    /// # Errors
+    /// As [`motion`](Self::motion).
+    pub fn largest_variations(
+        &self,
+        state: &[f64],
+        duration: f64,
+        tolerance: f64,
+        mut each: impl FnMut() -> ControlFlow<()>,
+    ) -> Result<(Variations, Vec<Vec<f64>>), IntegrationError> {
+        let numbers = self.layout.numbers();
+        let mut largest = vec![vec![0.0_f64; numbers]; numbers];
+        let end = self.followed(state, &[], duration, tolerance, |step| {
+            let here = self.taken_apart(&step.state_at(step.end().min(duration))).by_start;
+            for (largest, here) in largest.iter_mut().flatten().zip(here.iter().flatten()) {
+                *largest = largest.max(here.abs());
+            }
+            each()
+        })?;
+        Ok((self.taken_apart(&end), largest))
+    }
+
+    fn followed(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        duration: f64,
+        tolerance: f64,
+        each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Vec<f64>, IntegrationError> {
+        let numbers = self.layout.numbers();
+        let mut start = vec![0.0; numbers * (1 + self.parameters + numbers)];
+        for (number, value) in state.iter().enumerate() {
+            start[self.address(number, 0)] = *value;
+            start[self.address(number, 1 + self.parameters + number)] = 1.0;
+        }
+        let start = Moment { time: 0.0, state: start };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
+        let solution = trajectory.integrate_watched(&self.with_variations, &self.effort(tolerance), each)?;
+        Ok(solution.end.state)
+    }
+
+    /// Where a component stands in the state with its variations: of the motion, copy 0, or of a derivative.
+    fn address(&self, number: usize, copy: usize) -> usize {
+        self.layout.place_in_copy(number, copy, self.parameters + self.layout.numbers())
+    }
+
+    fn taken_apart(&self, all: &[f64]) -> Variations {
+        let numbers = self.layout.numbers();
+        let copy = |copy: usize| (0..numbers).map(move |number| all[self.address(number, copy)]);
+        let row = |number: usize| {
+            (0..numbers).map(|start| all[self.address(number, 1 + self.parameters + start)]).collect()
+        };
+        Variations {
+            end: copy(0).collect(),
+            by_start: (0..numbers).map(row).collect(),
+            by_parameters: (0..self.parameters).map(|number| copy(1 + number).collect()).collect(),
+        }
+    }
+
+    /// The derivative of a state by the time; `None` where a formula has no value.
+    pub fn rate(&self, state: &[f64], time: f64, parameters: &[f64]) -> Option<Vec<f64>> {
+        let inputs: Vec<f64> = state.iter().chain([&time]).chain(parameters).copied().collect();
+        let jet = Jet::new(&Doubles, &self.rates, &inputs).ok()?;
+        let mut rate = vec![0.0; state.len()];
+        for coordinate in 0..self.layout.coordinates() {
+            if let Some(velocity) = self.layout.velocity(coordinate) {
+                rate[coordinate] = state[velocity];
+            }
+            rate[self.layout.driven(coordinate)] = jet.result(coordinate)[0];
+        }
+        Some(rate)
+    }
+}

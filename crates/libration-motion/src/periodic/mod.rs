@@ -1,0 +1,19 @@
+//! What every periodic orbit shares, whether it is released, settled to, driven or followed over a parameter: the flow with its variations, the
+//! Floquet multipliers with their errors, and extrema.
+//!
+//! # Method
+//! An orbit is a zero of the map from its start to its end after one period, whose derivative comes from the variational equations. Two
+//! integrations to different tolerances tell the error of the flow. The error of an orbit's start is that residual, and the rounding of the start,
+//! taken through the inverse of the bordered matrix M − I; an orbit is accepted where it closes within ‖M‖ times that error and the error of the
+//! flow.
+//!
+//! # References
+//! R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.
+
+mod extrema;
+mod floquet;
+mod flow;
+
+pub use extrema::{Extrema, extrema};
+pub use floquet::{Floquet, Stability, multiplier_errors};
+pub use flow::{Flow, Variations};
