@@ -1,6 +1,6 @@
 //! A branch of periodic motions, followed from a place on it.
 
-use super::corrector::{Corrected, Corrector, norm};
+use super::corrector::{Corrector, norm};
 use super::established::{Milestone, is_established};
 use super::node::{Node, Tests, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
@@ -278,8 +278,7 @@ impl<'a> Walk<'a> {
         *across.last_mut()? = 1.0;
         let image = self.corrector.image(&guess)?;
         let mut corrected = match self.comes_to_crossing(&Tests::new(&image, 0.0)?) {
-            // The corrections have no bound.
-            true => Corrected { image, place: guess, first: 0.0 },
+            true => self.corrector.closed_by_period(guess)?,
             false => self.corrector.corrected(&guess, &across, units)?,
         };
         *corrected.place.last_mut()? = value;

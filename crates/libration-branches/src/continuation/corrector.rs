@@ -65,6 +65,19 @@ impl Corrector<'_> {
         None
     }
 
+    /// A motion where branches cross, so that corrections of the state have no bound: only the period is corrected, where no drive sets it.
+    pub(super) fn closed_by_period(&self, mut place: Vec<f64>) -> Option<Corrected> {
+        const ROUNDS: usize = 3;
+        let period = self.family.layout.numbers();
+        for _ in 0..if self.family.is_driven() { 0 } else { ROUNDS } {
+            let Image { defect, map, .. } = self.image(&place)?;
+            let rate = || map[..period].iter().map(|row| row[period]);
+            let product: f64 = rate().zip(&defect).map(|(rate, missed)| rate * missed).sum();
+            place[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
+        }
+        Some(Corrected { image: self.image(&place)?, place, first: 0.0 })
+    }
+
     pub(super) fn image(&self, place: &[f64]) -> Option<Image> {
         let (parameter, state) = place.split_last()?;
         self.family.image(self.space, state, &[*parameter], self.tolerance)

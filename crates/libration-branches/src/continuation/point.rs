@@ -2,7 +2,7 @@
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
 use super::family::{Family, Image, TOLERANCES};
-use super::node::largest_swing;
+use super::node::{in_units, largest_swing};
 use super::space::{Rotation, Space};
 use libration_motion::internals::periodic::{extrema, multiplier_errors};
 use libration_motion::orbit::Stability;
@@ -203,18 +203,28 @@ fn closes(image: &Image, motion: &Whole, error: f64, units: &[f64]) -> bool {
     missed <= CLOSED * norm * norm * (error / unit + apart(image, motion, units) + f64::EPSILON)
 }
 
-/// How far both defects lead across the branch, and what the rounding of the state does.
+/// The error of the state: how far the defects of two integrations, and what the rounding of the state does, lead across the branch.
 fn error(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<f64> {
-    let matrix = bordered(&corrected.image, tangent, units);
     let numbers = other.len();
-    let rounding: Vec<f64> = corrected.place[..numbers].iter().map(|x| f64::EPSILON * x.abs()).collect();
-    let closing =
-        (0..numbers).map(|i| (corrected.image.defect[i].abs() + other[i].abs() + rounding[i]) / units[i]);
-    let mut missed: Vec<f64> = closing.collect();
-    missed.resize(matrix.len(), 0.0);
-    let change = solve(&Doubles, |x| x.abs(), &matrix, &missed)?;
+    let change = across(corrected, other, tangent, units)?;
     let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
     Some(4.0 * unit * norm(&change[..numbers]))
+}
+
+/// The error of the parameter of a node, by its own defect and the rounding of its state.
+pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &[f64]) -> Option<f64> {
+    let change = across(corrected, &corrected.image.defect, &in_units(direction, units), units)?;
+    Some(4.0 * (change.last()? * units.last()?).abs())
+}
+
+/// The change across the branch, in units, that closes a motion which misses its start by two defects and by the rounding of its state.
+fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
+    let matrix = bordered(&corrected.image, tangent, units);
+    let rounding = corrected.place.iter().map(|x| f64::EPSILON * x.abs());
+    let defects = corrected.image.defect.iter().zip(other).zip(rounding).zip(units);
+    let mut missed: Vec<f64> = defects.map(|(((a, b), c), unit)| (a.abs() + b.abs() + c) / unit).collect();
+    missed.resize(matrix.len(), 0.0);
+    solve(&Doubles, |x| x.abs(), &matrix, &missed)
 }
 
 /// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins; an even rotation is taken off.

@@ -178,25 +178,34 @@ impl Search<'_> {
         found.branches.push(walked.branch);
     }
 
-    /// Follows a branch that another one ends in, or one that leaves another; `false` where none is left.
+    /// Follows a branch that leaves another one, or else one in which another one ends; `false` where none is left.
     fn follow_next(&self, found: &mut Found) -> bool {
-        if let Some(Meeting { parameter, unknowns, space }) = found.open.pop() {
-            let start = Start { unknowns, space };
-            if !self.is_followed(&found.branches, parameter, &start)
-                && let Ok(Some(mut walked)) = self.both_ways(parameter, &start)
+        if let Some((generation, start)) = found.leaving.pop() {
+            if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
+                && let Some(walked) = self.switched(&start)
             {
-                walked.branch.origin = Origin::Meeting;
-                self.keep(found, walked, 0);
+                self.keep(found, walked, generation);
             }
             return true;
         }
-        let Some((generation, start)) = found.leaving.pop() else { return false };
-        if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
-            && let Some(walked) = self.switched(&start)
+        let Some(Meeting { parameter, unknowns, space }) = found.open.pop() else { return false };
+        let start = Start { unknowns, space };
+        if !self.is_followed(&found.branches, parameter, &start)
+            && let Some(mut walked) = self.beside(parameter, &start)
         {
-            self.keep(found, walked, generation);
+            walked.branch.origin = Origin::Meeting;
+            self.keep(found, walked, 0);
         }
         true
+    }
+
+    /// The branch through a motion, from beside it on: the motion itself is singular, where the other branch ends.
+    fn beside(&self, parameter: f64, start: &Start) -> Option<Walked> {
+        /// Of the range.
+        const ASIDE: f64 = 1e-3;
+        let values = [1.0, -1.0].map(|side| parameter + side * ASIDE * self.width());
+        let within = values.into_iter().filter(|value| (self.range[0]..=self.range[1]).contains(value));
+        within.filter_map(|value| self.both_ways(value, start).ok().flatten()).next()
     }
 
     /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.

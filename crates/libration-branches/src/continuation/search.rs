@@ -43,6 +43,8 @@ impl Search<'_> {
         match self.start(value) {
             Ok(start) => Ok(vec![start]),
             Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
+            // Neighbouring motions close as well.
+            Err(NoOrbit::Undetermined(_)) if !self.family.is_driven() => Err(NoBranch::Family),
             Err(error) => Err(NoBranch::NoStart(error)),
         }
     }

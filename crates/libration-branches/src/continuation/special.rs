@@ -4,7 +4,7 @@ use super::corrector::{Corrected, Corrector, norm};
 use super::family::TOLERANCES;
 use super::hopf::hopf;
 use super::node::{Node, Tests, between, difference, in_units};
-use super::point::BranchPoint;
+use super::point::{BranchPoint, parameter_error};
 use super::space::Space;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
@@ -236,23 +236,26 @@ impl Stretch<'_> {
         let value = |s: f64| self.tests_at(self.corrector, test, s).map_or(0.0, |tests| test.of(&tests));
         let ends = [0.0, 1.0].map(|s| (s, value(s)));
         let s = zero_between(ends, Tolerance::absolute(NEAR), value)?;
-        let mut bracket = (0..DOUBLINGS).filter_map(|doublings| {
-            let aside = BESIDE * libm::exp2(f64::from(doublings));
-            let [a, b] = [s - aside, s + aside].map(|s| self.node_at(self.corrector, s));
-            Some([a?, b?]).filter(|[a, b]| test.changes(a, b))
-        });
-        let [a, b] = bracket.next()?;
-        let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
-        let place = between(&a, &b, self.units, from / (from - to));
-        let node_by = |corrector: &Corrector<'_>| {
-            let corrected = Corrected { image: corrector.image(&place)?, place: place.clone(), first: 0.0 };
-            Node::new(corrector, corrected, &a.direction, self.units)
+        // Beside the crossing the branch is the same to another tolerance, but for the error that is looked for.
+        let other = Corrector { tolerance: TOLERANCES[1], ..self.corrector.clone() };
+        let between_nodes = |corrector: &Corrector<'_>, aside: f64| {
+            let [a, b] = [s - aside, s + aside].map(|s| self.node_at(corrector, s));
+            let [a, b] = Some([a?, b?]).filter(|[a, b]| test.changes(a, b))?;
+            let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
+            let place = between(&a, &b, self.units, from / (from - to));
+            let corrected = Corrected { image: corrector.image(&place)?, place, first: 0.0 };
+            let node = Node::new(corrector, corrected, &a.direction, self.units)?;
+            Some((node, [a, b]))
         };
-        let node = node_by(self.corrector)?;
-        let again = node_by(&Corrector { tolerance: TOLERANCES[1], ..self.corrector.clone() })?;
+        let mut both = (0..DOUBLINGS).filter_map(|doublings| {
+            let aside = BESIDE * libm::exp2(f64::from(doublings));
+            Some([between_nodes(self.corrector, aside)?, between_nodes(&other, aside)?])
+        });
+        let [(node, [a, b]), (again, _)] = both.next()?;
         let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
-        let missed = off(&a).max(off(&b)) + f64::EPSILON * node.point.parameter.abs();
-        let error = 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
+        let own = [&a, &b].map(|it| parameter_error(&it.corrected, &it.direction, self.units).unwrap_or(0.0));
+        let missed = off(&a).max(off(&b)) + off(&again) + f64::EPSILON * node.point.parameter.abs();
+        let error = own[0].max(own[1]) + 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
         let special =
             SpecialPoint { kind: SpecialKind::BranchPoint, point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))
