@@ -25,6 +25,8 @@ enum Beat {
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
+    /// The signs that the mirror image gives to the components of a state.
+    pub(super) signs: Vec<f64>,
     beat: Beat,
     flow: Flow,
     pub(super) watch: &'w Watch<'w>,
@@ -113,8 +115,8 @@ impl<'w> Family<'w> {
             Beat::Drive(law) => Some(law),
             Beat::Own(_) => None,
         };
-        let symmetry = symmetry(&flow.layout, flow.rates(), law, ranges);
-        Ok(Self { layout: flow.layout.clone(), symmetry, beat, flow, watch })
+        let (symmetry, signs) = symmetry(&flow.layout, flow.rates(), law, ranges);
+        Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, watch })
     }
 
     pub(super) fn is_driven(&self) -> bool {
@@ -161,8 +163,10 @@ impl<'w> Family<'w> {
     ) -> Option<Image> {
         let state = self.state(unknowns);
         let duration = self.duration(space, unknowns, parameters)?;
-        let sign = space.sign();
-        let signed = |vector: Vec<f64>| vector.into_iter().map(|x| sign * x).collect::<Vec<f64>>();
+        let sign = |component: usize| if space.mirrored { self.signs[component] } else { 1.0 };
+        let signed = |vector: Vec<f64>| {
+            vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
+        };
         let found = self.flow.variations(state, parameters, duration, tolerance, || self.watch.flow()).ok()?;
         let Variations { end, by_start, by_parameters } = found;
         let all = end.iter().chain(by_start.iter().flatten()).chain(by_parameters.iter().flatten());
@@ -171,8 +175,8 @@ impl<'w> Family<'w> {
         }
         let rate = signed(self.rate(&end, duration, parameters)?);
         let image = Image {
-            defect: space.missed(&end, state),
-            map: by_start.into_iter().map(signed).collect(),
+            defect: space.missed(&end, state, &self.signs),
+            map: (0..).zip(by_start).map(|(it, row)| row.into_iter().map(|x| sign(it) * x).collect()).collect(),
             returned: None,
             by_parameters: by_parameters.into_iter().map(signed).collect(),
         };

@@ -142,7 +142,9 @@ impl Search<'_> {
         let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let belongs = |smaller: &Space| {
             let image = self.family.image(*smaller, state, &[value], TOLERANCES[0]);
-            image.is_some_and(|it| it.defect.iter().all(|d| d.abs() <= SAME * size))
+            // Without a drive the last one is that of the phase.
+            let numbers = self.family.layout.numbers();
+            image.is_some_and(|it| it.defect[..numbers].iter().all(|d| d.abs() <= SAME * size))
         };
         match space.within(self.family.symmetry).into_iter().find(belongs) {
             Some(smaller) => self.smallest(smaller, state, value),

@@ -72,20 +72,17 @@ impl Space {
         if self.mirrored { self.half_periods } else { self.half_periods / 2 }
     }
 
-    pub(super) const fn sign(self) -> f64 {
-        if self.mirrored { -1.0 } else { 1.0 }
-    }
-
     /// How many turns a number of the state has made at the end.
     pub(super) fn turns_of(self, number: usize) -> i32 {
         self.rotation.map_or(0, |it| it.turns_of(number))
     }
 
-    /// What an end, or its mirror image, misses of the start.
-    pub(super) fn missed(self, end: &[f64], start: &[f64]) -> Vec<f64> {
+    /// What an end misses of the start, or its mirror image, which changes signs.
+    pub(super) fn missed(self, end: &[f64], start: &[f64], signs: &[f64]) -> Vec<f64> {
+        let sign = |component: usize| if self.mirrored { signs[component] } else { 1.0 };
         let pairs = end.iter().zip(start).enumerate();
         pairs
-            .map(|(number, (end, start))| self.sign() * end - start - TAU * f64::from(self.turns_of(number)))
+            .map(|(number, (end, start))| sign(number) * end - start - TAU * f64::from(self.turns_of(number)))
             .collect()
     }
 

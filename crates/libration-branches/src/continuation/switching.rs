@@ -44,8 +44,13 @@ impl Search<'_> {
 
     /// The branch that leaves another one: along the deviation that the map turns into its opposite.
     pub(super) fn switched(&self, leaving: &Leaving) -> Option<Walked> {
-        /// The first place, as a part of the units: far enough from the other branch for its side of it to be certain.
-        const ASIDE: f64 = 1e-2;
+        /// The first place, as a part of the units: far enough from the other branch for its side of it to be certain; nearer where no motion is
+        /// found there.
+        const ASIDE: [f64; 3] = [1e-2, 3e-3, 1e-3];
+        ASIDE.into_iter().find_map(|aside| self.switched_aside(leaving, aside))
+    }
+
+    fn switched_aside(&self, leaving: &Leaving, distance: f64) -> Option<Walked> {
         let turned = |(i, row): (usize, &Vec<f64>)| {
             row.iter().enumerate().map(|(j, x)| if i == j { x + 1.0 } else { *x }).collect()
         };
@@ -55,7 +60,7 @@ impl Search<'_> {
         let parent = &leaving.node.point;
         let sizes = self.family.units(parent, largest_swing(parent), self.width());
         let largest = vector.iter().zip(&sizes).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
-        let mut aside: Vec<f64> = vector.iter().map(|x| ASIDE * x / largest).collect();
+        let mut aside: Vec<f64> = vector.iter().map(|x| distance * x / largest).collect();
         aside.resize(sizes.len(), 0.0);
         let place: Vec<f64> = leaving.node.place().iter().zip(&aside).map(|(x, d)| x + d).collect();
         let start = Node::near(&self.corrector(leaving.space), &place, [&aside, &aside], self.width())?;

@@ -13,28 +13,41 @@ const TRIALS: u32 = 12;
 /// analytic: what holds near one state holds at all.
 const SCALES: [i32; 2] = [-60, 60];
 
-/// The shift τ, zero or half a period, with which F(−x, −x′, t + τ) = −F(x, x′, t) for all states: a property of the equation, not of some of
-/// its orbits. The values of both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate
-/// value is not seen.
+/// The symmetry of a system and the signs that its mirror image gives to the components of a state.
+///
+/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal S of signs and a shift τ, zero or half a period: a property of the equation, not of
+/// some of its orbits. With a drive all signs are −1; without one any that changes the first coordinate's, as (x, y, z) → (−x, −y, z) for the Lorenz
+/// system. The values of both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate value is not
+/// seen.
 pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
-) -> Option<Symmetry> {
+) -> (Option<Symmetry>, Vec<f64>) {
     let equation = Trial { layout, rates, law, ranges };
-    let shifts = [(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)];
-    let shifts = shifts.into_iter().skip(usize::from(law.is_none()));
-    let mut symmetric = shifts.filter(|(_, shift)| {
-        let trials = || (0..TRIALS).flat_map(|trial| equation.scales().map(move |scale| (trial, scale)));
-        let mut outcomes = trials().map(|(trial, scale)| equation.holds(*shift, trial, scale));
-        let mut values = false;
-        outcomes.all(|outcome| {
-            values |= outcome.is_some();
-            outcome.unwrap_or(true)
-        }) && values
-    });
-    symmetric.next().map(|(symmetry, _)| symmetry)
+    let coordinates = layout.coordinates();
+    let all = vec![-1.0; coordinates];
+    let (shifts, mirrors) = match law {
+        Some(_) => (vec![(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)], vec![all]),
+        None => (vec![(Symmetry::HalfPeriod, 0.5)], mirrors(coordinates)),
+    };
+    let pairs = shifts.iter().flat_map(|shift| mirrors.iter().map(move |mirror| (shift, mirror)));
+    let found = pairs.into_iter().find(|((_, shift), mirror)| equation.has(*shift, mirror));
+    match found {
+        Some(((symmetry, _), mirror)) => (Some(*symmetry), equation.of_state(mirror)),
+        None => (None, vec![1.0; layout.numbers()]),
+    }
+}
+
+/// The signs of coordinates that change the first one's, all of them first.
+fn mirrors(coordinates: usize) -> Vec<Vec<f64>> {
+    /// Coordinates that are tried.
+    const MOST: usize = 6;
+    let others = coordinates.saturating_sub(1).min(MOST);
+    let kept = |number: usize, pattern: usize| number > 0 && number <= others && pattern >> (number - 1) & 1 == 1;
+    let mirror = |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
+    (0..1 << others).map(mirror).collect()
 }
 
 /// The equation that is tried.
@@ -54,8 +67,24 @@ impl Trial<'_> {
         (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power))
     }
 
+    /// The signs of the components of a state: a velocity has that of its coordinate.
+    fn of_state(&self, mirror: &[f64]) -> Vec<f64> {
+        self.layout.arrange(mirror.iter().copied(), |coordinate| mirror[coordinate])
+    }
+
+    /// Whether the equation has a symmetry in all trials, of which some have values.
+    fn has(&self, shift: f64, mirror: &[f64]) -> bool {
+        let trials = (0..TRIALS).flat_map(|trial| self.scales().map(move |scale| (trial, scale)));
+        let mut outcomes = trials.map(|(trial, scale)| self.holds(shift, mirror, trial, scale));
+        let mut values = false;
+        outcomes.all(|outcome| {
+            values |= outcome.is_some();
+            outcome.unwrap_or(true)
+        }) && values
+    }
+
     /// `None` where there are no values, as for a negative frequency under a root.
-    fn holds(&self, shift: f64, trial: u32, scale: f64) -> Option<bool> {
+    fn holds(&self, shift: f64, mirror: &[f64], trial: u32, scale: f64) -> Option<bool> {
         /// Roundings of the largest value for each operation.
         const ROUNDINGS: f64 = 8.0;
         // Parts of the golden ratio are spread evenly and hit no symmetric place.
@@ -68,9 +97,11 @@ impl Trial<'_> {
         let time = period * 0.5 * (drawn(0) + 1.0);
         let state: Vec<f64> = (10..).map(|k| scale * drawn(k)).take(self.layout.numbers()).collect();
         let (own, size) = self.values(state.iter().copied(), time, &parameters)?;
-        let (mirrored, other) = self.values(state.iter().map(|x| -x), time + shift * period, &parameters)?;
+        let image = state.iter().zip(self.of_state(mirror)).map(|(x, sign)| sign * x);
+        let (mirrored, other) = self.values(image, time + shift * period, &parameters)?;
         let rounding = ROUNDINGS * f64::EPSILON * count(self.rates.operations().len()) * size.max(other);
-        Some(own.iter().zip(&mirrored).all(|(a, b)| (a + b).abs() <= rounding))
+        let differences = own.iter().zip(&mirrored).zip(mirror).map(|((a, b), sign)| (sign * a - b).abs());
+        Some(differences.fold(0.0, f64::max) <= rounding)
     }
 
     /// The derivatives, and the largest intermediate value; `None` where one is not finite.
