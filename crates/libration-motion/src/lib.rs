@@ -39,7 +39,7 @@ pub mod internals {
         pub use crate::oscillator::roots::zeros;
     }
     pub mod periodic {
-        pub use crate::periodic::{Extrema, Flow, Variations, extrema, multiplier_errors};
+        pub use crate::periodic::{Extrema, Flow, Variations, extrema, multiplier_errors, turns_in};
     }
     pub mod spectrum {
         pub use crate::spectrum::{

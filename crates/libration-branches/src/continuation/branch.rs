@@ -2,10 +2,12 @@
 
 use super::corrector::{Corrector, norm};
 use super::established::{Milestone, is_established};
+use super::family::TOLERANCES;
 use super::node::{Node, Tests, between, difference, in_units, largest_swing};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
+use libration_motion::internals::periodic::turns_in;
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -207,6 +209,9 @@ impl<'a> Walk<'a> {
                 && (*length <= RESOLVED || self.is_established(next, *length))
         });
         let Some((next, turn, off)) = next else {
+            if *length < SHORT && self.begin_elsewhere(&units) {
+                return None;
+            }
             *length *= 0.5;
             return (*length < STEPS[1]).then_some(Ending::Lost);
         };
@@ -237,6 +242,43 @@ impl<'a> Walk<'a> {
             return Some(self.accept(end, &units).unwrap_or(Ending::Closed));
         }
         self.accept(next, &units)
+    }
+
+    /// Lets the last motion begin at that of its turning points where its start has the least error, if this is far less: a canard, which follows a
+    /// repelling way for a while, can be followed from elsewhere than from there. Whether it does.
+    fn begin_elsewhere(&mut self, units: &[f64]) -> bool {
+        const LESS: f64 = 0.01;
+        let here = self.at().point.error;
+        let nodes = self.other_turns(units).unwrap_or_default().into_iter();
+        let best = nodes.min_by(|a, b| a.point.error.total_cmp(&b.point.error));
+        let Some(node) = best.filter(|it| it.point.error < LESS * here) else { return false };
+        let at = self.milestones.last().map_or(0.0, |last| last.at);
+        self.milestones = vec![Milestone { at, tests: node.tests }];
+        self.nodes.pop();
+        self.nodes.push(node);
+        true
+    }
+
+    /// The last motion from its other turning points on, where no drive sets the phase.
+    fn other_turns(&self, units: &[f64]) -> Option<Vec<Node>> {
+        let Corrector { family, space, .. } = self.corrector;
+        let node = self.at();
+        let (parameter, unknowns) = node.place().split_last()?;
+        family.field()?;
+        let duration = family.duration(space, unknowns, &[*parameter])?;
+        let (steps, _) =
+            family.motion(family.state(unknowns), &[*parameter], [0.0, duration], TOLERANCES[1]).ok()?;
+        let numbers = family.layout.numbers();
+        // The period and the parameter change along the branch as they do from any start.
+        let along: Vec<f64> =
+            node.direction.iter().enumerate().map(|(j, x)| if j < numbers { 0.0 } else { *x }).collect();
+        let from = |state: Vec<f64>| {
+            let place: Vec<f64> = state.into_iter().chain(node.place()[numbers..].iter().copied()).collect();
+            let corrected = self.corrector.corrected(&place, &in_units(&along, units), units)?;
+            Node::new(&self.corrector, corrected, &along, units)
+        };
+        let turns = steps.iter().flat_map(|own| turns_in(own, 0, 0.0, duration).into_iter().map(move |it| (own, it)));
+        Some(turns.filter_map(|(own, time)| from(own.step().state_at(time))).collect())
     }
 
     /// The node after a step of a length, the angle it turned by, and how far its guess was off as a part of the step; none where it may

@@ -32,7 +32,7 @@ pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
         let value = |it: &Milestone| (it.at, test.of(&it.tests));
         let three = [value(&a), value(&b), value(next)];
         // Where a test function is rounding throughout, as in conservative systems, it tells nothing.
-        if three[1..].iter().any(|(_, value)| value.abs() <= test.sure()) {
+        if [&b, next].iter().any(|it| !test.has_sign(&it.tests)) {
             return true;
         }
         let off = match &earlier {

@@ -28,6 +28,8 @@ pub(super) struct Tests {
     pub(super) flip: f64,
     /// Whether the product of two is 1, in units of the square of the largest.
     pub(super) torus: f64,
+    /// What the errors of the multipliers make of the last three.
+    pub(super) noise: [f64; 3],
 }
 
 impl Node {
@@ -41,8 +43,8 @@ impl Node {
         let along = in_units(along, units);
         // Where branches cross there are several directions.
         let tangent = corrector.tangent(&corrected.image, &along, units).unwrap_or(along);
-        let point = corrector.point(&corrected, &tangent, units)?;
-        let tests = Tests::new(&corrected.image, tangent.last().copied()?)?;
+        let (point, multipliers) = corrector.point(&corrected, &tangent, units)?;
+        let tests = Tests::of(&multipliers, tangent.last().copied()?);
         let direction = tangent.iter().zip(units).map(|(t, unit)| t * unit).collect();
         Some(Self { corrected, direction, point, tests })
     }
@@ -73,21 +75,37 @@ impl Node {
 }
 
 impl Tests {
+    /// The tests of a map whose multipliers are taken as exact.
     pub(super) fn new(image: &Image, fold: f64) -> Option<Self> {
         let own = eigenvalues(image.return_map())?;
-        let one = Complex::from(1.0);
-        let product = |factors: &mut dyn Iterator<Item = Complex>| factors.fold(one, |a, b| a * b).re;
-        // The product of a large multiplier and its inverse is as inexact as the square of the large one.
-        let largest = own.first().map_or(1.0, |it| it.abs().max(1.0));
-        let rounding = largest * largest;
-        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        Some(Self {
-            fold,
-            branching: product(&mut own.iter().map(|it| *it - one)),
-            flip: product(&mut own.iter().map(|it| *it + one)),
-            torus: product(&mut pairs.map(|(i, j)| (own[i] * own[j] - one).scaled(1.0 / rounding))),
-        })
+        Some(Self::of(&own.into_iter().map(|it| (it, 0.0)).collect::<Vec<_>>(), fold))
     }
+
+    /// The tests of multipliers with their errors, by descending magnitude.
+    fn of(own: &[(Complex, f64)], fold: f64) -> Self {
+        let one = Complex::from(1.0);
+        // The product of a large multiplier and its inverse is as inexact as the square of the large one.
+        let largest = own.first().map_or(1.0, |(it, _)| it.abs().max(1.0));
+        let rounding = largest * largest;
+        let shifted = |by: f64| own.iter().map(move |(it, error)| (*it + Complex::from(by), *error));
+        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (own[i], own[j])));
+        let products = pairs.map(|((a, e), (b, f))| {
+            let error = e * b.abs() + f * a.abs() + e * f;
+            ((a * b - one).scaled(1.0 / rounding), error / rounding)
+        });
+        let [branching, flip, torus] =
+            [product(shifted(-1.0)), product(shifted(1.0)), product(products)];
+        Self { fold, branching: branching.0, flip: flip.0, torus: torus.0, noise: [branching.1, flip.1, torus.1] }
+    }
+}
+
+/// The real part of a product, and what the errors of the factors make of it.
+fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
+    let one = (Complex::from(1.0), 0.0);
+    let (product, error) = factors.fold(one, |(product, error), (factor, own)| {
+        (product * factor, error * (factor.abs() + own) + own * product.abs())
+    });
+    (product.re, error)
 }
 
 /// A direction as a unit vector in units.

@@ -79,14 +79,20 @@ impl Corrector<'_> {
     }
 
     /// The description of a motion; `None` where it cannot be followed, or does not close over its whole period.
-    pub(super) fn point(&self, corrected: &Corrected, tangent: &[f64], units: &[f64]) -> Option<BranchPoint> {
+    /// With the multipliers of the map of its space and their errors.
+    pub(super) fn point(
+        &self,
+        corrected: &Corrected,
+        tangent: &[f64],
+        units: &[f64],
+    ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
         let (&parameter, unknowns) = corrected.place.split_last()?;
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
         let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
-        let point = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &motion)?;
+        let (point, own) = self.family.described(self.space, unknowns, &[parameter], &corrected.image, &motion)?;
         // Where branches cross the state is not determined.
         let error = error(corrected, &motion.defect, tangent, units).unwrap_or(f64::INFINITY);
-        closes(&corrected.image, &motion, error, units).then_some(BranchPoint { error, ..point })
+        closes(&corrected.image, &motion, error, units).then_some((BranchPoint { error, ..point }, own))
     }
 }
 
@@ -124,7 +130,7 @@ impl Family<'_> {
         error: f64,
     ) -> Option<BranchPoint> {
         let motion = self.whole(space, unknowns, parameters, TOLERANCES[1])?;
-        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &motion)? })
+        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &motion)?.0 })
     }
 
     fn described(
@@ -134,7 +140,7 @@ impl Family<'_> {
         parameters: &[f64],
         image: &Image,
         motion: &Whole,
-    ) -> Option<BranchPoint> {
+    ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
         let duration = self.duration(space, unknowns, parameters)?;
         let period = if space.mirrored { 2.0 * duration } else { duration };
         let point = BranchPoint {
@@ -149,7 +155,8 @@ impl Family<'_> {
             error: 0.0,
         };
         let units = self.units(&point, largest_swing(&point), 1.0);
-        let mut own = multipliers(image, &units, apart(image, motion, &units))?;
+        let of_map = multipliers(image, &units, apart(image, motion, &units))?;
+        let mut own = of_map.clone();
         if !self.is_driven() {
             // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
             own.pop();
@@ -160,7 +167,7 @@ impl Family<'_> {
             // The whole period is twice the time of the map.
             own.iter_mut().for_each(|it| *it = squared(*it));
         }
-        Some(point.with_multipliers(own))
+        Some((point.with_multipliers(own), of_map))
     }
 }
 

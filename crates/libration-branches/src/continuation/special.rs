@@ -99,9 +99,20 @@ impl Test {
         }
     }
 
+    /// Whether a value has a sign, beyond what the errors of the multipliers make of it.
+    pub(super) fn has_sign(self, tests: &Tests) -> bool {
+        let noise = match self {
+            Self::Fold => 0.0,
+            Self::Branching => tests.noise[0],
+            Self::Flip => tests.noise[1],
+            Self::Torus => tests.noise[2],
+        };
+        self.of(tests).abs() > self.sure().max(noise)
+    }
+
     fn changes(self, a: &Node, b: &Node) -> bool {
         let values = [a, b].map(|node| self.of(&node.tests));
-        values.iter().all(|it| it.abs() > self.sure()) && (values[0] > 0.0) != (values[1] > 0.0)
+        [a, b].iter().all(|node| self.has_sign(&node.tests)) && (values[0] > 0.0) != (values[1] > 0.0)
     }
 }
 

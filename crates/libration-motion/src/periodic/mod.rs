@@ -14,6 +14,6 @@ mod extrema;
 mod floquet;
 mod flow;
 
-pub use extrema::{Extrema, extrema};
+pub use extrema::{Extrema, extrema, turns_in};
 pub use floquet::{Floquet, Stability, multiplier_errors};
 pub use flow::{Flow, Variations};
