@@ -272,3 +272,97 @@ fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
     let mut random = Random::seeded(sweep::seed(35_003));
     (0..sweep::number(10, 100)).for_each(|_| check(&smooth(&mut random), &mut random));
 }
+
+/// An oscillator whose force without the drive is given, with the drive 0.3·cos(w·t).
+fn driven(text: &str, kinks: Vec<f64>, force: impl Fn(f64, f64) -> f64 + 'static) -> Oscillator {
+    Oscillator {
+        text: format!("{text} = 0.3*cos(w*t)"),
+        force: Box::new(move |t, [x, v], w| 0.3 * (w * t).cos() - force(x, v)),
+        range: [0.5, 2.0],
+        beat: 1.0,
+        kinks,
+    }
+}
+
+/// Each of them is odd between its kinks, where all states of small size are.
+#[test]
+fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
+    let mut random = Random::seeded(35_004);
+    let one_sided = |x: f64| (x - 1.0).max(0.0);
+    for oscillator in [
+        driven("x'' + 0.1*x' + x + 10*max(x - 1, 0)", vec![1.0], move |x, v| 0.1 * v + x + 10.0 * one_sided(x)),
+        driven("x'' + 0.1*x' + x + 0.5*max(x - 1, 0)^2", vec![1.0], move |x, v| {
+            0.1 * v + x + 0.5 * one_sided(x) * one_sided(x)
+        }),
+        driven("x'' + 0.1*x' + x + x^2*max(x - 1, 0)", vec![1.0], move |x, v| 0.1 * v + x + x * x * one_sided(x)),
+        driven("x'' + 0.1*x' + x + 2*abs(x - 1) + 2*(x - 1)", vec![1.0], move |x, v| {
+            0.1 * v + x + 4.0 * one_sided(x)
+        }),
+    ] {
+        assert!(oscillator.response().branches.iter().all(|branch| !branch.space.mirrored), "{}", oscillator.text);
+        check(&oscillator, &mut random);
+    }
+    // Two degrees of freedom with a stop: what a symmetric branch would show is not there.
+    let pair = "x'' + 0.1*x' + 2*x - y = 0.3*cos(w*t); y'' + 0.1*y' + 2*y - x + 20*max(y - 0.5, 0) = 0";
+    let response = Response::over(&pair.parse().unwrap(), "w", [0.5, 2.0], &ResponseOptions::default()).unwrap();
+    for branch in &response.branches {
+        assert!(!branch.space.mirrored);
+        assert!(branch.points.iter().all(|point| point.amplitude(0, false) < 10.0), "{:?}", branch.ending);
+    }
+}
+
+/// A kink on the other side too makes the force odd again, however far out it is.
+#[test]
+fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
+    for (other, mirrored) in [("1000", true), ("1000.0001", false)] {
+        let text = format!("x'' + 0.1*x' + x + 3*max(x - 1000, 0) - 3*max(-x - {other}, 0) = 0.3*cos(w*t)");
+        let response = Response::over(&text.parse().unwrap(), "w", [1.5, 2.0], &ResponseOptions::default());
+        assert_eq!(response.unwrap().branches[0].space.mirrored, mirrored, "{other}");
+    }
+}
+
+/// The edges of the tongues by Floquet multipliers of other programs, to the digits that stand here.
+#[test]
+fn tongues_narrower_than_a_step_are_found() {
+    let mut random = Random::seeded(35_005);
+    let shaken = Oscillator {
+        text: "theta'' + 0.005*theta' + (1 - 0.01*w^2*cos(w*t))*sin(theta) = 0".to_owned(),
+        force: Box::new(|t, [x, v], w| -0.005 * v - (1.0 - 0.01 * w * w * (w * t).cos()) * x.sin()),
+        range: [1.5, 2.5],
+        beat: 1.0,
+        kinks: vec![],
+    };
+    let parametron = Oscillator {
+        text: "x'' + 0.005*x' + (1 - 0.011*cos(2*w*t))*x + x^3 = 0".to_owned(),
+        force: Box::new(|t, [x, v], w| -0.005 * v - (1.0 - 0.011 * (2.0 * w * t).cos()) * x - x * x * x),
+        range: [0.95, 1.05],
+        beat: 2.0,
+        kinks: vec![],
+    };
+    for (oscillator, edges) in [(shaken, [1.98, 2.02]), (parametron, [0.99884934, 1.00114063])] {
+        let response = oscillator.response();
+        let rest: Vec<f64> = response.branches[0].special.iter().map(|it| it.point.parameter).collect();
+        let tolerance = if edges[0] > 1.5 { 2e-3 } else { 1e-8 };
+        assert!(rest.len() == 2 && rest.iter().zip(edges).all(|(a, b)| (a - b).abs() < tolerance), "{rest:?}");
+        assert!(response.branches.len() > 1, "the motions in the tongue are followed");
+        check(&oscillator, &mut random);
+    }
+}
+
+#[test]
+fn the_branch_in_which_another_one_ends_is_followed() {
+    let mut random = Random::seeded(35_006);
+    let gap = |x: f64| 3.0 * ((x - 0.2).max(0.0) - (-x - 0.2).max(0.0));
+    let oscillator = Oscillator {
+        text: "x'' + 0.05*x' + 3*max(x - 0.2, 0) - 3*max(-x - 0.2, 0) = 0.2*cos(w*t)".to_owned(),
+        force: Box::new(move |t, [x, v], w| 0.2 * (w * t).cos() - 0.05 * v - gap(x)),
+        range: [0.5, 2.0],
+        beat: 1.0,
+        kinks: vec![0.2, -0.2],
+    };
+    let response = oscillator.response();
+    let points = response.branches.iter().flat_map(|branch| &branch.points);
+    let largest = points.map(|point| point.amplitude(0, false)).fold(0.0, f64::max);
+    assert!((largest - 2.449).abs() < 0.01, "the main resonance comes to {largest}");
+    check(&oscillator, &mut random);
+}

@@ -138,3 +138,44 @@ fn a_branch_of_cycles_that_is_stopped_has_what_was_done() {
     assert!(response.interrupted && response.branches[0].ending == Ending::Interrupted);
     assert!(response.branches[0].points.len() == 5, "{}", response.branches[0].points.len());
 }
+
+/// The symmetric cycle loses its symmetry at 312.973532984 (shooting over half a period with SciPy's DOP853 at 2.3e-14 and the variational equations).
+#[test]
+fn a_mirror_image_of_two_of_three_coordinates_is_recognised() {
+    let lorenz = "x' = 10*(y - x); y' = x*(rho - z) - y; z' = x*y - 8/3*z";
+    for range in [[210.0, 330.0], [300.0, 330.0]] {
+        let response = over(lorenz, "rho", range, &ResponseOptions::default());
+        let specials: Vec<_> = response.branches.iter().flat_map(|branch| &branch.special).collect();
+        let lost: Vec<_> = specials.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking).collect();
+        assert!(lost.len() == 1 && (lost[0].point.parameter - 312.973532984206).abs() < 1e-9, "{lost:?}");
+        assert!(lost[0].error < 1e-10 && specials.iter().all(|it| it.kind != SpecialKind::BranchPoint));
+        if range[0] < 220.0 {
+            let doubled = response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling);
+            assert!(doubled.count() >= 1, "the doubled cycles are followed");
+        }
+    }
+}
+
+/// The Hopf points are where the trace 1 − v² − 0.064 vanishes, and the cubic makes everything symmetric about I = 7/8.
+#[test]
+fn canards_are_followed_to_the_hopf_points_on_both_sides() {
+    let nerve = "v' = v - v^3/3 - w + I; w' = 0.08*(v + 0.7 - 0.8*w)";
+    let v = 0.936_f64.sqrt();
+    let current = |v: f64| v * v * v / 3.0 - v + (v + 0.7) / 0.8;
+    for at in [0.6, 1.3] {
+        let options = ResponseOptions { at: Some(at), ..ResponseOptions::default() };
+        let response = over(nerve, "I", [0.2, 1.8], &options);
+        let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
+        assert_eq!([branch.beginning, branch.ending], [Ending::Rest; 2], "from {at}");
+        let of_kind = |kind: SpecialKind| {
+            let mut found: Vec<f64> =
+                branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect();
+            found.sort_by(f64::total_cmp);
+            found
+        };
+        let (hopf, folds) = (of_kind(SpecialKind::Hopf), of_kind(SpecialKind::Fold));
+        assert!(hopf.len() == 2 && (hopf[0] - current(-v)).abs() < 1e-14 && (hopf[1] - current(v)).abs() < 1e-14);
+        assert!(folds.len() == 2 && (folds[0] + folds[1] - 1.75).abs() < 1e-13, "{folds:?}");
+        assert_eq!(branch.special.len(), 4, "{:?}", branch.special);
+    }
+}
