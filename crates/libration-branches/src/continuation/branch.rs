@@ -3,10 +3,11 @@
 use super::corrector::{Corrector, norm};
 use super::established::{Milestone, is_established};
 use super::family::TOLERANCES;
-use super::node::{Node, Tests, between, difference, in_units, largest_swing};
+use super::node::{Node, Tests, between};
 use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
+use super::units::{difference, in_units, largest_swing};
 use libration_motion::internals::periodic::turns_in;
 
 /// Periodic motions one behind the other, as a parameter changes.
@@ -277,7 +278,8 @@ impl<'a> Walk<'a> {
             let corrected = self.corrector.corrected(&place, &in_units(&along, units), units)?;
             Node::new(&self.corrector, corrected, &along, units)
         };
-        let turns = steps.iter().flat_map(|own| turns_in(own, 0, 0.0, duration).into_iter().map(move |it| (own, it)));
+        let turns =
+            steps.iter().flat_map(|own| turns_in(own, 0, 0.0, duration).into_iter().map(move |it| (own, it)));
         Some(turns.filter_map(|(own, time)| from(own.step().state_at(time))).collect())
     }
 

@@ -3,11 +3,11 @@
 use super::branch::Ending;
 use super::corrector::norm;
 use super::family::TOLERANCES;
-use super::node::largest_swing;
 use super::point::BranchPoint;
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, Test};
+use super::units::largest_swing;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::solve;
 use libration_numbers::roots::{Tolerance, zero_between};

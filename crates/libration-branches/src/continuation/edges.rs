@@ -1,9 +1,9 @@
 //! The edges of stability of a state of rest over two parameters, found on a grid.
 
 use super::curve::SpecialCurve;
+use super::description::multipliers;
 use super::family::{Family, TOLERANCES};
 use super::node::Tests;
-use super::point::multipliers;
 use super::space::Space;
 use super::special::Test;
 use libration_motion::orbit::Stability;

@@ -167,7 +167,8 @@ impl<'w> Family<'w> {
         let signed = |vector: Vec<f64>| {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
-        let found = self.flow.variations(state, parameters, duration, tolerance, || self.watch.flow()).ok()?;
+        let found =
+            self.flow.variations(state, parameters, duration, tolerance, || self.watch.flow()).ok()?;
         let Variations { end, by_start, by_parameters } = found;
         let all = end.iter().chain(by_start.iter().flatten()).chain(by_parameters.iter().flatten());
         if !all.copied().all(f64::is_finite) {
@@ -176,7 +177,10 @@ impl<'w> Family<'w> {
         let rate = signed(self.rate(&end, duration, parameters)?);
         let image = Image {
             defect: space.missed(&end, state, &self.signs),
-            map: (0..).zip(by_start).map(|(it, row)| row.into_iter().map(|x| sign(it) * x).collect()).collect(),
+            map: (0..)
+                .zip(by_start)
+                .map(|(it, row)| row.into_iter().map(|x| sign(it) * x).collect())
+                .collect(),
             returned: None,
             by_parameters: by_parameters.into_iter().map(signed).collect(),
         };

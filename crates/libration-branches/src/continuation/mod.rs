@@ -22,6 +22,7 @@ mod error;
 mod drive_law;
 mod field;
 mod space;
+mod units;
 
 mod symmetry;
 
@@ -29,6 +30,7 @@ mod family;
 
 mod corrector;
 
+mod description;
 mod point;
 
 mod node;

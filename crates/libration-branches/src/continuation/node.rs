@@ -1,11 +1,11 @@
 //! A place on a branch, with its direction and what tells singular points.
 
 use super::corrector::{Corrected, Corrector, norm};
-use super::family::{Family, Image};
+use super::family::Image;
 use super::point::BranchPoint;
+use super::units::{difference, in_units, largest_swing};
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
-use std::f64::consts::TAU;
 
 /// A place on a branch.
 #[derive(Clone, Debug)]
@@ -93,9 +93,14 @@ impl Tests {
             let error = e * b.abs() + f * a.abs() + e * f;
             ((a * b - one).scaled(1.0 / rounding), error / rounding)
         });
-        let [branching, flip, torus] =
-            [product(shifted(-1.0)), product(shifted(1.0)), product(products)];
-        Self { fold, branching: branching.0, flip: flip.0, torus: torus.0, noise: [branching.1, flip.1, torus.1] }
+        let [branching, flip, torus] = [product(shifted(-1.0)), product(shifted(1.0)), product(products)];
+        Self {
+            fold,
+            branching: branching.0,
+            flip: flip.0,
+            torus: torus.0,
+            noise: [branching.1, flip.1, torus.1],
+        }
     }
 }
 
@@ -106,35 +111,6 @@ fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
         (product * factor, error * (factor.abs() + own) + own * product.abs())
     });
     (product.re, error)
-}
-
-/// A direction as a unit vector in units.
-pub(super) fn in_units(direction: &[f64], units: &[f64]) -> Vec<f64> {
-    let scaled: Vec<f64> = direction.iter().zip(units).map(|(x, unit)| x / unit).collect();
-    let size = norm(&scaled);
-    scaled.into_iter().map(|x| x / size).collect()
-}
-
-/// The half widths of what the coordinates go, the largest of them, or 1 at rest.
-pub(super) fn largest_swing(point: &BranchPoint) -> f64 {
-    let largest = point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max);
-    if largest > 1e-9 { largest } else { 1.0 }
-}
-
-impl Family<'_> {
-    /// The sizes of the unknowns, then that of the parameter: half of what a coordinate goes, its share of the velocity, and the period where
-    /// it is unknown. What hardly moves beside the largest swing is measured by a part of this.
-    pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {
-        const HARDLY: f64 = 0.02;
-        let swing = |coordinate: usize| {
-            let [low, high] = point.ranges[coordinate];
-            (0.5 * (high - low)).max(HARDLY * largest)
-        };
-        let places = (0..self.layout.coordinates()).map(swing);
-        let sizes = self.layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
-        let period = (!self.is_driven()).then_some(point.period);
-        sizes.into_iter().chain(period).chain([width]).collect()
-    }
 }
 
 /// The cubic through two places with their directions: Hermite's, from 0 to 1.
@@ -152,8 +128,4 @@ pub(super) fn between(a: &Node, b: &Node, units: &[f64], s: f64) -> Vec<f64> {
             x + one * (y - x) + other * ((1.0 - s) * from[j] - s * to[j])
         })
         .collect()
-}
-
-pub(super) fn difference(a: &[f64], b: &[f64], units: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).zip(units).map(|((a, b), unit)| (a - b) / unit).collect()
 }

@@ -128,7 +128,8 @@ impl Search<'_> {
             return here.any(|(_, [a, b])| is_at_rest(a) && is_at_rest(b));
         }
         let same = here.filter(|(space, _)| space.drive_periods() == start.space.drive_periods());
-        let mut landings = same.map(|(space, pair)| landing(&self.corrector(space), pair, value, self.width()));
+        let mut landings =
+            same.map(|(space, pair)| landing(&self.corrector(space), pair, value, self.width()));
         if !self.family.is_driven() {
             let turns = f64::from(start.space.drive_periods());
             let period = start.unknowns.last().map_or(f64::NAN, |turn| turn * turns);

@@ -3,11 +3,11 @@
 use super::corrector::norm;
 use super::error::NoBranch;
 use super::family::{Family, TOLERANCES};
-use super::node::largest_swing;
 use super::precise_flow::{PreciseFlow, PreciseImage};
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
+use super::units::largest_swing;
 use libration_motion::internals::orbit::depends_on_time;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;

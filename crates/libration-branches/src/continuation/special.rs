@@ -1,11 +1,13 @@
 //! Singular points of a branch, to the last digits.
 
 use super::corrector::{Corrected, Corrector, norm};
+use super::description::parameter_error;
 use super::family::TOLERANCES;
 use super::hopf::hopf;
-use super::node::{Node, Tests, between, difference, in_units};
-use super::point::{BranchPoint, parameter_error};
+use super::node::{Node, Tests, between};
+use super::point::BranchPoint;
 use super::space::Space;
+use super::units::{difference, in_units};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
@@ -203,7 +205,8 @@ impl Stretch<'_> {
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
             // The state at rest.
-            return (self.size(&place) < REST).then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
+            return (self.size(&place) < REST)
+                .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
         let misses = |smaller: Space| {
             let image = family.image(smaller, unknowns, &[*parameter], *tolerance)?;
@@ -341,7 +344,8 @@ fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
     if test == Test::Fold {
         return 0.0;
     }
-    let product = |it: &Node| it.point.multipliers.iter().fold(f64::EPSILON, |size, it| size * (1.0 + it.abs()));
+    let product =
+        |it: &Node| it.point.multipliers.iter().fold(f64::EPSILON, |size, it| size * (1.0 + it.abs()));
     let largest = |it: &Node| it.point.multipliers.first().map_or(1.0, |it| it.abs().max(1.0));
     let scale = if test == Test::Torus { largest(at[0]) * largest(at[0]) } else { 1.0 };
     let left: f64 = at.iter().map(|it| test.of(&it.tests).abs()).sum::<f64>() + product(at[0]) / scale;

@@ -1,8 +1,9 @@
 //! A parameter that is changed slowly, as in an experiment: where the motion settles at one value after the other.
 
+use super::description::ranges;
 use super::error::NoBranch;
 use super::family::Family;
-use super::point::{amplitude_of, ranges};
+use super::point::amplitude_of;
 use super::response::Response;
 use super::space::{Rotation, Space};
 use libration_kernels::elementary::count;

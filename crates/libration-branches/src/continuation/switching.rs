@@ -1,11 +1,13 @@
 //! The branches that leave others where a symmetry is lost or a period doubles.
 
 use super::branch::{Branch, Origin, Walk, Walked};
-use super::node::{Node, largest_swing};
-use super::point::{BranchPoint, squared};
+use super::description::squared;
+use super::node::Node;
+use super::point::BranchPoint;
 use super::search::Search;
 use super::space::{Rotation, Space};
 use super::special::{SpecialKind, SpecialPoint};
+use super::units::largest_swing;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::null_space;
 

@@ -45,8 +45,10 @@ fn mirrors(coordinates: usize) -> Vec<Vec<f64>> {
     /// Coordinates that are tried.
     const MOST: usize = 6;
     let others = coordinates.saturating_sub(1).min(MOST);
-    let kept = |number: usize, pattern: usize| number > 0 && number <= others && pattern >> (number - 1) & 1 == 1;
-    let mirror = |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
+    let kept =
+        |number: usize, pattern: usize| number > 0 && number <= others && pattern >> (number - 1) & 1 == 1;
+    let mirror =
+        |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
     (0..1 << others).map(mirror).collect()
 }
 
@@ -88,8 +90,9 @@ impl Trial<'_> {
         /// Roundings of the largest value for each operation.
         const ROUNDINGS: f64 = 8.0;
         // Parts of the golden ratio are spread evenly and hit no symmetric place.
-        let drawn =
-            |k: u32| 2.0 * ((7.0 * f64::from(trial) + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0;
+        let drawn = |k: u32| {
+            2.0 * ((7.0 * f64::from(trial) + f64::from(k + 1)) * 0.618_033_988_749_894_9).fract() - 1.0
+        };
         let within = |(k, [low, high]): (u32, &[f64; 2])| low + 0.5 * (drawn(k) + 1.0) * (high - low);
         let parameters: Vec<f64> = (1..).zip(self.ranges).map(within).collect();
         // Without a drive all times are alike.

@@ -5,7 +5,6 @@
 // Tests read as users of the crate `libration` write.
 extern crate libration_branches as libration;
 
-mod adhoc;
 mod brute_force;
 mod continuation;
 mod crossings;

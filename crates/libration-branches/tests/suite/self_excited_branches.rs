@@ -174,7 +174,9 @@ fn canards_are_followed_to_the_hopf_points_on_both_sides() {
             found
         };
         let (hopf, folds) = (of_kind(SpecialKind::Hopf), of_kind(SpecialKind::Fold));
-        assert!(hopf.len() == 2 && (hopf[0] - current(-v)).abs() < 1e-14 && (hopf[1] - current(v)).abs() < 1e-14);
+        assert!(
+            hopf.len() == 2 && (hopf[0] - current(-v)).abs() < 1e-14 && (hopf[1] - current(v)).abs() < 1e-14
+        );
         assert!(folds.len() == 2 && (folds[0] + folds[1] - 1.75).abs() < 1e-13, "{folds:?}");
         assert_eq!(branch.special.len(), 4, "{:?}", branch.special);
     }

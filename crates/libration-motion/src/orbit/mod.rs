@@ -50,9 +50,9 @@ mod driven;
 
 mod search;
 
+pub use crate::periodic::{Floquet, Stability};
 pub use error::{Lost, NoOrbit};
 pub use harmonics::{Harmonic, Harmonics};
-pub use crate::periodic::{Floquet, Stability};
 pub use near::OrbitGuess;
 pub use periodic::Orbit;
 pub use search::{OrbitKind, OrbitSearch};

@@ -5,8 +5,8 @@
 //! deviations, in which all digits would be lost, can add to it.
 
 use super::closing::Rounds;
-use super::error::NoOrbit;
 use super::divergence::Divergence;
+use super::error::NoOrbit;
 use super::near::OrbitGuess;
 use super::path::Path;
 use super::periodic::{Orbit, StateErrors};

@@ -1,8 +1,8 @@
 //! Newton's method for the state that comes back to itself.
 
 use super::closing::{Round, Rounds};
-use super::error::{Lost, NoOrbit, finished};
 use super::divergence::Divergence;
+use super::error::{Lost, NoOrbit, finished};
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
@@ -137,7 +137,11 @@ impl<'a> Newton<'a> {
         /// Variations are integrated to this part of their size.
         const VARIATIONS: f64 = 1e-12;
         let floquet = Floquet::new(&self.round.monodromy, &self.sizes, VARIATIONS, false);
-        if floquet.map(|it| it.stability) == Some(Stability::Attracting) { Lost::Rest } else { Lost::UnstableRest }
+        if floquet.map(|it| it.stability) == Some(Stability::Attracting) {
+            Lost::Rest
+        } else {
+            Lost::UnstableRest
+        }
     }
 
     /// The largest swing of a coordinate.

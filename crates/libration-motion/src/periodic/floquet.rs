@@ -37,7 +37,9 @@ impl Stability {
         multipliers.into_iter().fold(Self::Attracting, |stability, (size, error)| match stability {
             _ if size - error > 1.0 => Self::Unstable,
             // An error that is not a number establishes nothing.
-            Self::Attracting if !matches!((size + error).partial_cmp(&1.0), Some(Ordering::Less)) => Self::Neutral,
+            Self::Attracting if !matches!((size + error).partial_cmp(&1.0), Some(Ordering::Less)) => {
+                Self::Neutral
+            }
             other => other,
         })
     }
@@ -77,7 +79,12 @@ impl Floquet {
 
 /// The errors of the eigenvalues of a monodromy matrix whose entries are known to a part of its norm, where components of the state are measured
 /// in units; and what rounding does to them.
-pub fn multiplier_errors(monodromy: &[Vec<f64>], units: &[f64], multipliers: &[Complex], part: f64) -> Vec<f64> {
+pub fn multiplier_errors(
+    monodromy: &[Vec<f64>],
+    units: &[f64],
+    multipliers: &[Complex],
+    part: f64,
+) -> Vec<f64> {
     /// Roundings of the QR algorithm for each row.
     const ROUNDINGS: f64 = 4.0;
     let row = |(row, own): (&Vec<f64>, &f64)| row.iter().zip(units).map(|(x, unit)| x * unit / own).collect();

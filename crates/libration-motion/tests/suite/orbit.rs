@@ -536,7 +536,12 @@ fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
 /// Damping that takes little of a turn is no orbit of a family, and a cycle far away is not where the motion is.
 #[test]
 fn a_motion_with_weak_damping_is_not_periodic() {
-    for text in ["x'' = -x - 1e-6*x'", "x'' = -x - 1e-10*x'", "x'' = -sin(x) - 1e-7*x'", "x'' = -x - 1e-12*x'*abs(x')"] {
+    for text in [
+        "x'' = -x - 1e-6*x'",
+        "x'' = -x - 1e-10*x'",
+        "x'' = -sin(x) - 1e-7*x'",
+        "x'' = -x - 1e-12*x'*abs(x')",
+    ] {
         let refusal = Orbit::released(&equation(text), 2.0).unwrap_err();
         assert!(matches!(refusal, NoOrbit::NotClosed { .. }), "{text}: {refusal}");
         let search = OrbitSearch { start: vec![2.0, 0.0], period: None, conserves_energy: false, held: None };
@@ -572,10 +577,16 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
             assert!(error < 1e-11 * amplitude / damping.max(1e-3), "{text}: {error:e}");
         }
         let (low, high) = orbit.range(0);
-        assert!((high - amplitude).abs() <= orbit.state_errors()[0] + 8.0 * f64::EPSILON * amplitude, "{text}");
+        assert!(
+            (high - amplitude).abs() <= orbit.state_errors()[0] + 8.0 * f64::EPSILON * amplitude,
+            "{text}"
+        );
         assert!((low + high).abs() <= 2.0 * orbit.state_errors()[0], "{text}");
         let harmonics = orbit.harmonics(0);
-        assert!((harmonics.terms[1].cosine - start[0]).abs() <= harmonics.error + 4e-16 * amplitude, "{text}");
+        assert!(
+            (harmonics.terms[1].cosine - start[0]).abs() <= harmonics.error + 4e-16 * amplitude,
+            "{text}"
+        );
         let floquet = orbit.floquet().unwrap();
         let free = (1.0 - damping * damping / 4.0).sqrt();
         let exact = libm::exp(-0.5 * damping * period);

@@ -177,7 +177,8 @@ fn start(answer: &Answer) -> String {
     let values = answer.orbit.start();
     let errors = answer.orbit.start_errors();
     let components = names.iter().zip(&values).zip(errors);
-    let told = components.map(|((name, value), error)| format!("{name} = {}", to_its_error(*value, *error, 14)));
+    let told =
+        components.map(|((name, value), error)| format!("{name} = {}", to_its_error(*value, *error, 14)));
     let largest = errors.iter().copied().fold(0.0, f64::max);
     let to = if largest > 0.0 { format!("; to {}", at_most(largest)) } else { String::new() };
     told.collect::<Vec<_>>().join(", ") + &to

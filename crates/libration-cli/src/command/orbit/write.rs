@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 /// Where lines are broken.
 const COLUMNS: usize = 100;
-/// Harmonics below this part of the largest, and more of a coordinate than these, are for machines only.
+/// Harmonics below their error or this part of the largest, and more of a coordinate than these, are for machines only.
 const SHOWN: f64 = 1e-12;
 const MOST: usize = 12;
 
@@ -41,7 +41,7 @@ impl Answer {
         let mut table = Table::new(fields.columns());
         let largest = self.terms().map(|it| it.term.amplitude()).fold(0.0, f64::max);
         let (mut left_out, mut count) = (false, (String::new(), 0));
-        for term in self.terms().filter(|it| it.term.amplitude() > SHOWN * largest) {
+        for term in self.terms().filter(|it| it.term.amplitude() > it.error.max(SHOWN * largest)) {
             if count.0 != term.coordinate {
                 count = (term.coordinate.to_owned(), 0);
             }

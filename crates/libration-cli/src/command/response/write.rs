@@ -178,7 +178,9 @@ fn summary(branch: &Numbered<'_>) -> String {
     let before = match (branch.branch.origin, branch.branch.beginning) {
         (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, Ending::RangeEnd | Ending::Closed)
         | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
-        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, other) => format!("; backwards it {}", ending(other)[1]),
+        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, other) => {
+            format!("; backwards it {}", ending(other)[1])
+        }
     };
     let unresolved = match &branch.branch.unresolved[..] {
         [] => String::new(),

@@ -1,0 +1,190 @@
+//! What there is to say about a motion that was found: its range, its multipliers and their errors, and whether it closes.
+
+use super::corrector::{Corrected, Corrector, bordered, norm};
+use super::family::{Family, Image, TOLERANCES};
+use super::point::BranchPoint;
+use super::space::Space;
+use super::units::{in_units, largest_swing};
+use libration_motion::internals::periodic::{extrema, multiplier_errors};
+use libration_motion::taylor::{OwnedStep, StateLayout};
+use libration_numbers::algebra::{Complex, Doubles};
+use libration_numbers::internals::linear::{eigenvalues, solve};
+use std::f64::consts::TAU;
+
+impl Corrector<'_> {
+    /// The unknowns of a motion of the space.
+    pub(super) fn unknowns(&self, point: &BranchPoint) -> Vec<f64> {
+        let period = (!self.family.is_driven()).then(|| point.period / f64::from(self.space.drive_periods()));
+        point.state.iter().copied().chain(period).collect()
+    }
+
+    /// The description of a motion; `None` where it cannot be followed, or does not close over its whole period.
+    /// With the multipliers of the map of its space and their errors.
+    pub(super) fn point(
+        &self,
+        corrected: &Corrected,
+        tangent: &[f64],
+        units: &[f64],
+    ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
+        let (&parameter, unknowns) = corrected.place.split_last()?;
+        let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
+        let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
+        let (point, own) =
+            self.family.described(self.space, unknowns, &[parameter], &corrected.image, &motion)?;
+        // Where branches cross the state is not determined.
+        let error = error(corrected, &motion.defect, tangent, units).unwrap_or(f64::INFINITY);
+        closes(&corrected.image, &motion, error, units).then_some((BranchPoint { error, ..point }, own))
+    }
+}
+
+/// A motion over its whole period, by integration of the equation alone.
+struct Whole {
+    steps: Vec<OwnedStep>,
+    /// What the end of the time of its space misses.
+    defect: Vec<f64>,
+    /// What the end of the whole period misses of the start; that of a mirrored motion comes after twice the time of its space.
+    closing: Vec<f64>,
+}
+
+impl Family<'_> {
+    fn whole(&self, space: Space, unknowns: &[f64], parameters: &[f64], tolerance: f64) -> Option<Whole> {
+        let state = self.state(unknowns);
+        let duration = self.duration(space, unknowns, parameters)?;
+        let (mut steps, end) = self.motion(state, parameters, [0.0, duration], tolerance).ok()?;
+        let defect = space.missed(&end, state, &self.signs);
+        if !space.mirrored {
+            return Some(Whole { steps, closing: defect.clone(), defect });
+        }
+        let (second, end) = self.motion(&end, parameters, [duration, 2.0 * duration], tolerance).ok()?;
+        steps.extend(second);
+        let closing = end.iter().zip(state).map(|(end, start)| end - start).collect();
+        Some(Whole { steps, defect, closing })
+    }
+
+    /// A motion at some parameters, of which the first is named in it, with an error that is known.
+    pub(super) fn point(
+        &self,
+        space: Space,
+        unknowns: &[f64],
+        parameters: &[f64],
+        image: &Image,
+        error: f64,
+    ) -> Option<BranchPoint> {
+        let motion = self.whole(space, unknowns, parameters, TOLERANCES[1])?;
+        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &motion)?.0 })
+    }
+
+    fn described(
+        &self,
+        space: Space,
+        unknowns: &[f64],
+        parameters: &[f64],
+        image: &Image,
+        motion: &Whole,
+    ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
+        let duration = self.duration(space, unknowns, parameters)?;
+        let period = if space.mirrored { 2.0 * duration } else { duration };
+        let point = BranchPoint {
+            parameter: *parameters.first()?,
+            state: self.state(unknowns).to_vec(),
+            period,
+            rotation: space.rotation,
+            ranges: ranges(&self.layout, &motion.steps, space, period),
+            multipliers: vec![],
+            multiplier_errors: vec![],
+            stable: false,
+            error: 0.0,
+        };
+        let units = self.units(&point, largest_swing(&point), 1.0);
+        let of_map = multipliers(image, &units, apart(image, motion, &units))?;
+        let mut own = of_map.clone();
+        if !self.is_driven() {
+            // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
+            own.pop();
+            let before = own.iter().take_while(|(it, _)| it.abs() > 1.0).count();
+            own.insert(before, (Complex::from(1.0), 0.0));
+        }
+        if space.mirrored {
+            // The whole period is twice the time of the map.
+            own.iter_mut().for_each(|it| *it = squared(*it));
+        }
+        Some((point.with_multipliers(own), of_map))
+    }
+}
+
+/// How far two integrations to different tolerances end apart, in units.
+fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
+    let ends = image.defect.iter().zip(&motion.defect).zip(units);
+    ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
+}
+
+/// The eigenvalues of a map with their errors, where two integrations to different tolerances end apart by a part of the units.
+pub(super) fn multipliers(image: &Image, units: &[f64], apart: f64) -> Option<Vec<(Complex, f64)>> {
+    /// Variations are integrated together with the motion, to the same tolerance.
+    const APART: f64 = 16.0;
+    let map = image.return_map();
+    let own = eigenvalues(map)?;
+    let errors = multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON));
+    Some(own.into_iter().zip(errors).collect())
+}
+
+/// The square of a multiplier with its error.
+pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
+    (multiplier * multiplier, error * (2.0 * multiplier.abs() + error))
+}
+
+/// Whether a motion comes back to its start after its whole period, within the error of the start as it grows and that of the integrations.
+fn closes(image: &Image, motion: &Whole, error: f64, units: &[f64]) -> bool {
+    /// Of the errors.
+    const CLOSED: f64 = 32.0;
+    /// Growth of rounding errors in a period beyond which the end tells nothing of the start.
+    const LOST: f64 = 1e-6;
+    let map = image.return_map();
+    let numbers = map.len();
+    let entries = (0..numbers).flat_map(|i| (0..numbers).map(move |j| map[i][j] * units[j] / units[i]));
+    let norm = 1.0 + norm(&entries.collect::<Vec<f64>>());
+    if norm * norm * f64::EPSILON > LOST || !error.is_finite() {
+        return true;
+    }
+    let missed = motion.closing.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+    let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
+    missed <= CLOSED * norm * norm * (error / unit + apart(image, motion, units) + f64::EPSILON)
+}
+
+/// The error of the state: how far the defects of two integrations, and what the rounding of the state does, lead across the branch.
+fn error(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<f64> {
+    let numbers = other.len();
+    let change = across(corrected, other, tangent, units)?;
+    let unit = units[..numbers].iter().copied().fold(0.0, f64::max);
+    Some(4.0 * unit * norm(&change[..numbers]))
+}
+
+/// The error of the parameter of a node, by its own defect and the rounding of its state.
+pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &[f64]) -> Option<f64> {
+    let change = across(corrected, &corrected.image.defect, &in_units(direction, units), units)?;
+    Some(4.0 * (change.last()? * units.last()?).abs())
+}
+
+/// The change across the branch, in units, that closes a motion which misses its start by two defects and by the rounding of its state.
+fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
+    let matrix = bordered(&corrected.image, tangent, units);
+    let rounding = corrected.place.iter().map(|x| f64::EPSILON * x.abs());
+    let defects = corrected.image.defect.iter().zip(other).zip(rounding).zip(units);
+    let mut missed: Vec<f64> = defects.map(|(((a, b), c), unit)| (a.abs() + b.abs() + c) / unit).collect();
+    missed.resize(matrix.len(), 0.0);
+    solve(&Doubles, |x| x.abs(), &matrix, &missed)
+}
+
+/// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins; an even rotation is taken off.
+pub(super) fn ranges(
+    layout: &StateLayout,
+    steps: &[OwnedStep],
+    space: Space,
+    duration: f64,
+) -> Vec<[f64; 2]> {
+    let of_coordinate = |coordinate: usize| {
+        let even = TAU * f64::from(space.turns_of(coordinate)) / duration;
+        extrema(steps, coordinate, even, f64::INFINITY)
+    };
+    (0..layout.coordinates()).map(of_coordinate).collect()
+}
