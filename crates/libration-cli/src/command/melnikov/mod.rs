@@ -130,11 +130,11 @@ impl Answer {
 }
 
 fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, Failure> {
-    let thresholds = parallel::until_asked("the thresholds", |watch| {
+    let thresholds = parallel::until_asked_counted("the thresholds", "steps", |watch| {
         thresholds_watched(model.equation(), &over.name, over.range, watch)
     });
     let thresholds = thresholds.ok_or_else(|| interrupted("thresholds"))?.map_err(failure)?;
-    let crossings = parallel::until_asked("the tangencies", |watch| {
+    let crossings = parallel::until_asked_counted("the tangencies", "steps of integration", |watch| {
         let crossing = |threshold: Threshold| Crossing {
             tangency: threshold.tangency_watched(model.equation(), &over.name, watch),
             threshold,
