@@ -96,10 +96,12 @@ fn documents_compile_where_pdflatex_is_present() {
     std::fs::remove_dir_all(&directory).unwrap();
 }
 
-/// A check that stands before the answers would give them away.
+/// A check that stands before the answers would give them away. Formulas of the catalogue are no results, and have theirs.
 #[test]
 fn notebooks_of_exercises_compute_nothing_before_their_answers() {
-    for (name, derivation) in derivations().into_iter().filter(|(_, it)| !it.answers.is_empty()) {
+    let exercises =
+        derivations().into_iter().filter(|(name, it)| *name != "formulas" && !it.answers.is_empty());
+    for (name, derivation) in exercises {
         let notebook = to_notebook(&derivation);
         let (exercises, answers) = notebook.split_once("## Answers").unwrap();
         let cells: Vec<&str> = exercises.matches("\"cell_type\": \"code\"").collect();
