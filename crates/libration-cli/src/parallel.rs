@@ -152,7 +152,7 @@ pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Sen
 }
 
 /// The same, which tells how often the work has asked: so many steps, values or orders, as `unit` has it, that it has done.
-pub fn until_asked_counted<R: Send>(
+pub(crate) fn until_asked_counted<R: Send>(
     what: &str,
     unit: &str,
     work: impl FnOnce(&Watch<'_>) -> R + Send,
@@ -163,7 +163,7 @@ pub fn until_asked_counted<R: Send>(
         asked.fetch_add(1, Ordering::Relaxed);
         go_on(&how_far)
     };
-    with_progress(&how_far, || unless_stopped(&Watch::new(&ask), work))
+    with_progress(how_far, || unless_stopped(&Watch::new(&ask), work))
 }
 
 fn unless_asked<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {

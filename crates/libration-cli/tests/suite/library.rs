@@ -311,7 +311,7 @@ fn a_long_search_for_an_orbit_tells_its_steps_and_can_be_ended() {
             Ok(())
         }
         fn progress(&self, how_far: Option<&str>) {
-            let steps =
+            let steps: Option<usize> =
                 how_far.and_then(|line| line.strip_prefix("the orbit: ")?.split(' ').next()?.parse().ok());
             self.0.lock().unwrap().extend(steps);
         }
