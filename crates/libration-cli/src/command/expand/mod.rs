@@ -192,6 +192,7 @@ pub(crate) fn answers() -> Vec<Answers> {
 
 impl Expand {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+        interrupt::listen()?;
         if let Some(asked) = self.slow_flow()? {
             return self.answer_slow_flow(out, asked);
         }
@@ -257,7 +258,6 @@ impl Expand {
             (Some(_), _) => EVALUATED,
         };
         let order = self.order.unwrap_or(usual);
-        interrupt::listen()?;
         let oscillator = chosen.oscillator.clone();
         if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
             let exact = with_orders_shown(order, |watch| {
@@ -314,7 +314,6 @@ impl Expand {
         };
         let order = self.order.unwrap_or(LISTED);
         let gauge = self.gauge.clone().unwrap_or(Gauge::XMax);
-        interrupt::listen()?;
         let orders = [order, self.damping_order.unwrap_or(slow_flow::DAMPING_ORDER)];
         let answer = slow_flow::Answer::new(asked, self.small.as_deref(), orders, &gauge)?;
         slow_flow::write(out, self.form.form(), latex, &answer)?;
