@@ -1,15 +1,15 @@
-"""tests/data/elliptic_seams.csv: incomplete integrals next to multiples of a quarter turn, and nomes of extreme moduli.
+"""Incomplete integrals next to multiples of a quarter turn, nomes of extreme moduli, Jacobi functions of extreme arguments.
 
 Legendre's integrals come down the ladder of the arithmetic-geometric mean, as the library's do not; k and k' of a nome
 from the plain theta series, without Jacobi's imaginary transformation.
-Run: python reference/elliptic_seams.py TABLE > crates/libration-testing/data/elliptic_TABLE.csv   (TABLE: angles, nomes)
+Run: python reference/elliptic_seams.py TABLE > crates/libration-testing/data/elliptic_TABLE.csv   (TABLE: angles, nomes, arguments)
 """
 import math
 import sys
 
 from mpmath import atan, mp, mpf, nint, nstr, pi, sin, sqrt, tan
 
-from elliptic import first, ladder, nome, second
+from elliptic import first, jacobi, ladder, nome, second
 
 mp.dps = 760  # k' = 1e-300 and angles of 1e300 leave 100 digits
 HEADERS = {
@@ -22,6 +22,11 @@ given,value_hex,phi_hex,first,second""",
 # The nome of extreme moduli, and the moduli of extreme nomes. Source: computed by reference/elliptic_seams.py (mpmath, 760
 # digits). Licence: MIT OR Apache-2.0. given: `k`, `kc` (k') or `q`, whose value_hex is exactly that f64; k, kc, q: all three.
 given,value_hex,k,kc,q""",
+    "arguments": """\
+# Jacobi functions of very large, small and subnormal arguments, and of subnormal k'. Source: computed by
+# reference/elliptic_seams.py (mpmath, 760 digits). Licence: MIT OR Apache-2.0. given: `m` or `kc` (k'); value_hex, u_hex: modulus
+# and argument, exactly these f64.
+given,value_hex,u_hex,sn,cn,dn,am""",
 }
 
 
@@ -40,6 +45,20 @@ def incomplete(phi, k, kc):
         zeta += c[n + 1] * sin(phi)
     f = phi / (mpf(2) ** (len(a) - 1) * a[-1])
     return f, second(k, kc) / first(k, kc) * f + zeta
+
+
+def arguments():
+    limit = 2.0**99 * math.pi / 2
+    for given, value in [("m", 0.0), ("m", 1e-9), ("m", 0.3), ("m", 0.5), ("m", 0.7), ("m", 0.999999), ("kc", 1e-300)]:
+        k, kc = modulus(given, value)
+        small = neighbours(2.0**-27, 1) + [5e-324, 1e-323, -5e-324, 1e-320, 2.2250738585072014e-308, 1e-300, 1e-100, 1e-9]
+        far = [1e7, 1e15, 6e18, -1e20, 3e22, 1e24, 1e26, 5e27, 6.2e27, 6.3e27, 1e28, -7e28, 3e29, 0.999 * limit]
+        for u in small + far:
+            yield [given, value.hex(), u.hex()] + [nstr(x, 40) for x in jacobi(mpf(u), k, kc)]
+    for value in [1e-301, 1e-307, 1e-310, 1e-315, 1e-320, 5e-324]:
+        k, kc = modulus("kc", value)
+        for u in [1e-320, 1.0, 300.0, 700.0, 745.0, 1000.0, 1120.0, 1400.0, 1e5]:
+            yield ["kc", value.hex(), u.hex()] + [nstr(x, 40) for x in jacobi(mpf(u), k, kc)]
 
 
 def neighbours(x, reach):
@@ -88,5 +107,5 @@ def nomes():
 if __name__ == "__main__":
     table = sys.argv[1]
     print(HEADERS[table])
-    for row in {"angles": angles, "nomes": nomes}[table]():
+    for row in {"angles": angles, "nomes": nomes, "arguments": arguments}[table]():
         print(",".join(row))

@@ -151,7 +151,7 @@ FORMULAS = {
     "butikov": lambda x: 2 / pi * log(8 / (pi - x)),
     "power_series_2": power_series(2),
     "power_series_3": power_series(3),
-    "black_vel_1": black_vel(1),
+    "denman": black_vel(1),
     "black_vel_2": black_vel(2),
     "black_vel_3": black_vel(3),
     "carvalhaes_suppes": carvalhaes_suppes,
@@ -185,7 +185,7 @@ def error(key, x):
 
 MADE_BY = "Source: computed by reference/formulas.py ({}). Licence: MIT OR Apache-2.0."
 
-TWELVE = """small_angle bernoulli molina kidd_fogg butikov power_series_2 power_series_3 black_vel_1 black_vel_2 black_vel_3
+TWELVE = """small_angle bernoulli molina kidd_fogg butikov power_series_2 power_series_3 denman black_vel_2 black_vel_3
 carvalhaes_suppes belendez""".split()
 AMPLITUDES = """1e-300 1e-100 1e-08 0.001 0.1 0.03490658503988659 0.17453292519943295 0.3490658503988659 0.5235987755982988
 0.7853981633974483 1.0471975511965976 1.3089969389957472 1.5707963267948966 1.8325957145940461 2.0943951023931953
@@ -193,7 +193,7 @@ AMPLITUDES = """1e-300 1e-100 1e-08 0.001 0.1 0.03490658503988659 0.174532925199
 3.1415916535897934 3.141592653588793 3.141592653589793 2.0""".split()
 
 
-WORST = """small_angle bernoulli power_series_2 power_series_3 black_vel_1 black_vel_2 black_vel_3 molina kidd_fogg
+WORST = """small_angle bernoulli power_series_2 power_series_3 denman black_vel_2 black_vel_3 molina kidd_fogg
 ganley_parwani cubic_force describing_function lima_arun cromer butikov two_term_log lima_2008 agm_a1 agm_b2
 carvalhaes_suppes belendez agm_a3 agm_a4 agm_a5 chachiyo nome_one_root""".split()
 
@@ -225,18 +225,18 @@ def error_quotients():
             yield f"{degrees},{first},{second},{nstr(abs(quotient), 12)}"
 
 
-CLAIMS = """zero,black_vel_1,,
-crossover,black_vel_1,black_vel_2,
-crossover,black_vel_1,black_vel_3,
-crossover,butikov,black_vel_1,
+CLAIMS = """zero,denman,,
+crossover,denman,black_vel_2,
+crossover,denman,black_vel_3,
+crossover,butikov,denman,
 crossover,butikov,black_vel_3,
-crossover,black_vel_1,carvalhaes_suppes,
-crossover,black_vel_1,belendez,
+crossover,denman,carvalhaes_suppes,
+crossover,denman,belendez,
 crossover,butikov,carvalhaes_suppes,
 crossover,butikov,belendez,
-crossover,black_vel_1,power_series_3,
-crossover,black_vel_1,power_series_2,
-tolerance,black_vel_1,,1e-3
+crossover,denman,power_series_3,
+crossover,denman,power_series_2,
+tolerance,denman,,1e-3
 tolerance,black_vel_2,,1e-3
 tolerance,black_vel_3,,1e-3
 tolerance,small_angle,,1e-3

@@ -215,6 +215,29 @@ def test_outside_the_domain_is_nan_with_a_warning(ufunc, values):
         ufunc(*(np.append(x, v) for x, v in zip(inputs(ufunc), values)))
 
 
+@pytest.mark.parametrize(
+    "known, unknown",
+    [
+        # 2**99 K at k = 0 is 9.956e29; K is 738 at k' = 1e-320.
+        (lambda: lb.special.ellipj(9.9e29, 0.0), lambda: lb.special.ellipj(1e30, 0.0)),
+        (lambda: lb.special.ellipj_kp(1120, 1e-320), lambda: lb.special.ellipj_kp(1e33, 1e-320)),
+        (lambda: lb.state(3e15, 0.5, 1.0), lambda: lb.state(4e15, 0.5, 1.0)),
+        (lambda: lb.motion(9e29, 0.5, 0.0, 1.0), lambda: lb.motion(1.1e30, 0.5, 0.0, 1.0)),
+    ],
+)
+def test_lost_phases_are_nan_with_a_warning(known, unknown):
+    with np.errstate(all="raise"):
+        assert np.isfinite(outputs(known())).all()
+    with pytest.warns(RuntimeWarning, match="invalid"):
+        assert np.isnan(unknown()[0])
+
+
+def test_the_sine_amplitude_of_a_subnormal_modulus_is_one():
+    # cn is below 1e-155 at K/2 from the quarter K = 738.2.
+    sn, cn, _, _ = lb.special.ellipj_kp(1120, 1e-320)
+    assert sn == 1 and abs(cn) < 1e-150
+
+
 @every
 def test_nan_goes_through_without_a_warning(ufunc):
     with np.errstate(all="raise"):

@@ -5,7 +5,7 @@ import { after, test } from "node:test";
 import { answer, close, command, enter, errors, read, rows, saved, settled, visit } from "./harness.mjs";
 
 after(close);
-const USUAL = "bernoulli,power_series_3,black_vel_1,black_vel_2,black_vel_3,molina,kidd_fogg,butikov";
+const USUAL = "bernoulli,power_series_3,denman,black_vel_2,black_vel_3,molina,kidd_fogg,butikov";
 
 async function agrees(room, amplitude) {
   const [period] = answer("period", amplitude, "--formulas", USUAL).results;
@@ -37,8 +37,8 @@ test("a tolerance says which formula suffices, and up to where", () =>
   }));
 
 test("crossovers are the command's, in degrees and in radians", () =>
-  visit("formulas?formulas=black_vel_1,black_vel_3,butikov", async (room) => {
-    const { crossovers } = answer("formulas", "--crossovers", "--formulas", "black_vel_1,black_vel_3,butikov");
+  visit("formulas?formulas=denman,black_vel_3,butikov", async (room) => {
+    const { crossovers } = answer("formulas", "--crossovers", "--formulas", "denman,black_vel_3,butikov");
     const shown = async () => (await rows(room, "Amplitudes at which")).map(([amplitude]) => parseFloat(amplitude));
     assert.deepEqual(await shown(), crossovers.map(({ amplitude_rad: amplitude }) => Number(((amplitude * 180) / Math.PI).toPrecision(6))));
     await room.getByLabel("Angles in").selectOption("rad");

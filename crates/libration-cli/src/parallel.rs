@@ -151,11 +151,29 @@ pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Sen
     with_progress(how_far, || unless_asked(&how_far, work))
 }
 
+/// The same, which tells how often the work has asked: so many steps, values or orders, as `unit` has it, that it has done.
+pub(crate) fn until_asked_counted<R: Send>(
+    what: &str,
+    unit: &str,
+    work: impl FnOnce(&Watch<'_>) -> R + Send,
+) -> Option<R> {
+    let asked = AtomicUsize::new(0);
+    let how_far = || format!("{what}: {} {unit}", asked.load(Ordering::Relaxed));
+    let ask = |_| {
+        asked.fetch_add(1, Ordering::Relaxed);
+        go_on(&how_far)
+    };
+    with_progress(how_far, || unless_stopped(&Watch::new(&ask), work))
+}
+
 fn unless_asked<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
     let ask = |_| go_on(how_far);
-    let watch = Watch::new(&ask);
+    unless_stopped(&Watch::new(&ask), work)
+}
+
+fn unless_stopped<R>(watch: &Watch<'_>, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
     watch.go_on().ok()?;
-    let result = work(&watch);
+    let result = work(watch);
     (!watch.is_stopped()).then_some(result)
 }
 

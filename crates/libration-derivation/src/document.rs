@@ -52,11 +52,11 @@ pub enum Block {
         /// The formula.
         equation: CheckedEquation,
     },
-    /// A formula whose result the reader is to find.
+    /// A formula whose result the reader is to find, or which the reader is to show.
     Exercise {
         /// The number of the formula in its step.
         number: usize,
-        /// The formula with a question mark for the result.
+        /// The formula with a question mark for the result, if that is to be found.
         statement: Statement,
     },
     /// Numbers or formulas in rows.

@@ -67,7 +67,7 @@ fn answers_of(block: &Block) -> Vec<Block> {
     }
 }
 
-/// The formula with a question mark for its result; `None` where there is nothing to find.
+/// The formula with a question mark for its result, as it is where it is to be shown; `None` where there is nothing to find.
 fn question(equation: &CheckedEquation) -> Option<Statement> {
     let statement = equation.statement();
     let is_named = matches!(equation.check(), Check::Catalogued { .. });
@@ -77,8 +77,9 @@ fn question(equation: &CheckedEquation) -> Option<Statement> {
     let unknown = || Formula::from(Name::new("?"));
     let (relation, _) = *statement.rest.first()?;
     let all = |is: fn(&Formula) -> bool| statement.rest.iter().all(|(_, side)| is(side));
+    // What is to be shown; the check has the results of other formulas in it.
     if all(|side| matches!(side, Formula::Order(_))) {
-        return None;
+        return Some(statement.clone());
     }
     Some(match all(|side| *side == number(0)) {
         true => Statement { first: unknown(), rest: statement.rest.clone() },

@@ -2,6 +2,7 @@
 
 use libration_motion::taylor::IntegrationError;
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
+use libration_numbers::watch::Interrupted;
 
 /// Why there is no Melnikov function of a pendulum, or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -54,6 +55,9 @@ pub enum NoMelnikov {
         /// What is wrong there.
         reason: String,
     },
+    /// Cancelled by the caller.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// Why no tangency of the manifolds is known.

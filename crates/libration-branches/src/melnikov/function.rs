@@ -7,6 +7,7 @@ use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
 use libration_numbers::expression::Equation;
 use libration_numbers::roots::{Tolerance, zero_between};
+use libration_numbers::watch::{Interrupted, Stage, Watch};
 use std::f64::consts::TAU;
 
 /// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to the first order of the perturbation the energy, per m·l²,
@@ -57,11 +58,25 @@ impl Melnikov {
     /// That of the separatrix on which the angle grows, and that of the other.
     #[must_use]
     pub fn both(pendulum: &PerturbedPendulum) -> [Self; 2] {
-        [1.0, -1.0].map(|direction| Self::new(pendulum, direction))
+        [1.0, -1.0].map(|direction| {
+            let found = integrals(pendulum, direction, &Watch::none());
+            Self::new(pendulum, direction, found.unwrap_or_default())
+        })
     }
 
-    fn new(pendulum: &PerturbedPendulum, direction: f64) -> Self {
-        let mut found = integrals(pendulum, direction).into_iter();
+    /// The same, asking at each step of a quadrature whether to go on.
+    ///
+    /// # Errors
+    /// Cancelled by the caller.
+    pub fn both_watched(pendulum: &PerturbedPendulum, watch: &Watch<'_>) -> Result<[Self; 2], Interrupted> {
+        let on = |direction: f64| {
+            Ok::<_, Interrupted>(Self::new(pendulum, direction, integrals(pendulum, direction, watch)?))
+        };
+        Ok([on(1.0)?, on(-1.0)?])
+    }
+
+    fn new(pendulum: &PerturbedPendulum, direction: f64, found: Vec<(Complex, f64)>) -> Self {
+        let mut found = found.into_iter();
         let (mean, mean_error) = found.next().unwrap_or_default();
         // e^{−ikΩt} has the conjugate coefficient.
         let mut harmonics: Vec<(Complex, f64)> =
@@ -183,21 +198,41 @@ pub fn thresholds(
     parameter: &str,
     range: [f64; 2],
 ) -> Result<Vec<Threshold>, NoMelnikov> {
+    thresholds_watched(equation, parameter, range, &Watch::none())
+}
+
+/// The same as [`thresholds`], asking at each value of the parameter, and at each step of a quadrature, whether to go on.
+///
+/// # Errors
+/// As [`thresholds`], and [`NoMelnikov::Interrupted`].
+pub fn thresholds_watched(
+    equation: &Equation,
+    parameter: &str,
+    range: [f64; 2],
+    watch: &Watch<'_>,
+) -> Result<Vec<Threshold>, NoMelnikov> {
     let [from, to] = range;
     let width = (to - from).abs();
     if !(width > 0.0 && width.is_finite()) {
         return Err(NoMelnikov::Range { from, to });
     }
-    let at = |value: f64| at_value(equation, parameter, value);
+    let at = |value: f64| at_value(equation, parameter, value, watch);
     let place = |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
-    let looks = (0..=LOOKS).map(|j| Ok((place(j), at(place(j))?)));
+    watch.begin(Stage::Whole, Some(LOOKS as usize + 1));
+    let look = |(done, j): (usize, u32)| {
+        watch.reached(done)?;
+        Ok((place(j), at(place(j))?))
+    };
+    let looks = (0..).zip(0..=LOOKS).map(look);
     let looks = looks.collect::<Result<Vec<_>, NoMelnikov>>()?;
     let mut found = vec![];
     for side in [0, 1] {
         let margin = |value: f64| at(value).map_or(f64::NAN, |both| both[side].margin());
         for pair in looks.windows(2) {
             let ends = [0, 1].map(|end| (pair[end].0, pair[end].1[side].margin()));
-            let Some(value) = zero_between(ends, Tolerance::LAST_BIT, margin) else { continue };
+            let zero = zero_between(ends, Tolerance::LAST_BIT, margin);
+            watch.go_on()?;
+            let Some(value) = zero else { continue };
             let width = ends[1].0 - ends[0].0;
             let slope = (margin(value + 1e-4 * width) - margin(value - 1e-4 * width)) / (2e-4 * width);
             let own = &at(value)?[side];
@@ -208,8 +243,14 @@ pub fn thresholds(
     Ok(found)
 }
 
-fn at_value(equation: &Equation, parameter: &str, value: f64) -> Result<[Melnikov; 2], NoMelnikov> {
-    Ok(Melnikov::both(&PerturbedPendulum::new(&with_value(equation, parameter, value)?)?))
+fn at_value(
+    equation: &Equation,
+    parameter: &str,
+    value: f64,
+    watch: &Watch<'_>,
+) -> Result<[Melnikov; 2], NoMelnikov> {
+    let pendulum = PerturbedPendulum::new(&with_value(equation, parameter, value)?)?;
+    Ok(Melnikov::both_watched(&pendulum, watch)?)
 }
 
 /// The equation with this value of the parameter.

@@ -39,6 +39,12 @@ impl DriveResonance {
         self.half_width * self.motion.frequency_slope().abs()
     }
 
+    /// Bound on the error of the half-width, from that of the power; of the first order in the perturbation it knows nothing.
+    #[must_use]
+    pub fn half_width_error(&self) -> f64 {
+        0.5 * self.half_width * self.error / self.resonant_power + 8.0 * f64::EPSILON * self.half_width
+    }
+
     /// By what factor the drive must be multiplied for it to keep up such a motion against the damping: the threshold of the subharmonic
     /// Melnikov function.
     #[must_use]
@@ -79,7 +85,7 @@ impl PerturbedPendulum {
         self.resonances_watched(largest, &Watch::none()).unwrap_or_default()
     }
 
-    /// The same, asking at each resonance whether to go on.
+    /// The same, asking at each resonance, and at each step of its integrals, whether to go on.
     ///
     /// # Errors
     /// Being told not to.
@@ -98,9 +104,10 @@ impl PerturbedPendulum {
             let frequency = drive * f64::from(p) / f64::from(q);
             let motions = [self.libration(frequency), self.rotation(frequency), self.rotation(frequency)];
             let directions = motions.into_iter().zip([0.0, 1.0, -1.0]);
-            let resonances =
-                directions.filter_map(|(motion, direction)| self.resonance([p, q], direction, motion?));
-            found.extend(resonances);
+            for (motion, direction) in directions {
+                let Some(motion) = motion else { continue };
+                found.extend(self.resonance([p, q], direction, motion, watch)?);
+            }
         }
         // 0, 1, −1.
         let regime = |it: &DriveResonance| (it.direction - 0.4).abs();
@@ -140,18 +147,25 @@ impl PerturbedPendulum {
     }
 
     /// `None` where the perturbation has no such resonance to the first order.
-    fn resonance(&self, [p, q]: [u32; 2], direction: f64, motion: Motion) -> Option<DriveResonance> {
+    fn resonance(
+        &self,
+        [p, q]: [u32; 2],
+        direction: f64,
+        motion: Motion,
+        watch: &Watch<'_>,
+    ) -> Result<Option<DriveResonance>, Interrupted> {
         let mirror = if direction < 0.0 { -1.0 } else { 1.0 };
-        let (powers, error) = self.mean_powers(&motion, p, mirror);
+        let (powers, error) = self.mean_powers(&motion, p, mirror, watch)?;
         // The strongest multiple j, whose wave of the phase has the number jq.
         let multiples = (1..).zip(powers.iter().skip(p as usize).step_by(p as usize));
-        let (multiple, power) = multiples
+        let strongest = multiples
             .map(|(multiple, power)| (multiple, 2.0 * power.abs()))
             .max_by(|a, b| a.1.total_cmp(&b.1))
-            .filter(|(_, power)| *power > 4.0 * error)?;
+            .filter(|(_, power)| *power > 4.0 * error);
+        let Some((multiple, power)) = strongest else { return Ok(None) };
         let wave = count(multiple) * f64::from(q);
         let half_width = 2.0 * (power / (motion.frequency() * wave * motion.frequency_slope().abs())).sqrt();
-        Some(DriveResonance {
+        Ok(Some(DriveResonance {
             motion_periods: p,
             drive_periods: q,
             direction,
@@ -160,22 +174,28 @@ impl PerturbedPendulum {
             resonant_power: power,
             error,
             half_width,
-        })
+        }))
     }
 
     /// Means of θ′·gₖ·e^{ikΩt} over a period of the motion for each harmonic k that is a multiple of p, and a bound on their errors: equal
     /// steps, halved until nothing changes.
-    fn mean_powers(&self, motion: &Motion, p: u32, mirror: f64) -> (Vec<Complex>, f64) {
+    fn mean_powers(
+        &self,
+        motion: &Motion,
+        p: u32,
+        mirror: f64,
+        watch: &Watch<'_>,
+    ) -> Result<(Vec<Complex>, f64), Interrupted> {
         /// Of the sum of the sizes.
         const ROUNDING: f64 = 4e-15;
         const FEWEST: u32 = 64;
         const DOUBLINGS: u32 = 9;
         let mut steps = FEWEST;
-        let mut previous = self.sums(motion, p, mirror, steps);
+        let mut previous = self.sums(motion, p, mirror, steps, watch)?;
         let mut change = f64::INFINITY;
         for _ in 0..DOUBLINGS {
             steps *= 2;
-            let next = self.sums(motion, p, mirror, steps);
+            let next = self.sums(motion, p, mirror, steps, watch)?;
             let pairs = next.0.iter().zip(&previous.0);
             change = pairs.map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
             previous = next;
@@ -184,14 +204,22 @@ impl PerturbedPendulum {
             }
         }
         let (sums, size) = previous;
-        (sums, change + ROUNDING * size)
+        Ok((sums, change + ROUNDING * size))
     }
 
-    fn sums(&self, motion: &Motion, p: u32, mirror: f64, steps: u32) -> (Vec<Complex>, f64) {
+    fn sums(
+        &self,
+        motion: &Motion,
+        p: u32,
+        mirror: f64,
+        steps: u32,
+        watch: &Watch<'_>,
+    ) -> Result<(Vec<Complex>, f64), Interrupted> {
         let mut sums = vec![Complex::default(); self.harmonics() + 1];
         let mut size = 0.0;
         let drive = self.frequency().unwrap_or(0.0);
         for j in 0..steps {
+            watch.go_on()?;
             let share = f64::from(j) / f64::from(steps);
             let time = share * motion.period();
             let state = motion.state_at(time);
@@ -206,7 +234,7 @@ impl PerturbedPendulum {
             }
             size += left * weight.abs() * TAU;
         }
-        (sums, size)
+        Ok((sums, size))
     }
 }
 

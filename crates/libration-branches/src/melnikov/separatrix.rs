@@ -13,13 +13,18 @@
 use super::perturbation::{PerturbedPendulum, power};
 use super::trigonometric::Monomial;
 use libration_numbers::algebra::Complex;
+use libration_numbers::watch::{Interrupted, Watch};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What rounding may change of a sum, in parts of the sum of the sizes of its terms: some ten operations each.
 const ROUNDING: f64 = 2e-15;
 
 /// ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt as the coefficients of e^{ikΩt0}, from k = 0 on, each with its error.
-pub(super) fn integrals(pendulum: &PerturbedPendulum, direction: f64) -> Vec<(Complex, f64)> {
+pub(super) fn integrals(
+    pendulum: &PerturbedPendulum,
+    direction: f64,
+    watch: &Watch<'_>,
+) -> Result<Vec<(Complex, f64)>, Interrupted> {
     let mut sums = vec![(Complex::default(), 0.0); pendulum.harmonics() + 1];
     for (monomial, coefficient) in &pendulum.closed.terms {
         let Ok(k) = usize::try_from(monomial.harmonic) else { continue };
@@ -30,9 +35,9 @@ pub(super) fn integrals(pendulum: &PerturbedPendulum, direction: f64) -> Vec<(Co
         *error += ROUNDING * coefficient.abs() * size;
     }
     if pendulum.rest.is_some() {
-        sums = by_quadrature(pendulum, direction, sums.len());
+        sums = by_quadrature(pendulum, direction, sums.len(), watch)?;
     }
-    sums
+    Ok(sums)
 }
 
 /// The integral of θ′ times the term, and the sum of the sizes of what it is a sum of.
@@ -100,12 +105,17 @@ impl Sum {
 
 /// The same by the trapezoidal rule, which for analytic functions misses e^{−2πd/h}, with d the distance of the nearest pole from the real
 /// axis and h the step; halved until nothing changes.
-fn by_quadrature(pendulum: &PerturbedPendulum, direction: f64, length: usize) -> Vec<(Complex, f64)> {
+fn by_quadrature(
+    pendulum: &PerturbedPendulum,
+    direction: f64,
+    length: usize,
+    watch: &Watch<'_>,
+) -> Result<Vec<(Complex, f64)>, Interrupted> {
     let mut step = 0.125;
-    let mut sums = trapezoids(pendulum, direction, length, [0.0, step]);
+    let mut sums = trapezoids(pendulum, direction, length, [0.0, step], watch)?;
     let mut changes = vec![f64::INFINITY; length];
     for _ in 0..DOUBLINGS {
-        let between = trapezoids(pendulum, direction, length, [0.5 * step, step]);
+        let between = trapezoids(pendulum, direction, length, [0.5 * step, step], watch)?;
         step *= 0.5;
         for ((sum, other), change) in sums.iter_mut().zip(between).zip(&mut changes) {
             let mean = sum.mean(other);
@@ -117,7 +127,7 @@ fn by_quadrature(pendulum: &PerturbedPendulum, direction: f64, length: usize) ->
         }
     }
     let error = |(sum, change): (&Sum, f64)| (sum.value, change + ROUNDING * sum.size + sum.left);
-    sums.iter().zip(changes).map(error).collect()
+    Ok(sums.iter().zip(changes).map(error).collect())
 }
 
 /// Sums over the times that are whole steps from a first one.
@@ -126,12 +136,14 @@ fn trapezoids(
     direction: f64,
     length: usize,
     [first, step]: [f64; 2],
-) -> Vec<Sum> {
+    watch: &Watch<'_>,
+) -> Result<Vec<Sum>, Interrupted> {
     let mut sums = vec![Sum::default(); length];
     let omega0 = pendulum.omega0();
     let w = pendulum.frequency().unwrap_or(0.0) / omega0;
     let mut time = first - step * (LONGEST / step).floor();
     while time <= LONGEST {
+        watch.go_on()?;
         let velocity = 2.0 * omega0 * direction / libm::cosh(time);
         let angle = direction * 2.0 * libm::atan(libm::sinh(time));
         let weight = velocity * step / omega0;
@@ -144,5 +156,5 @@ fn trapezoids(
         }
         time += step;
     }
-    sums
+    Ok(sums)
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::function::{Melnikov, Threshold, with_value};
 use super::manifolds::{Delays, Manifolds};
-use super::{NoTangency, PerturbedPendulum};
+use super::{NoMelnikov, NoTangency, PerturbedPendulum};
 use libration_kernels::elementary::count;
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
@@ -26,7 +26,7 @@ use libration_numbers::watch::Watch;
 pub struct Tangency {
     /// The value of the parameter.
     pub value: f64,
-    /// Its error: the last correction, what starts at twice the distance from the saddle change, and rounding.
+    /// Its error: the last corrections of the value and of the separation, what starts at twice the distance from the saddle change, and rounding.
     pub error: f64,
     /// The phase Ωt of the drive at which the motion that they share passes the bottom.
     pub phase: f64,
@@ -74,40 +74,43 @@ struct Approach<'a> {
     watch: &'a Watch<'a>,
 }
 
-/// Where the manifolds are nearest: when they pass the bottom, how far apart, with what velocity.
+/// An extreme of the separation of the manifolds at the bottom.
 #[derive(Clone, Copy)]
 struct Nearest {
     time: f64,
     separation: f64,
     velocity: f64,
+    /// The last correction of the separation, and rounding.
+    separation_error: f64,
+    /// What rounding changes of the time.
+    time_rounding: f64,
 }
 
-/// A passage of the bottom by both manifolds.
-struct Place {
-    time: f64,
-    velocity: f64,
-    /// Of the time.
-    error: f64,
-}
+/// Intervals between times that are compared, as parts of the period of the drive: on the way to an extreme, next to a known one, and
+/// for what the interval matters.
+const FAR: &[f64] = &[1.0 / 32.0, 1.0 / 256.0, 1.0 / 1024.0];
+const NEXT: &[f64] = &[1.0 / 1024.0];
+const SHORTER: &[f64] = &[1.0 / 2048.0];
 
 impl Approach<'_> {
-    /// By the secant through the last two values, from the threshold on.
+    /// By the secant through the last two values, from the threshold on. Where the step is so short that rounding is seen in its slope, the
+    /// slope before it stays.
     fn tangency(&self, threshold: f64) -> Result<Tangency, NoTangency> {
         const FIRST_STEP: f64 = 1e-3;
+        const SHORTEST_OF_SLOPE: f64 = 1e-7;
         const STEPS: usize = 20;
         const SMALL: f64 = 1e-9;
-        let mut time = self.first_time(threshold)?;
-        let mut nearest_at = |value: f64, distance: f64| {
-            let nearest = self.nearest(value, distance, time)?;
-            time = nearest.time;
-            Ok::<_, NoTangency>(nearest)
-        };
-        let mut last = (threshold, nearest_at(threshold, DISTANCE)?.separation);
+        let first = self.nearest(threshold, DISTANCE, self.first_time(threshold)?, FAR)?;
+        let (mut time, mut slope) = (first.time, f64::NAN);
+        let mut last = (threshold, first.separation);
         let mut value = threshold * (1.0 + FIRST_STEP);
         let mut change = f64::INFINITY;
         for _ in 0..STEPS {
-            let nearest = nearest_at(value, DISTANCE)?;
-            let slope = (nearest.separation - last.1) / (value - last.0);
+            let nearest = self.nearest(value, DISTANCE, time, NEXT)?;
+            time = nearest.time;
+            if (value - last.0).abs() > SHORTEST_OF_SLOPE * value.abs() {
+                slope = (nearest.separation - last.1) / (value - last.0);
+            }
             let next = value - nearest.separation / slope;
             let before = std::mem::replace(&mut change, (next - value).abs());
             if !change.is_finite() || (next - threshold).abs() > 0.5 * threshold.abs() {
@@ -116,25 +119,31 @@ impl Approach<'_> {
             if change <= 2.0 * f64::EPSILON * value.abs()
                 || (change >= before && before < SMALL * value.abs())
             {
-                let farther = nearest_at(value, 2.0 * DISTANCE)?.separation;
-                let rounding = ROUNDING * nearest.velocity * nearest.velocity;
-                let error =
-                    change.min(before) + ((farther - nearest.separation).abs() + rounding) / slope.abs();
-                let frequency = self.frequency(value)?;
-                let place = self.place(value, frequency, nearest.time)?;
-                let phase = frequency * place.time;
-                return Ok(Tangency {
-                    value,
-                    error,
-                    phase: phase.rem_euclid(TAU),
-                    velocity: place.velocity,
-                    place_error: frequency * place.error + error,
-                });
+                return self.found(value, change, &nearest, slope);
             }
             last = (value, nearest.separation);
             value = next;
         }
         Err(NoTangency::NoConvergence)
+    }
+
+    /// The tangency with its errors. The part of a start that is not on the manifold grows with the square of its distance from the saddle, so that
+    /// starts at twice the distance change three times what it does.
+    fn found(&self, value: f64, change: f64, nearest: &Nearest, slope: f64) -> Result<Tangency, NoTangency> {
+        let farther = self.nearest(value, 2.0 * DISTANCE, nearest.time, NEXT)?;
+        let start = (farther.separation - nearest.separation).abs();
+        let error = change + (start + nearest.separation_error) / slope.abs();
+        let place = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
+        let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
+        let frequency = pendulum.frequency().ok_or(NoTangency::NoSaddle)?;
+        let time_error = (place.time - nearest.time).abs() + place.time_rounding;
+        Ok(Tangency {
+            value,
+            error,
+            phase: (frequency * place.time).rem_euclid(TAU),
+            velocity: place.velocity,
+            place_error: frequency * time_error + error,
+        })
     }
 
     /// The time at which the Melnikov function touches zero at its threshold.
@@ -150,62 +159,64 @@ impl Approach<'_> {
 
     fn melnikov(&self, value: f64) -> Result<Melnikov, NoTangency> {
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
-        let [upper, lower] = Melnikov::both(&pendulum);
+        let [upper, lower] = Melnikov::both_watched(&pendulum, self.watch).map_err(NoMelnikov::from)?;
         Ok(if self.direction > 0.0 { upper } else { lower })
     }
 
-    fn frequency(&self, value: f64) -> Result<f64, NoTangency> {
-        Ok(self.melnikov(value)?.frequency)
-    }
-
-    /// The time of the extreme to more digits, by differences of five times: these leave the fourth power of the interval, and rounding over it,
-    /// some 1e-11 each. The last correction is what the longer interval has left.
-    fn place(&self, value: f64, frequency: f64, time: f64) -> Result<Place, NoTangency> {
-        const INTERVALS: [f64; 2] = [1.0 / 1024.0, 1.0 / 2048.0];
-        let equation = with_value(self.equation, self.parameter, value)?;
-        let omega0 = PerturbedPendulum::new(&equation)?.omega0();
-        let manifolds = Manifolds::new(&equation, [self.direction, omega0, frequency], DISTANCE, self.watch)?;
-        let mut delays: Delays = manifolds.delays();
-        let mut place = Place { time, velocity: 0.0, error: f64::INFINITY };
-        for part in INTERVALS {
-            let interval = part * TAU / frequency;
-            let mut at = |side: f64| manifolds.separation(place.time + side * interval, &mut delays);
-            let [[a, _], [b, _], [middle, velocity], [c, _], [d, _]] =
-                [at(-2.0)?, at(-1.0)?, at(0.0)?, at(1.0)?, at(2.0)?];
-            let slope = (8.0 * (c - b) - (d - a)) / 12.0;
-            let bend = (16.0 * (b + c) - 30.0 * middle - (a + d)) / 12.0;
-            let shift = -slope / bend;
-            if shift.is_nan() || shift.abs() > 1.0 {
-                return Err(NoTangency::NoConvergence);
-            }
-            let error = (shift.abs() + ROUNDING * velocity * velocity / bend.abs()) * interval;
-            place = Place { time: place.time + shift * interval, velocity, error };
-        }
-        Ok(place)
-    }
-
-    /// The extreme of the separation near a time, by parabolas through three times that draw together.
-    fn nearest(&self, value: f64, distance: f64, time: f64) -> Result<Nearest, NoTangency> {
-        const INTERVALS: [f64; 4] = [1.0 / 32.0, 1.0 / 256.0, 1.0 / 1024.0, 1.0 / 4096.0];
+    /// The extreme of the separation near a time, by differences of five times, which leave the fourth power of the interval: interval after
+    /// interval, and the last one until its correction of the separation is rounding.
+    fn nearest(
+        &self,
+        value: f64,
+        distance: f64,
+        time: f64,
+        intervals: &[f64],
+    ) -> Result<Nearest, NoTangency> {
+        const MOST: usize = 10;
         let equation = with_value(self.equation, self.parameter, value)?;
         let pendulum = PerturbedPendulum::new(&equation)?;
         let frequency = pendulum.frequency().ok_or(NoTangency::NoSaddle)?;
         let kind = [self.direction, pendulum.omega0(), frequency];
         let manifolds = Manifolds::new(&equation, kind, distance, self.watch)?;
         let mut delays: Delays = manifolds.delays();
-        let mut nearest = Nearest { time, separation: 0.0, velocity: 0.0 };
-        for part in INTERVALS {
-            let interval = part * TAU / frequency;
-            let mut at = |side: f64| manifolds.separation(nearest.time + side * interval, &mut delays);
-            let [[before, _], [middle, velocity], [after, _]] = [at(-1.0)?, at(0.0)?, at(1.0)?];
-            let (slope, bend) = (0.5 * (after - before), after - 2.0 * middle + before);
-            let shift = -slope / bend;
-            if shift.is_nan() || shift.abs() > 8.0 {
-                return Err(NoTangency::NoConvergence);
+        let mut time = time;
+        for round in 1..=MOST {
+            let interval = intervals[round.min(intervals.len()) - 1] * TAU / frequency;
+            let next = extreme(&manifolds, time, interval, &mut delays)?;
+            time = next.time;
+            let is_settled = next.separation_error <= 2.0 * ROUNDING * next.velocity * next.velocity;
+            if round >= intervals.len() && is_settled {
+                return Ok(next);
             }
-            let separation = middle + 0.5 * slope * shift;
-            nearest = Nearest { time: nearest.time + shift * interval, separation, velocity };
         }
-        Ok(nearest)
+        Err(NoTangency::NoConvergence)
     }
+}
+
+/// One step to the extreme of the separation, from five times.
+fn extreme(
+    manifolds: &Manifolds<'_>,
+    time: f64,
+    interval: f64,
+    delays: &mut Delays,
+) -> Result<Nearest, NoTangency> {
+    /// Intervals of one step.
+    const FARTHEST: f64 = 8.0;
+    let mut at = |side: f64| manifolds.separation(time + side * interval, delays);
+    let [[a, _], [b, _], [middle, velocity], [c, _], [d, _]] =
+        [at(-2.0)?, at(-1.0)?, at(0.0)?, at(1.0)?, at(2.0)?];
+    let slope = (8.0 * (c - b) - (d - a)) / 12.0;
+    let bend = (16.0 * (b + c) - 30.0 * middle - (a + d)) / 12.0;
+    let shift = -slope / bend;
+    if shift.is_nan() || shift.abs() > FARTHEST {
+        return Err(NoTangency::NoConvergence);
+    }
+    let (correction, rounding) = (0.5 * slope * shift, ROUNDING * velocity * velocity);
+    Ok(Nearest {
+        time: time + shift * interval,
+        separation: middle + correction,
+        velocity,
+        separation_error: correction.abs() + rounding,
+        time_rounding: rounding / bend.abs() * interval,
+    })
 }

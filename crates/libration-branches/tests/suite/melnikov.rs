@@ -225,17 +225,18 @@ fn the_angle_variable_grows_evenly() {
 
 /// Source: two manifolds integrated in 150-bit floats and Newton's method for their contact, which agree with the same in doubles to 15 to 17
 /// digits; θ″ + c·θ′ + sin θ = A·cos Ωt: c, Ω, A.
-const TANGENCIES: [(&str, &str, f64); 3] = [
+const TANGENCIES: [(&str, &str, f64); 4] = [
     ("0.1", "1", 0.319_869_600_087_485_03),
     ("0.1", "(2/3)", 0.203_712_546_072_548_16),
     ("0.05", "1", 0.159_787_761_749_641_87),
+    ("0.1", "2", 1.509_547_968_519_473_175),
 ];
 
 #[test]
 fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the_threshold() {
     let excesses = TANGENCIES.map(|(c, omega, expected)| {
         let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
-        let [upper, lower] = thresholds(&equation, "A", [0.0, 1.0]).unwrap()[..] else { panic!() };
+        let [upper, lower] = thresholds(&equation, "A", [0.0, 2.0]).unwrap()[..] else { panic!() };
         let [found, mirrored] = [upper, lower].map(|it| it.tangency(&equation, "A").unwrap());
         for it in [found, mirrored] {
             assert!((it.value - expected).abs() <= it.error && it.error < 1e-12, "{it:?}");

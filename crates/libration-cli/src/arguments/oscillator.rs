@@ -6,7 +6,7 @@ use crate::failure::{Failure, excerpt};
 use libration::catalogue::is_like_a_key;
 use libration::expression::{Equation, Expression, Symbol};
 use libration::oscillator::{
-    NamedOscillator, NumbersOrLetters, Oscillator, OscillatorError, SymbolicOscillator,
+    NamedOscillator, NumbersOrLetters, NumbersOrLettersError, Oscillator, OscillatorError, SymbolicOscillator,
 };
 use libration::quantity::{Angle, Displacement, is_angle_name};
 use libration::systems::NamedSystem;
@@ -111,15 +111,20 @@ impl OscillatorOptions {
     }
 
     /// The oscillator, with letters where parameters have no value; these keep none.
-    pub(crate) fn chosen_with_letters(&self, letters: &[String]) -> Result<ChosenWithLetters, Failure> {
+    /// The inner error is that of a strength that is left open, for which a slow flow may be the answer.
+    pub(crate) fn chosen_with_letters(
+        &self,
+        letters: &[String],
+    ) -> Result<Result<ChosenWithLetters, OscillatorError>, Failure> {
         let asked = self.asked_with_letters(letters)?;
         match NumbersOrLetters::new(&asked.equation, asked.about.as_ref()) {
             Ok(NumbersOrLetters::Numbers(oscillator)) => {
-                Ok(ChosenWithLetters::Numbers(asked.with(oscillator)))
+                Ok(Ok(ChosenWithLetters::Numbers(asked.with(oscillator))))
             }
             Ok(NumbersOrLetters::Letters(oscillator)) => {
-                Ok(ChosenWithLetters::Letters(asked.with(oscillator)))
+                Ok(Ok(ChosenWithLetters::Letters(asked.with(oscillator))))
             }
+            Err(NumbersOrLettersError::Numbers(error @ OscillatorError::NoStrength { .. })) => Ok(Err(error)),
             Err(error) => Err(Failure::no_answer("oscillator", error)),
         }
     }

@@ -555,7 +555,10 @@ fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [
         (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one open"),
         (&["expand", "x''+0.1*x'+x=0"], 1, "as in c*x' (libration expand --damping-order 2)"),
-        (&["expand", "x''+c*x'+x=0"], 1, "says --damping-order 2"),
+        (&["expand", "x''+c*x'+x=0"], 1, "how the amplitude changes (--damping-order 2)"),
+        (&["expand", "theta''+c*theta'*abs(theta')+sin(theta)=0"], 1, "libration expand --damping-order 2"),
+        (&["expand", "x''+x+c*x*sign(x')=0"], 1, "a polynomial in position and velocity"),
+        (&["expand", "x''+x+a*x^3+c*sign(x')=0"], 1, "letters allow no expansion"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--damping-order", "2"], 2, "such as --small c"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--small", "c"], 2, "no value is given for b"),
         (&["expand", "x''+c*x'+x=0", "--small", "k"], 2, "`k` is not a letter"),
@@ -567,6 +570,22 @@ fn slow_flows_that_cannot_be_are_refused() {
     ] {
         let message = refusal(arguments, status);
         assert!(message.contains(expected), "{arguments:?}: {message}");
+    }
+}
+
+/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π; for the last see the
+/// test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
+#[test]
+fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_answer() {
+    for (equation, expected) in [
+        ("x'' + x + c*sign(x') = 0", "A′ = -2/π c\n"),
+        ("x'' + x + c*x'*abs(x') = 0", "A′ = -4/(3π) c A²"),
+        ("x'' + x = eps*((1-x^2)*x' - x^3/5)", "Ω = 1 + 0.3 eps"),
+    ] {
+        let output = run(&["expand", equation, "--order", "3"]);
+        let words = String::from_utf8(output.stdout.clone()).unwrap();
+        assert!(output.status.success() && words.contains(expected), "{words} {}", message(&output));
+        assert!(message(&output).contains("this is the slow flow"), "{}", message(&output));
     }
 }
 

@@ -7,7 +7,7 @@ use std::fs;
 
 const PICTURES: [&str; 12] = [
     "errors",
-    "errors --formulas small_angle,bernoulli,power_series_2,power_series_3,black_vel_1,black_vel_2,black_vel_3,molina,\
+    "errors --formulas small_angle,bernoulli,power_series_2,power_series_3,denman,black_vel_2,black_vel_3,molina,\
      kidd_fogg,butikov,carvalhaes_suppes,belendez,cubic_force,ganley_parwani,lima_arun,cromer,two_term_log,lima_2008,\
      chachiyo,agm_a1,agm_a3,agm_a4,agm_a5,agm_b2,nome_one_root,describing_function,sin2_series_1,sin2_series_2,\
      sin2_series_3,sin2_series_4 --from 170deg",

@@ -13,7 +13,7 @@ fn drawn(arguments: &str) -> String {
 #[test]
 fn each_picture_labels_its_axes() {
     let cases = [
-        ("errors --formulas bernoulli,black_vel_1", ["amplitude θ₀ / degrees", "|fractional error of T|"]),
+        ("errors --formulas bernoulli,denman", ["amplitude θ₀ / degrees", "|fractional error of T|"]),
         ("motion --amplitudes 30deg,150deg", ["time t / T₀", "angle θ / θ₀"]),
         ("phase", ["angle θ / rad", "velocity θ′ / ω₀"]),
         ("spectrum", ["harmonic n", "coefficient |aₙ| / rad"]),
@@ -40,7 +40,7 @@ fn a_png_is_a_png() {
 #[test]
 fn the_numbers_behind_a_picture_are_in_its_json() {
     let path = directory("numbers").join("errors.svg");
-    let answer = json(&format!("figure errors --formulas black_vel_1 --output {}", path.display()));
+    let answer = json(&format!("figure errors --formulas denman --output {}", path.display()));
     assert_eq!(answer["figure"], "errors");
     let points = answer["series"][0]["points"].as_array().unwrap();
     let least = points

@@ -64,6 +64,18 @@ fn ctrl_c_keeps_the_points_of_a_backbone_that_are_done() {
     assert!(amplitudes.len() < 89_001 && amplitudes.is_sorted());
 }
 
+/// Without being asked at each step of the quadratures this takes minutes.
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_ends_a_search_for_thresholds() {
+    let equation = "x'' + sin(x) = -0.1*x'*abs(x') + A*cos(t)/(2 + cos(t))";
+    let began = std::time::Instant::now();
+    let output = interrupted(&["melnikov", equation, "--over", "A=0:1"], Duration::from_millis(300));
+    assert_eq!(output.status.code(), Some(130), "{}", message(&output));
+    assert!(message(&output).contains("interrupted before the thresholds"), "{}", message(&output));
+    assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
+}
+
 /// What a command says that gets Ctrl-C so long after it began to listen.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], after: Duration) -> Output {

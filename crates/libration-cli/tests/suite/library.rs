@@ -300,3 +300,29 @@ fn what_cannot_go_on_together_is_refused() {
     let other = ensemble(&["period", "60deg"], b"").map(|_| ()).unwrap_err();
     assert_eq!(other.to_string(), "only `simulate --each` has motions that go on together");
 }
+
+/// The relaxation oscillation takes a minute; it is ended as soon as the second line of progress has more steps than the first.
+#[test]
+fn a_long_search_for_an_orbit_tells_its_steps_and_can_be_ended() {
+    #[derive(Default)]
+    struct Watcher(Mutex<Vec<usize>>);
+    impl Host for Watcher {
+        fn write(&self, _: &[u8]) -> io::Result<()> {
+            Ok(())
+        }
+        fn progress(&self, how_far: Option<&str>) {
+            let steps: Option<usize> =
+                how_far.and_then(|line| line.strip_prefix("the orbit: ")?.split(' ').next()?.parse().ok());
+            self.0.lock().unwrap().extend(steps);
+        }
+        fn goes_on(&self) -> bool {
+            self.0.lock().unwrap().len() < 2
+        }
+    }
+    let host = Arc::new(Watcher::default());
+    let question = ["orbit", "van_der_pol", "--set", "mu=1000", "--json"].map(OsString::from);
+    let ended = ask(question, host.clone()).unwrap_err();
+    assert!(matches!(ended, Failure::Interrupted(_)), "{ended}");
+    let steps = host.0.lock().unwrap();
+    assert!(steps[0] > 0 && steps[1] > steps[0], "{steps:?}");
+}

@@ -17,6 +17,7 @@ fn an_expansion_says_how_a_free_equation_was_read() {
         ("d²θ/dt² + sin θ = 0", "theta'' + sin(theta) = 0"),
         ("d2x/dt2 + x(1 + x^2) = 0", "x'' + x*(1 + x^2) = 0"),
         ("x''(t) + 2x(t) = 0", "x'' + 2*x = 0"),
+        ("x'' + log(1 + x) = 0", "x'' + ln(1 + x) = 0"),
     ] {
         let (answer, note) = json(&["expand", text, "--order", "3"]);
         assert_eq!((answer["read_as"].as_str(), answer["equation"].as_str()), (Some(reading), Some(reading)));

@@ -9,16 +9,8 @@ use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
 use libration::quantity::Angle;
 
 /// What the document plots and names, by the keys of the catalogue.
-pub(super) const PLOTTED: [&str; 8] = [
-    "black_vel_1",
-    "black_vel_2",
-    "black_vel_3",
-    "bernoulli",
-    "molina",
-    "kidd_fogg",
-    "butikov",
-    "power_series_3",
-];
+pub(super) const PLOTTED: [&str; 8] =
+    ["denman", "black_vel_2", "black_vel_3", "bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3"];
 const OTHERS: [&str; 4] = ["small_angle", "power_series_2", "carvalhaes_suppes", "belendez"];
 
 /// Searched once for all claims.

@@ -70,6 +70,14 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, latex_text, |it| format!("${}$", inline_latex(it)))
 }
 
+/// A column for what the rows are about, and the others of equal widths, in which lines are broken.
+fn formula_columns(columns: usize) -> String {
+    let others = columns.saturating_sub(1).max(1);
+    // Between two columns LaTeX leaves some two hundredths of the width of the text.
+    let percent = 72 / others - if others > 1 { 2 } else { 0 };
+    format!("r{}", format!(">{{\\raggedright\\arraybackslash}}p{{0.{percent:02}\\textwidth}}").repeat(others))
+}
+
 fn table(table: &DerivationTable) -> String {
     let line = |cells: &[Prose]| cells.iter().map(prose).collect::<Vec<_>>().join(" & ") + " \\\\\n";
     let rows: String = table.rows.iter().map(|row| line(row)).collect();
@@ -77,7 +85,7 @@ fn table(table: &DerivationTable) -> String {
         "\\begin{{center}}\n\\small\n\\begin{{tabular}}{{{}}}\n{}\\hline\n{rows}\\end{{tabular}}\n\\end{{center}}\n\\checked{{{}}}",
         match table.cells {
             Cells::Numbers => "r".repeat(table.head.len()),
-            Cells::Formulas => "r>{\\raggedright\\arraybackslash}p{0.72\\textwidth}".to_owned(),
+            Cells::Formulas => formula_columns(table.head.len()),
         },
         line(&table.head),
         prose(&table.note),

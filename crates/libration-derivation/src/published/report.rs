@@ -17,7 +17,7 @@ const DERIVED: [(&str, &str); 10] = [
     ("carvalhaes_suppes", "CS"),
     ("belendez", "Bel"),
     ("butikov", "But"),
-    ("black_vel_1", "BV1"),
+    ("denman", "De"),
     ("black_vel_2", "BV2"),
     ("black_vel_3", "BV3"),
 ];

@@ -28,13 +28,14 @@ pub(super) fn black_vel(trials: &Trials) -> Result<DerivationStep, DerivationErr
         number(1) + theta_0().squared() / 16 + theta_0().pow(4) / 256 + order(theta_0().pow(6)),
     );
     let excess = Statement::equal(fraction(1, 256) - fraction(11, 3072), fraction(1, 3072));
-    Ok(DerivationStep::new("black-vel", "Black and Vel’s one term: a Padé approximant")
+    Ok(DerivationStep::new("black-vel", "Denman’s formula: a Padé approximant")
         .say(
             "Perturbation theory gives the frequency as a series, and the period as one over it. With one correction this \
-             is",
+             is the formula of H. H. Denman (Am. J. Phys. 27, 524, 1959), to which P. F. Hinrichsen drew attention again (Phys. Teach. 59, 646, 2021), and the first of \
+             Black and Vel’s (2023):",
             [],
         )
-        .show(stated(trials, "black_vel_1", "BV1", one_term.clone())?)
+        .show(stated(trials, "denman", "De", one_term.clone())?)
         .show(same_series(&amplitude(), 6, expanded)?)
         .say(
             "It has the first two terms of the series of the period, and no other quotient of a number and a polynomial of \
@@ -43,11 +44,11 @@ pub(super) fn black_vel(trials: &Trials) -> Result<DerivationStep, DerivationErr
         )
         .show(equal_fractions(excess)?)
         .say("eleven times less than Bernoulli’s formula, which has none:", [])
-        .show(leading_error("black_vel_1", "BV1", one_term.clone())?)
+        .show(leading_error("denman", "De", one_term.clone())?)
         .say(
             "Like the period it becomes infinite, though at an amplitude of 4 rad, beyond the upright position. So it is \
              too long at first and too short near the top, and in between, at {}, it is exact.",
-            [exact_at("black_vel_1")?],
+            [exact_at("denman")?],
         ))
 }
 
@@ -66,7 +67,7 @@ pub(super) fn three_terms(trials: &Trials) -> Result<DerivationStep, DerivationE
     Ok(step.say(
         "but near the top nothing is gained: these polynomials have their zero far beyond it, and the compensation of the \
          one-term formula is gone. Above {} it is better than the formula with two terms, above {} than that with three.",
-        [overtaken("black_vel_2", "black_vel_1")?, overtaken("black_vel_3", "black_vel_1")?],
+        [overtaken("black_vel_2", "denman")?, overtaken("black_vel_3", "denman")?],
     ))
 }
 

@@ -5,6 +5,7 @@ mod averaging;
 mod cosines;
 mod decimal;
 mod derivations;
+mod latex;
 mod limit_cycle;
 mod lindstedt;
 mod paper;

@@ -53,10 +53,10 @@ pub(crate) struct Factors {
 
 impl Factors {
     #[inline(always)]
-    pub(crate) fn new(above: bool, nome: DoubleDouble, root_of_nome: DoubleDouble) -> Self {
+    pub(crate) fn new(above: bool, nome: DoubleDouble, four_roots: DoubleDouble) -> Self {
         let ThetaZero { second, third, fourth } = ThetaZero::from_nome(nome);
         let (beside, other) = (pick(above, fourth, second), pick(above, second, fourth));
-        let odd_other = pick(above, root_of_nome.scaled(4.0) * second, fourth);
+        let odd_other = pick(above, four_roots * second, fourth);
         Self { above, third, beside, other, odd_other }
     }
 }
@@ -64,14 +64,13 @@ impl Factors {
 impl Quotients {
     #[inline(always)]
     pub(crate) fn new(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> Self {
-        let root = descent.root_of_nome(nearer.lowering());
         let nome = Self::nome(nearer, descent);
         let frequency = Self::frequency(nearer, descent, log);
         Self {
             clock: PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO },
             scale: pick(nearer.above, log.scaled(2.0), DoubleDouble::PI.scaled(2.0)),
             series: ThetaSeries::new(nome.to_f64()),
-            factors: Factors::new(nearer.above, nome, root),
+            factors: Factors::new(nearer.above, nome, Self::four_roots(nearer, descent)),
             degenerate: nearer.above && nearer.smaller.hi == 0.0,
         }
     }
@@ -86,6 +85,12 @@ impl Quotients {
     #[inline(always)]
     pub(crate) fn nome(nearer: &Nearer, descent: &Descent) -> DoubleDouble {
         descent.nome().scaled(nearer.lowering()).scaled(nearer.lowering())
+    }
+
+    /// 4√q of the smaller nome: where this is subnormal, √q would have lost digits.
+    #[inline(always)]
+    pub(crate) fn four_roots(nearer: &Nearer, descent: &Descent) -> DoubleDouble {
+        descent.root_of_nome(4.0 * nearer.lowering())
     }
 
     pub(crate) fn turn_scale(&self) -> DoubleDouble {
@@ -115,7 +120,21 @@ impl Kernel for At<'_> {
         };
         let (above, below) = factors.tangent(&phase, &values);
         let Copolar { sn, cn, dn } = factors.copolar(&phase, &values);
-        Jacobi { sn, cn, dn, am: amplitude(&phase, above, below) }
+        Jacobi { sn, cn, dn, am: amplitude(&phase, above, below) }.or_small(self.u)
+    }
+}
+
+/// Below it sn u and am u are u, cn u and dn u one, each within a fifth of an ulp: 2⁻²⁷.
+const SMALL: f64 = 7.450580596923828e-9;
+
+impl Jacobi {
+    /// The same, but for arguments next to zero their leading terms, with the sign of zero and every digit of subnormal arguments.
+    #[inline(always)]
+    pub(crate) fn or_small(self, u: f64) -> Self {
+        let small = u.abs() < SMALL;
+        let one = |value: f64| if small { 1.0 } else { value };
+        let same = |value: f64| if small { u } else { value };
+        Self { sn: same(self.sn), cn: one(self.cn), dn: one(self.dn), am: same(self.am) }
     }
 }
 
@@ -172,7 +191,8 @@ fn within_one(x: f64) -> f64 {
     if x.abs() > 1.0 { 1f64.copysign(x) } else { x }
 }
 
-/// am: the quarters gone and the angle from the nearest, given its tangent as a quotient.
+/// am: the quarters gone and the angle from the nearest, given its tangent as a quotient. Where that is not known, the quarters
+/// alone, which are am to its last bit.
 #[inline(always)]
 pub(crate) fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble) -> f64 {
     let size = magnitude(above);
@@ -180,6 +200,7 @@ pub(crate) fn amplitude(phase: &Phase, above: DoubleDouble, below: DoubleDouble)
     let acute = atan_of_ratio(pick(steep, below, size), pick(steep, size, below));
     let angle = pick(steep, DoubleDouble::FRAC_PI_2 - acute, acute);
     let signed = pick(above.hi < 0.0, -angle, angle);
+    let signed = pick(phase.rest.hi.is_nan(), DoubleDouble::ZERO, signed);
     let quarters = phase.turns.fma(4.0, phase.quarter);
     (DoubleDouble::FRAC_PI_2 * quarters + signed).to_f64()
 }

@@ -25,7 +25,7 @@ pub struct JacobiSlices<'a> {
 /// for bit, many times as fast.
 ///
 /// # Domain
-/// Every finite argument, moduli from 0 to 1; NaN for others.
+/// Every finite argument, moduli from 0 to 1; NaN for others. sn, cn and dn are NaN from |u| = 2⁹⁹ K on, as there.
 /// # Accuracy
 /// 2.2 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`).
 /// # Errors
@@ -157,9 +157,10 @@ impl JacobiStages {
         }
         for i in 0..BLOCK {
             let (nearer, descent) = (self.modulus.nearer(i), self.modulus.descent(i));
-            let root = descent.root_of_nome(nearer.lowering());
+            let four_roots = Quotients::four_roots(&nearer, &descent);
             let nome = Quotients::nome(&nearer, &descent);
-            let Factors { third, beside, other, odd_other, .. } = Factors::new(nearer.above, nome, root);
+            let Factors { third, beside, other, odd_other, .. } =
+                Factors::new(nearer.above, nome, four_roots);
             for (words, value) in self.factors.iter_mut().zip([third, beside, other, odd_other]) {
                 words.set(i, value);
             }
@@ -212,12 +213,18 @@ impl JacobiStages {
     fn quotients(&mut self) {
         for i in 0..BLOCK {
             let Copolar { sn, cn, dn } = self.factors(i).copolar(&self.phase(i), &self.theta(i));
-            let inside = self.modulus.inside[i];
-            (self.sn[i], self.cn[i], self.dn[i]) = (inside * sn, inside * cn, inside * dn);
+            (self.sn[i], self.cn[i], self.dn[i]) = (sn, cn, dn);
         }
         for i in 0..BLOCK {
             let (above, below) = self.factors(i).tangent(&self.phase(i), &self.theta(i));
-            self.am[i] = self.modulus.inside[i] * amplitude(&self.phase(i), above, below);
+            self.am[i] = amplitude(&self.phase(i), above, below);
+        }
+        for i in 0..BLOCK {
+            let at = Jacobi { sn: self.sn[i], cn: self.cn[i], dn: self.dn[i], am: self.am[i] };
+            let Jacobi { sn, cn, dn, am } = at.or_small(self.argument[i]);
+            let inside = self.modulus.inside[i];
+            (self.sn[i], self.cn[i], self.dn[i], self.am[i]) =
+                (inside * sn, inside * cn, inside * dn, inside * am);
         }
     }
 

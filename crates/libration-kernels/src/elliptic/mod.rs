@@ -190,7 +190,7 @@ impl Modulus {
         self.complementary.to_f64()
     }
 
-    /// m = k².
+    /// m = k²; rounds to 1 where 1 − m is below 2⁻⁵⁴, as for nomes above 0.7824.
     #[must_use]
     pub fn parameter(&self) -> f64 {
         self.modulus.square_to_f64()
@@ -236,10 +236,11 @@ impl Modulus {
     /// sn, cn, dn and the amplitude am at u.
     ///
     /// # Domain
-    /// Every finite u; NaN for others.
+    /// Every finite u; NaN for others. For k < 1 sn, cn and dn are NaN from |u| = 2⁹⁹ K on (2⁹⁷ periods, 1e30 at k = 0), where
+    /// the error bound is K/2 or more; am is known there too.
     /// # Accuracy
-    /// 2.2 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`); sn, cn within [−1, 1]. Beyond
-    /// 4e27 K two words of K say nothing of the phase, and that of a whole period stands for it.
+    /// 2.2 ulp of the value and 2⁻¹⁰⁰·|u| (ledger in `tests/suite/promises.rs`); sn, cn within [−1, 1]. Values below
+    /// 2.2e-308 are within 2e-323; sn and am of a subnormal u are exact, and zeros keep their sign.
     #[must_use]
     pub fn jacobi(&self, u: f64) -> Jacobi {
         self.quotients.at(u)

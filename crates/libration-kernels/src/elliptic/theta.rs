@@ -120,7 +120,9 @@ impl ThetaSeries {
     /// The same where the side, given by its `SQUARE`, is known only when the code runs.
     #[inline(always)]
     pub fn at_square(&self, sine: DoubleDouble, cosine: DoubleDouble, square: f64) -> ThetaValues {
-        let y = self.q * square.fma(sine.hi * sine.hi, 2.0);
+        let x = square.fma(sine.hi * sine.hi, 2.0);
+        // For k′ below 1e-300 the nome is zero, and the square of the hyperbolic sine may overflow.
+        let y = self.q * if x > f64::MAX { f64::MAX } else { x };
         let [even, slope, square, cube] = self.third;
         let even = (y * y).fma(square, even);
         let odd = y * (y * y).fma(cube, slope);
@@ -215,7 +217,7 @@ fn cubic(c: &[f64; 4], y: f64) -> f64 {
     y.fma(y.fma(y.fma(c[3], c[2]), c[1]), c[0])
 }
 
-/// A point of a periodic motion: whole turns, quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn.
+/// A point of a periodic motion: whole turns, quarter (−2 … 2) and the rest, |rest| ≤ 1/8 turn, or NaN where it is not known.
 #[derive(Clone, Copy, Debug)]
 pub struct Phase {
     pub turns: f64,
@@ -271,35 +273,35 @@ impl PhaseClock {
     }
 }
 
-/// Beyond this many turns the two words of the frequency say nothing of the fraction: the phase is taken as
-/// whole.
-const MOST_TURNS: f64 = 1e27;
+/// 2⁹⁷: from here on the two words of the frequency, good to 2⁻¹⁰⁰, leave an eighth of a turn open or more.
+const MOST_TURNS: f64 = 1.5845632502852868e29;
 
 impl PhaseClock {
-    /// The phase at t, its fraction good to 2⁻¹⁰⁴ of the turns gone.
+    /// The phase at t, its fraction good to 2⁻¹⁰⁰ of the turns gone; unknown from [`MOST_TURNS`] on.
     #[inline(always)]
     pub fn phase(&self, t: f64) -> Phase {
         let product = two_prod(t, self.frequency.hi);
         let sum = two_sum(product.hi, self.offset.hi);
         let lo = t.fma(self.frequency.lo, product.lo) + (sum.lo + self.offset.lo);
-        Phase::from_turns(DoubleDouble::new(sum.hi, lo), t).advanced(self.quarter)
+        // Not a number of turns where the time is not finite; a finite time may overflow to infinitely many.
+        Phase::from_turns(DoubleDouble::new(0.0f64.fma(t, sum.hi), lo), MOST_TURNS).advanced(self.quarter)
     }
 }
 
 impl Phase {
-    /// The parts of a number of turns, whose words need not be normalised and may have overflowed; the rest is NaN
-    /// for a time that is not finite.
+    /// The parts of a number of turns, whose words need not be normalised and may have overflowed. From `most` turns on, where
+    /// the fraction is not known, the rest is NaN.
     #[inline(always)]
-    pub fn from_turns(turns: DoubleDouble, time: f64) -> Self {
+    pub fn from_turns(turns: DoubleDouble, most: f64) -> Self {
         let whole = turns.hi.round_ties_even();
         // The second word may hold turns too, after 2⁵³ of them.
         let fraction = two_sum(turns.hi - whole, turns.lo);
         let more = fraction.hi.round_ties_even();
         let fraction_hi = fraction.hi - more;
         let quarter = (4.0 * fraction_hi).round_ties_even();
-        let known = whole.abs() < MOST_TURNS;
+        let known = whole.abs() < most;
         let rest = fast_two_sum(
-            if known { (-0.25f64).fma(quarter, fraction_hi) } else { 0.0 * time },
+            if known { (-0.25f64).fma(quarter, fraction_hi) } else { f64::NAN },
             if known { fraction.lo } else { 0.0 },
         );
         Self {

@@ -43,7 +43,8 @@ pub enum OscillatorError {
     /// A self-excitation of what is no linear oscillator.
     #[error(
         "a limit cycle is expanded in {parameter} only about a linear oscillator with rational coefficients, such as x'' = -2*x, and at {parameter} = 0 the \
-             equation is {variable}'' = {left}: give {parameter} a value and simulate the motion (libration simulate)"
+             equation is {variable}'' = {left}: ask how the amplitude changes (libration expand --damping-order 2), or give {parameter} a value and simulate \
+             the motion (libration simulate)"
     )]
     ExcitedNonlinear {
         /// The open parameter.

@@ -127,9 +127,6 @@ pub enum Fault {
         "`{0}(…)` may be {0} at another time, which no equation here can have, or a product: write {0}*(…) for a product"
     )]
     AtAnotherTime(String),
-    /// log, which some read as ln and some as log10.
-    #[error("log may be the natural or the common logarithm: write ln(x), or ln(x)/ln(10)")]
-    WhichLogarithm,
     /// e^x.
     #[error("e may be Euler's number or a parameter: write exp(x), or choose another name")]
     EulersNumber,

@@ -1,7 +1,7 @@
 //! Formulas as text: what is understood, what is refused and with which hint, what is written back, and derivatives.
 
 use libration::algebra::Rational;
-use libration::expression::{DEEPEST_TREE, Expression, Function, LONGEST_TEXT, Symbol};
+use libration::expression::{DEEPEST_TREE, Equation, Expression, Function, LONGEST_TEXT, Symbol};
 
 use libration_testing::random::Random;
 
@@ -176,7 +176,6 @@ const REFUSED: &[(&str, usize, &str)] = &[
     (r"\mathrm x", 1, r"write \mathrm{max}"),
     ("x^{2", 3, "brace is not closed"),
     ("d3x/dt2 y", 9, "(1/2)*x or 1/(2*x)"),
-    ("log(x)", 1, "ln(x)/ln(10)"),
     ("e^x", 1, "write exp(x)"),
     ("2 3", 3, "write a*2"),
     ("x 2", 3, "write a*2"),
@@ -418,4 +417,13 @@ fn derivatives_of_inverse_functions_multiply_to_one() {
         let value = product.substitute(&x, &formula(place));
         assert_eq!(value.to_rational(), Some(Rational::from(1)), "{outer}: {value}");
     }
+}
+
+#[test]
+fn log_is_the_natural_logarithm_and_the_reading_says_so() {
+    for (text, expected) in [("log(x)", "ln(x)"), (r"\log x", "ln(x)"), ("2*log(1 + x)^2", "2*ln(1 + x)^2")] {
+        assert_eq!(formula(text), formula(expected), "{text}");
+    }
+    assert_eq!(Equation::read_as("x'' + log(1 + x) = 0").as_deref(), Some("x'' + ln(1 + x) = 0"));
+    assert_eq!(Equation::read_as("x'' + ln(1 + x) = 0"), None);
 }

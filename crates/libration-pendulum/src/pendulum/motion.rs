@@ -274,12 +274,13 @@ impl Motion {
 
     /// The state at this time in seconds; NaN for a time that is not finite.
     ///
-    /// After 1e27 periods, where two words of the frequency say nothing of the phase, that of a whole period stands
-    /// for it. The angle of a rotation is ∞ where it is beyond the range of `f64`.
+    /// From 2⁹⁷ periods (1.6e29) of a libration or two turns of a rotation on, the two words of the frequency leave an eighth of
+    /// them open, and the state is NaN but for the unwrapped angle and the turns of a rotation, which grow with the time. That
+    /// angle is ∞ where it is beyond the range of `f64`.
     ///
     /// # Accuracy
-    /// 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
-    /// complement (ledger in `tests/suite/promises.rs`).
+    /// To 1e6 periods 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|, the initial state taken as exact; likewise the velocity and the
+    /// complement (ledger in `tests/suite/promises.rs`). Beyond, 4 ulp and 2⁻¹⁰⁰·|θ′t|.
     #[must_use]
     pub fn state_at(&self, time: f64) -> State {
         if !time.is_finite() {

@@ -173,10 +173,12 @@ impl TurnQuotients {
     fn angle(&self, turn: &Turn) -> f64 {
         let half_turns = turn.half_turns * self.direction;
         let whole = DoubleDouble::PI * half_turns;
-        let angle = unwrapped(whole + self.base, turn.sign * self.direction, turn.half.angle);
+        // Where the place in the turn is not known, the whole turns are the angle to its last bit.
+        let in_turn = pick(turn.half.angle.hi.is_nan(), DoubleDouble::ZERO, turn.half.angle);
+        let angle = unwrapped(whole + self.base, turn.sign * self.direction, in_turn);
         // Infinite beyond the range of numbers, where words cancel to NaN.
         let rough = DoubleDouble::PI.hi * half_turns;
-        if rough.is_infinite() { rough + turn.half.angle.hi } else { angle }
+        if rough.is_infinite() { rough } else { angle }
     }
 }
 

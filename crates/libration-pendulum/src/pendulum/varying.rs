@@ -22,7 +22,8 @@ const FRAC_1_TAU: DoubleDouble = DoubleDouble::new(0.15915494309189535, -9.83933
 /// (rad) at t = 0.
 ///
 /// # Domain
-/// |amplitude| up to the last `f64` below π, ω0·t finite; NaN outside.
+/// |amplitude| up to the last `f64` below π, ω0·t finite; NaN outside. NaN from 2⁴⁹ periods on, where the error bound is a
+/// quarter of the period or more: [`Motion::state_at`](super::Motion::state_at) knows the phase to 2⁹⁷ periods.
 /// # Accuracy
 /// 2.2 ulp of the angle and 4·2⁻⁵³·|θ′t|; likewise the velocity (ledger in `tests/suite/promises.rs`).
 #[must_use]
@@ -101,6 +102,9 @@ pub(super) fn gauss(excess: DoubleDouble) -> DoubleDouble {
     fast_two_sum(sum.hi, sum.lo + excess.lo)
 }
 
+/// 2⁴⁹: from here on the bound of the error, 2⁻⁵¹ of the time, is a quarter of the period or more.
+const MOST_PERIODS: f64 = 562949953421312.0;
+
 /// Where in its orbit a pendulum of period ratio R is at ω0t: ω0t/2πR turns after the turning point.
 #[inline(always)]
 pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
@@ -112,7 +116,7 @@ pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> P
     let quotient = turns * inverse;
     let residual = (-quotient).fma(ratio.hi, turns) + quotient.fma(-ratio.lo, turns_lo);
     let sum = two_sum(quotient, 0.25);
-    Phase::from_turns(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), angle.hi)
+    Phase::from_turns(DoubleDouble::new(sum.hi, sum.lo + residual * inverse), MOST_PERIODS)
 }
 
 /// tan(|θ|/2) as a quotient, and the sign of θ.

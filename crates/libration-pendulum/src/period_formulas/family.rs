@@ -9,6 +9,31 @@ use libration_numbers::algebra::Rational;
 /// The most correction terms a formula can be asked for with; their exact coefficients take seconds.
 pub const MOST_TERMS: usize = 1000;
 
+/// A formula that is known under another name.
+struct Known {
+    key: &'static str,
+    name: &'static str,
+    authors: &'static str,
+    year: Option<u16>,
+    source: &'static str,
+}
+
+static BERNOULLI: Known = Known {
+    key: "bernoulli",
+    name: "Bernoulli",
+    authors: "D. Bernoulli",
+    year: None,
+    source: "D. Bernoulli in the late 1740s; equation (4) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; not verified against the original",
+};
+
+static DENMAN: Known = Known {
+    key: "denman",
+    name: "Denman",
+    authors: "H. H. Denman",
+    year: Some(1959),
+    source: "H. H. Denman, Am. J. Phys. 27, 524 (1959), as quoted by P. F. Hinrichsen, Phys. Teach. 59, 646 (2021); equation (51) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, with one term; not verified against the original",
+};
+
 /// A series that gives one formula for each number of corrections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
@@ -44,15 +69,15 @@ impl Family {
         let mut coefficients = self.coefficients(corrections + 1);
         let next = coefficients.pop().unwrap_or_else(|| Rational::from(0));
         let latex = self.latex(&coefficients);
-        let bernoulli = self == Self::PowerSeries && corrections == 1;
+        let known = self.known(corrections);
         let numbered = format!("{}{corrections}", self.stem());
         PeriodFormula {
-            key: if bernoulli { "bernoulli".to_owned() } else { numbered.clone() },
-            also: if bernoulli { vec![numbered] } else { Vec::new() },
-            name: if bernoulli { "Bernoulli".to_owned() } else { self.name(corrections) },
-            authors: self.authors(bernoulli).to_owned(),
-            year: self.year(),
-            source: self.source(bernoulli).to_owned(),
+            key: known.map_or_else(|| numbered.clone(), |known| known.key.to_owned()),
+            also: if known.is_some() { vec![numbered] } else { Vec::new() },
+            name: known.map_or_else(|| self.name(corrections), |known| known.name.to_owned()),
+            authors: known.map_or_else(|| self.authors(), |known| known.authors).to_owned(),
+            year: known.map_or_else(|| self.year(), |known| known.year),
+            source: known.map_or_else(|| self.source(), |known| known.source).to_owned(),
             attribution: Attribution::Certain,
             latex,
             domain: self.domain().to_owned(),
@@ -88,9 +113,17 @@ impl Family {
         }
     }
 
-    fn authors(self, bernoulli: bool) -> &'static str {
+    /// With one correction two of the series are older formulas.
+    fn known(self, corrections: usize) -> Option<&'static Known> {
         match self {
-            Self::PowerSeries if bernoulli => "D. Bernoulli",
+            Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),
+            Self::FourierPerturbation if corrections == 1 => Some(&DENMAN),
+            _ => None,
+        }
+    }
+
+    fn authors(self) -> &'static str {
+        match self {
             Self::PowerSeries | Self::SineSquared => "",
             Self::FourierPerturbation => "B. Black and V. Vel",
         }
@@ -100,11 +133,8 @@ impl Family {
         (self == Self::FourierPerturbation).then_some(2023)
     }
 
-    fn source(self, bernoulli: bool) -> &'static str {
+    fn source(self) -> &'static str {
         match self {
-            Self::PowerSeries if bernoulli => {
-                "D. Bernoulli in the late 1740s; equation (4) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
-            }
             Self::PowerSeries => {
                 "equation (14) of B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943"
             }

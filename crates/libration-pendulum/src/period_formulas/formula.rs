@@ -40,7 +40,7 @@ pub struct PeriodFormula {
 /// Whether a formula was seen in the source named, or is ascribed to it from memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Attribution {
-    /// The source has been read.
+    /// A text that was read has the formula and names its origin.
     Certain,
     /// The formula is verified, its origin is not.
     Attributed,

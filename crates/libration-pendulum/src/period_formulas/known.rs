@@ -27,7 +27,7 @@ pub fn catalogue() -> &'static [PeriodFormula] {
 
 impl PeriodFormula {
     /// The formula of this key, or the one that is the same under another (`agm_a2` is `carvalhaes_suppes`,
-    /// `power_series_1` is `bernoulli`). The series `power_series_N`, `black_vel_N` and `sin2_series_N` have any
+    /// `power_series_1` is `bernoulli`, `black_vel_1` is `denman`). The series `power_series_N`, `black_vel_N` and `sin2_series_N` have any
     /// number N of corrections up to [`MOST_TERMS`](super::MOST_TERMS).
     ///
     /// # Errors

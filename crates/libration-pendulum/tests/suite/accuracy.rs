@@ -164,6 +164,16 @@ fn jacobi_functions_keep_their_promise_on_the_table_of_boost() {
 }
 
 #[test]
+fn jacobi_functions_keep_their_promise_at_extreme_arguments_and_next_to_the_smallest_modulus() {
+    for row in Table::read("elliptic_arguments.csv").rows() {
+        let (given, value, u) = (row.text("given"), row.input("value_hex"), row.input("u_hex"));
+        let got = modulus_of(row).jacobi(u);
+        check_jacobi(row, got, jacobi_allowance(u), &(given, value, u));
+        JACOBI.holds(row.truth("am").error_beyond(got.am, jacobi_allowance(u)), &("am", given, value, u));
+    }
+}
+
+#[test]
 fn jacobi_functions_beyond_modulus_one_follow_by_the_reciprocal_modulus() {
     for row in Table::read("boost/jacobi_near_one.csv").rows() {
         let (u, k) = (row.input("u_hex"), row.input("k_hex").abs());

@@ -66,17 +66,54 @@ fn jacobi_functions_stay_within_their_ranges() {
 }
 
 #[test]
-fn jacobi_functions_of_any_finite_argument_are_numbers() {
-    let ends = [0.0, -0.0, 5e-324, 1e-308, 1e20, 1e100, 1e300, f64::MAX, -f64::MAX];
-    for m in [0.0, 5e-324, 1e-300, 0.5, 1.0 - f64::EPSILON / 2.0, 1.0] {
-        for u in ends {
-            let j = Modulus::from_parameter(m).unwrap().jacobi(u);
-            assert!(
-                j.sn.abs() <= 1.0 && j.cn.abs() <= 1.0 && j.dn.abs() <= 1.0 && !j.am.is_nan(),
-                "{m} {u}: {j:?}"
-            );
+fn jacobi_functions_are_numbers_until_their_bound_exceeds_their_range() {
+    for m in [0.0, 5e-324, 1e-300, 0.5, 1.0 - f64::EPSILON / 2.0] {
+        let modulus = Modulus::from_parameter(m).unwrap();
+        // 2⁹⁹ K, up to the rounding of K.
+        let limit = libm::exp2(99.0) * modulus.first();
+        for u in [0.0, -0.0, 5e-324, 1e-308, 1e20, 6e27, limit * (1.0 - 1e-15)] {
+            let j = modulus.jacobi(u);
+            assert!(j.sn.abs() <= 1.0 && j.cn.abs() <= 1.0 && j.dn.abs() <= 1.0, "{m} {u}: {j:?}");
+        }
+        for u in [limit * (1.0 + 1e-15), -2.0 * limit, 1e100, 1e300, f64::MAX, -f64::MAX] {
+            let j = modulus.jacobi(u);
+            assert!(j.sn.is_nan() && j.cn.is_nan() && j.dn.is_nan(), "{m} {u}: {j:?}");
+            let expected = FRAC_PI_2 * (u / modulus.first());
+            assert!((j.am / expected - 1.0).abs() <= 4.0 * f64::EPSILON, "{m} {u}: {j:?}");
+        }
+        for u in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+            let j = modulus.jacobi(u);
+            assert!(j.sn.is_nan() && j.cn.is_nan() && j.dn.is_nan() && j.am.is_nan(), "{m} {u}: {j:?}");
         }
     }
+}
+
+#[test]
+fn the_limit_of_modulus_one_has_no_period_to_lose() {
+    let line = Modulus::from_parameter(1.0).unwrap();
+    for u in [1e28, 1e100, f64::MAX] {
+        let j = line.jacobi(-u);
+        assert_eq!((j.sn, j.cn, j.dn), (-1.0, 0.0, 0.0), "{u}");
+    }
+}
+
+#[test]
+fn jacobi_functions_of_zero_keep_its_sign() {
+    for m in [0.0, 0.3, 0.5, 0.7, 1.0] {
+        for zero in [0.0, -0.0_f64] {
+            let j = Modulus::from_parameter(m).unwrap().jacobi(zero);
+            assert_eq!([j.sn, j.am].map(f64::to_bits), [zero.to_bits(); 2], "{m} {zero}");
+            assert_eq!((j.cn, j.dn), (1.0, 1.0), "{m} {zero}");
+        }
+    }
+}
+
+/// 1 − m = 16q′ for small q′, and ln q·ln q′ = π²: 1 − m is 2⁻⁵⁴ at q = exp(−π²/58 ln 2) = 0.78233….
+#[test]
+fn a_parameter_rounds_to_one_only_where_its_nome_is_above_0_7824() {
+    let m = |nome| Modulus::from_nome(nome).unwrap().parameter();
+    assert!(m(0.7823) < 1.0);
+    assert_eq!(m(0.7824), 1.0);
 }
 
 #[test]

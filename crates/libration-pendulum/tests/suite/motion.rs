@@ -345,7 +345,8 @@ fn extreme_states_are_answered_or_refused() {
         let motion =
             pendulum.launched(Angle::from_radians(1.0).unwrap(), pendulum.angular_frequency()).unwrap();
         assert_eq!(motion.regime(), Regime::Libration, "{length} {gravity}");
-        assert!(motion.period().is_finite() && motion.state_at(1.0).angle.is_finite());
+        let time = motion.period().min(1.0);
+        assert!(motion.period().is_finite() && motion.state_at(time).angle.is_finite());
     }
     for frequency in [1e308, 1e-310, 5e-324] {
         assert!(Pendulum::from_angular_frequency(frequency).is_err(), "{frequency}");
@@ -392,7 +393,21 @@ fn motions_at_any_frequency_are_those_at_another_scaled() {
     }
 }
 
-/// What is known of a state at any finite time: that it is on its orbit.
+/// A state whose phase is known is on its orbit; of the others only the unwrapped angle of a rotation is a number.
+fn assert_on_orbit_or_unknown(motion: &Motion, state: &State, frequency: f64, time: f64) {
+    let input = (frequency, motion.regime(), time);
+    // 2⁹⁷ periods of a libration, or of two turns.
+    let rotates = motion.regime() == Regime::Rotation;
+    let periods = (time / motion.period()).abs() * if rotates { 0.5 } else { 1.0 };
+    if periods >= libm::exp2(97.0) {
+        assert!(state.velocity.is_nan() && state.complement.is_nan(), "{input:?}: {state:?}");
+        assert!(state.angle_in_turn.is_nan() && state.angle.is_nan() != rotates, "{input:?}: {state:?}");
+    } else {
+        assert_on_orbit(motion, state, frequency, &input);
+    }
+}
+
+/// What is known of a state whose phase is known: that it is on its orbit.
 fn assert_on_orbit(motion: &Motion, state: &State, frequency: f64, input: &dyn core::fmt::Debug) {
     let relative = state.velocity / frequency / (2.0 * motion.energy_ratio().sqrt());
     assert!(relative.abs() <= 1.0 + 4.0 * f64::EPSILON, "{input:?}: {state:?}");
@@ -402,23 +417,53 @@ fn assert_on_orbit(motion: &Motion, state: &State, frequency: f64, input: &dyn c
 }
 
 #[test]
-fn states_at_any_finite_time_are_on_the_orbit() {
+fn states_are_on_the_orbit_until_their_phase_is_lost() {
     for frequency in [1e-290, 1.0, 1e10, 1e150] {
         let pendulum = Pendulum::from_angular_frequency(frequency).unwrap();
         for (angle, velocity) in [(1.0, 0.0), (3.0, 0.0), (0.0, 2.0), (0.0, 3.0), (0.0, -3.0)] {
             let motion = pendulum.launched(radians(angle), velocity * frequency).unwrap();
             let prepared = motion.prepare();
-            for time in [1e26 / frequency, 1e28 / frequency, 1e300, f64::MAX, -f64::MAX] {
+            let full = motion.period() * if motion.regime() == Regime::Rotation { 2.0 } else { 1.0 };
+            let seam = libm::exp2(97.0) * full;
+            let near = [1e26 / frequency, 1e28 / frequency, seam * (1.0 - 1e-15), seam * (1.0 + 1e-15)];
+            for time in near.into_iter().chain([1e300, f64::MAX, -f64::MAX]) {
                 let time = time.clamp(-f64::MAX, f64::MAX);
-                let input = (frequency, angle, velocity, time);
-                assert_on_orbit(&motion, &motion.state_at(time), frequency, &input);
-                assert_on_orbit(&motion, &prepared.state_at(time), frequency, &input);
-                let (mut angles, mut velocities) = ([0.0], [0.0]);
-                motion.states_at(&[time], &mut angles, &mut velocities).unwrap();
-                assert_eq!(angles[0], motion.state_at(time).angle, "{input:?}");
+                let state = motion.state_at(time);
+                assert_on_orbit_or_unknown(&motion, &state, frequency, time);
+                assert_on_orbit_or_unknown(&motion, &prepared.state_at(time), frequency, time);
+                for place in [0, 70] {
+                    let mut times = [0.0; 71];
+                    times[place] = time;
+                    let (mut angles, mut velocities) = ([0.0; 71], [0.0; 71]);
+                    motion.states_at(&times, &mut angles, &mut velocities).unwrap();
+                    let (got, expected) = ([angles[place], velocities[place]], [state.angle, state.velocity]);
+                    assert_eq!(got.map(bits), expected.map(bits), "{frequency} {angle} {velocity} {time}");
+                }
             }
         }
     }
+}
+
+#[test]
+fn a_released_pendulum_is_known_to_two_to_the_forty_nine_periods() {
+    let (amplitude, frequency) = (1.0, 1.5);
+    let period =
+        Pendulum::from_angular_frequency(frequency).unwrap().released_from(radians(amplitude)).unwrap();
+    let seam = libm::exp2(49.0) * period.period();
+    for (time, known) in [(seam * (1.0 - 1e-14), true), (seam * (1.0 + 1e-14), false), (-1e30, false)] {
+        let state = pendulum::state(amplitude, frequency, time);
+        assert_eq!(state.angle.is_nan(), !known, "{time}: {state:?}");
+        assert_eq!(state.velocity.is_nan(), !known, "{time}: {state:?}");
+        assert!(!known || state.angle.abs() <= amplitude, "{time}: {state:?}");
+        let (mut angles, mut velocities) = ([0.0; 80], [0.0; 80]);
+        pendulum::states(&[amplitude; 80], frequency, &[time; 80], &mut angles, &mut velocities).unwrap();
+        assert_eq!(angles.map(bits), [bits(state.angle); 80], "{time}");
+        assert_eq!(velocities.map(bits), [bits(state.velocity); 80], "{time}");
+    }
+    let motion =
+        Pendulum::from_angular_frequency(frequency).unwrap().released_from(radians(amplitude)).unwrap();
+    assert!(motion.state_at(-1e28).angle.abs() <= amplitude && motion.state_at(1e30).angle.is_nan());
+    assert!(motion.angle_variable_at(1e28).is_finite() && motion.angle_variable_at(1e30).is_nan());
 }
 
 #[test]

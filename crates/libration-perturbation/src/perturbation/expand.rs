@@ -393,7 +393,7 @@ pub enum ExpansionError {
     NomeOfOther,
     /// A self-excitation that is no polynomial.
     #[error(
-        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: give the parameter a value and simulate the motion (libration simulate)"
+        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: ask how the amplitude changes (libration expand --damping-order 2), or give the parameter a value and simulate the motion (libration simulate)"
     )]
     NotPolynomial,
     /// No amplitude at which the self-excitation does no work.

@@ -481,3 +481,32 @@ fn a_series_is_in_the_strength_for_limit_cycles_only() {
     assert!(in_strength("van_der_pol") && in_strength("rayleigh"));
     assert!(!in_strength("pendulum") && !in_strength("quadratic"));
 }
+
+/// A force with sign(x′) has no Taylor series in the velocity, though its derivative by it is zero on either side. x·sign(x′) changes the
+/// stiffness between half swings: ω = √1.1 and √0.9, so that the frequency is not one.
+#[test]
+fn forces_with_the_sign_of_the_velocity_are_not_expanded() {
+    use libration::oscillator::{NumbersOrLetters, Oscillator};
+    use libration::perturbation::expand_symbolically;
+    for text in
+        ["x'' + x + 0.1*x*sign(x') = 0", "x'' + x + 0.1*x*sign(x')^2 = 0", "x'' + x + 0.1*sign(x') = 0"]
+    {
+        let oscillator = Oscillator::new(&text.parse().unwrap());
+        let refused = oscillator.is_err() || expand(&oscillator.unwrap(), 4, &Gauge::Fundamental).is_err();
+        assert!(refused, "{text}");
+    }
+    for text in [
+        "x'' + w^2*x + c*x*sign(x') = 0",
+        "x'' + x + a*x^3 + c*sign(x') = 0",
+        "x'' + w^2*x + c*sign(x')*x^2 = 0",
+        "x'' + x + a*x^3 + c*sign(sin(x')) = 0",
+        "x'' + w^2*x + c*x*sign(x')^2 = 0",
+        "x'' + w^2*x + c*x*abs(x') = 0",
+    ] {
+        let refused = match NumbersOrLetters::new(&text.parse().unwrap(), None) {
+            Ok(NumbersOrLetters::Letters(it)) => expand_symbolically(&it, 4, &Gauge::Fundamental).is_err(),
+            found => found.is_err(),
+        };
+        assert!(refused, "{text}");
+    }
+}

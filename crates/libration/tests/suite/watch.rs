@@ -10,7 +10,7 @@ use libration::comparison::{
 };
 use libration::continuation::{NoBranch, Response, ResponseOptions};
 use libration::expression::Equation;
-use libration::melnikov::{DriveResonance, PerturbedPendulum};
+use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, thresholds_watched};
 use libration::normal_form::{NoNormalForm, NormalForm};
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
@@ -220,6 +220,17 @@ fn backbones_and_exact_values_stop_at_any_question() {
         },
         |found, _| found.as_ref().is_err_and(interrupted),
     );
+}
+
+#[test]
+fn thresholds_and_integrals_over_the_separatrix_stop_at_any_question() {
+    let driven = equation("x'' + sin(x) = -0.1*x'*abs(x') + A*cos(t)");
+    stops(
+        |watch| thresholds_watched(&driven, "A", [0.3, 0.4], watch),
+        |found, _| matches!(found, Err(NoMelnikov::Interrupted(_))),
+    );
+    let weak = PerturbedPendulum::new(&equation("x'' + sin(x) = -0.1*x'*abs(x')")).unwrap();
+    stops(|watch| Melnikov::both_watched(&weak, watch), |found, _| found.is_err());
 }
 
 #[test]

@@ -6,7 +6,7 @@ import { text } from "../../texts/en.ts";
 import type { Formula } from "./catalogue.ts";
 
 /** Those of the first figure of Black and Vel. */
-const USUAL = ["bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3", "black_vel_1", "black_vel_2", "black_vel_3"];
+const USUAL = ["bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3", "denman", "black_vel_2", "black_vel_3"];
 
 export class Selection {
   readonly element: HTMLDetailsElement;

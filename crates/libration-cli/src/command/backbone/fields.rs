@@ -113,7 +113,7 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
         Of::present_value(
             "series_remainder",
             "rad/s",
-            "bound on what the series leaves out, or an estimate of it; or null",
+            "bound on what the series leaves out, or an estimate of it, too small in about 1 of 100 cases; or null",
             |it| it.point.series.as_ref().map(|series| json::number(series.remainder.size)),
         )
         .only_json(),

@@ -3,7 +3,6 @@
 use super::{Answer, Letters, with_orders_shown};
 use crate::arguments::Chosen;
 use crate::failure::Failure;
-use crate::interrupt;
 use libration::algebra::LaurentPolynomial;
 use libration::oscillator::SymbolicOscillator;
 use libration::perturbation::{
@@ -15,7 +14,6 @@ pub(super) fn answer(
     order: usize,
     gauge: &Gauge,
 ) -> Result<Answer<LaurentPolynomial>, Failure> {
-    interrupt::listen()?;
     let expansion = with_orders_shown(order, |watch| {
         expand_symbolically_watched(&chosen.oscillator, order, gauge, watch)
     });

@@ -10,16 +10,8 @@ use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 
 /// The curves of the first figure of Black and Vel.
-const FIRST_FIGURE: [&str; 8] = [
-    "bernoulli",
-    "molina",
-    "kidd_fogg",
-    "butikov",
-    "power_series_3",
-    "black_vel_1",
-    "black_vel_2",
-    "black_vel_3",
-];
+const FIRST_FIGURE: [&str; 8] =
+    ["bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3", "denman", "black_vel_2", "black_vel_3"];
 
 /// The errors of the formulas against the amplitude, as in the first figure of Black and Vel
 #[derive(Debug, clap::Args)]

@@ -18,7 +18,7 @@ use std::io::Write;
   libration formulas
   libration formulas --tolerance 1e-3                     # how far each holds
   libration formulas --amplitude 90deg --tolerance 1e-3   # simplest first
-  libration formulas --crossovers --formulas black_vel_1,black_vel_3,butikov")]
+  libration formulas --crossovers --formulas denman,black_vel_3,butikov")]
 pub(crate) struct Formulas {
     /// List only formulas within the tolerance at this amplitude and all smaller ones
     #[arg(long, requires = "tolerance", value_parser = arguments::angle)]

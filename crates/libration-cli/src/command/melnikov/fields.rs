@@ -221,6 +221,12 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
             it.own.half_width
         })
         .rounded("half-width / (rad²/s)", 6),
+        Of::number(
+            "half_width_error",
+            "rad^2/s",
+            "bound on the error of half_width as one of the first order in the perturbation",
+            |it| it.own.half_width_error(),
+        ),
         Of::number("half_width_rad_s", "rad/s", "half the width in the frequency", |it| {
             it.own.half_width_in_frequency()
         }),

@@ -9,7 +9,8 @@ use crate::figure::melnikov::Perturbed;
 use crate::output::{FormOptions, announce};
 use crate::{figure, interrupt, parallel};
 use libration::melnikov::{
-    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold, thresholds,
+    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold,
+    thresholds_watched,
 };
 use libration::systems::Model;
 use std::io::Write;
@@ -107,7 +108,10 @@ impl MelnikovQuestion {
         let resonances =
             parallel::until_asked("the resonances", |watch| pendulum.resonances_watched(largest, watch));
         let resonances = resonances.and_then(Result::ok).ok_or_else(|| interrupted("resonances"))?;
-        let separatrices = Melnikov::both(&pendulum);
+        let separatrices =
+            parallel::until_asked("the Melnikov functions", |watch| Melnikov::both_watched(&pendulum, watch));
+        let separatrices =
+            separatrices.and_then(Result::ok).ok_or_else(|| interrupted("Melnikov functions"))?;
         Ok(Answer { model, at, pendulum, separatrices, thresholds, resonances })
     }
 }
@@ -126,8 +130,11 @@ impl Answer {
 }
 
 fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, Failure> {
-    let thresholds = thresholds(model.equation(), &over.name, over.range).map_err(failure)?;
-    let crossings = parallel::until_asked("the tangencies", |watch| {
+    let thresholds = parallel::until_asked_counted("the thresholds", "steps", |watch| {
+        thresholds_watched(model.equation(), &over.name, over.range, watch)
+    });
+    let thresholds = thresholds.ok_or_else(|| interrupted("thresholds"))?.map_err(failure)?;
+    let crossings = parallel::until_asked_counted("the tangencies", "steps of integration", |watch| {
         let crossing = |threshold: Threshold| Crossing {
             tangency: threshold.tangency_watched(model.equation(), &over.name, watch),
             threshold,
@@ -143,6 +150,7 @@ fn interrupted(before: &str) -> Failure {
 
 fn failure(error: NoMelnikov) -> Failure {
     match error {
+        NoMelnikov::Interrupted(_) => interrupted("thresholds"),
         NoMelnikov::Range { .. } | NoMelnikov::At { .. } => Failure::usage("--over", error),
         _ => Failure::no_answer("SYSTEM|EQUATION", error),
     }

@@ -11,6 +11,9 @@ use crate::output::{Form, csv};
 use libration::pendulum::{Motion, Regime};
 use std::io::{self, Write};
 
+/// Why a state is not a number.
+const UNKNOWN_PHASE: &str = "the phase is not known from 2⁹⁷ periods (1.6e29) on";
+
 /// A motion with what its answer says beside the samples.
 pub(super) struct Answer<'a> {
     pub(super) pendulum: PendulumOptions,
@@ -60,6 +63,7 @@ impl Answer<'_> {
     ) -> Record {
         let sample = self.sample(time);
         let record = of_sample.record(&sample);
+        let record = if sample.state.velocity.is_nan() { record.note(UNKNOWN_PHASE) } else { record };
         if self.comparison.approximations.is_empty() {
             return record;
         }
@@ -89,13 +93,16 @@ impl Answer<'_> {
         let (of_sample, of_approximation) = (fields::of_sample(), fields::of_approximation());
         let compared = self.comparison.approximations.iter();
         let more = compared.flat_map(|motion| of_approximation.columns_for(motion.key()));
+        let mut is_known = true;
         let mut table = Table::new(of_sample.columns().into_iter().chain(more).collect());
         for time in times {
             let sample = self.sample(time);
+            is_known &= !sample.state.velocity.is_nan();
             let more = self.approximations(sample).flat_map(|it| of_approximation.cells(&it));
             table.row(out, of_sample.cells(&sample).into_iter().chain(more).collect())?;
         }
-        table.finish(out)
+        table.finish(out)?;
+        if is_known { Ok(()) } else { writeln!(out, "\nnote: {UNKNOWN_PHASE}") }
     }
 
     /// In rotation the period has a name of its own; only a libration has an amplitude.

@@ -74,7 +74,7 @@ impl OrbitQuestion {
         let model = self.system.model()?;
         let search = self.search(&model)?;
         interrupt::listen()?;
-        let found = parallel::until_asked("the orbit", |watch| {
+        let found = parallel::until_asked_counted("the orbit", "steps of integration", |watch| {
             let (kind, orbit) = Orbit::search_watched(model.equation(), &search, watch)?;
             let harmonics = (0..model.coordinates().len()).map(|place| orbit.harmonics(place)).collect();
             Ok((kind, orbit, harmonics))

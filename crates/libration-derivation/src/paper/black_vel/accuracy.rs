@@ -125,7 +125,7 @@ fn kidd_fogg(printed: &Printed) -> Option<StatementFinding> {
     let upper = amplitude(printed)?;
     let tolerance = holds_on("kidd_fogg", 1e-3)?.first()?.1;
     let always_beaten = better_on("molina", "kidd_fogg")?;
-    let others = ["black_vel_1", "black_vel_2", "black_vel_3"].map(|key| better_on(key, "kidd_fogg"));
+    let others = ["denman", "black_vel_2", "black_vel_3"].map(|key| better_on(key, "kidd_fogg"));
     let others = others.into_iter().collect::<Option<Vec<_>>>()?;
     let at_limit = error("kidd_fogg", upper)?;
     let bernoulli = crossings("kidd_fogg", "bernoulli")?;
@@ -146,7 +146,7 @@ fn kidd_fogg(printed: &Printed) -> Option<StatementFinding> {
 
 fn undergraduate(printed: &Printed) -> Option<StatementFinding> {
     let tolerance = decimal(printed.formula(0)?, &[])?;
-    let intervals = holds_on("black_vel_1", tolerance)?;
+    let intervals = holds_on("denman", tolerance)?;
     let until = intervals.first()?.1;
     let others = [
         "small_angle",
@@ -162,7 +162,7 @@ fn undergraduate(printed: &Printed) -> Option<StatementFinding> {
     let evidence = format!(
         "its error is below {tolerance} on {}; at 90 degrees it is {:.2e}; others keep it up to (degrees): {}",
         intervals_in_words(&intervals),
-        error_at("black_vel_1", 90.0)?,
+        error_at("denman", 90.0)?,
         others.into_iter().collect::<Option<Vec<_>>>()?.join(", ")
     );
     let right = until >= FRAC_PI_2;
@@ -184,7 +184,7 @@ fn butikov(printed: &Printed) -> Option<StatementFinding> {
          {}; the best of Fig. 1 is {}",
         intervals_in_words(&intervals),
         intervals_in_words(&percent),
-        overtakes("black_vel_1")?,
+        overtakes("denman")?,
         overtakes("carvalhaes_suppes")?,
         overtakes("belendez")?,
         in_words(&leads)

@@ -46,7 +46,7 @@ fn figure(_: &Printed) -> Option<StatementFinding> {
             farthest = farthest.max((error(key, SMALL)? / term - 1.0).abs());
         }
     }
-    let zeros = exact_at("black_vel_1")?.into_iter().map(in_degrees).collect::<Vec<_>>().join(", ");
+    let zeros = exact_at("denman")?.into_iter().map(in_degrees).collect::<Vec<_>>().join(", ");
     let evidence = format!(
         "recomputed: at 0.01 rad the errors are their exact leading terms to {farthest:.1e}; the curve of the 1-term \
          formula dips to 0 at {zeros}; the best of the plotted ones is {}",

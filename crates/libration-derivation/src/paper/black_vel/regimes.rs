@@ -94,7 +94,7 @@ fn best_on_the_lower_half(printed: &Printed) -> Option<StatementFinding> {
 
 fn one_term_on_the_upper_half(printed: &Printed) -> Option<StatementFinding> {
     let lower = amplitude(printed)?;
-    let from = |other: &str| Some(crossings("black_vel_1", other)?.last()?.amplitude.radians());
+    let from = |other: &str| Some(crossings("denman", other)?.last()?.amplitude.radians());
     let (two, three) = (from("black_vel_2")?, from("black_vel_3")?);
     let above_both = two.max(three);
     let evidence = format!(
@@ -102,7 +102,7 @@ fn one_term_on_the_upper_half(printed: &Printed) -> Option<StatementFinding> {
          of 1, 2, 3 terms are {:.2e}, {:.2e}, {:.2e}",
         in_degrees(two),
         in_degrees(three),
-        error_at("black_vel_1", 100.0)?,
+        error_at("denman", 100.0)?,
         error_at("black_vel_2", 100.0)?,
         error_at("black_vel_3", 100.0)?
     );
@@ -118,10 +118,10 @@ fn one_term_on_the_upper_half(printed: &Printed) -> Option<StatementFinding> {
 
 fn dip_of_one_term(printed: &Printed) -> Option<StatementFinding> {
     let lower = amplitude(printed)?;
-    let zeros = exact_at("black_vel_1")?;
+    let zeros = exact_at("denman")?;
     let within = zeros.iter().any(|zero| *zero > lower);
     let shown = [120.0, 150.0, 170.0, 179.0]
-        .map(|degrees| Some(format!("{:.1e} at {degrees} degrees", error_at("black_vel_1", degrees)?)));
+        .map(|degrees| Some(format!("{:.1e} at {degrees} degrees", error_at("denman", degrees)?)));
     let evidence = format!(
         "its error changes its sign at {}; it is {}",
         zeros.iter().map(|zero| in_degrees(*zero)).collect::<Vec<_>>().join(", "),
@@ -142,7 +142,7 @@ fn interplay(printed: &Printed) -> Option<StatementFinding> {
     }
     let is_pade = first_difference(&stands, &geometric).is_none();
     let pole = 1.0 / slope.to_f64().sqrt();
-    let zero = *exact_at("black_vel_1")?.first()?;
+    let zero = *exact_at("denman")?.first()?;
     let evidence = format!(
         "it is the [0/1] Pade approximant in theta0^2 of the series (14), exactly to theta0^7; its pole at {pole} rad stands \
          for the divergence of the exact period at pi, and its error, positive below and negative above, vanishes at {} \
@@ -157,7 +157,7 @@ fn against_the_power_series(printed: &Printed) -> Option<StatementFinding> {
     let (ours, theirs) = (format!("black_vel_{corrections}"), format!("power_series_{corrections}"));
     let always = better_on(&ours, &theirs)?;
     let [two, three] = ["power_series_2", "power_series_3"]
-        .map(|key| Some(in_degrees(crossings("black_vel_1", key)?.last()?.amplitude.radians())));
+        .map(|key| Some(in_degrees(crossings("denman", key)?.last()?.amplitude.radians())));
     let limit = ratio_of_leading_errors(&theirs, &ours)?;
     let evidence = format!(
         "{ours} beats {theirs} on {}; the ratio of the errors is {:.2} as theta0 -> 0 and {:.2} at 90 degrees; one term beats \
@@ -180,5 +180,5 @@ fn on_a_par(printed: &Printed) -> Option<StatementFinding> {
         format!("at {}: {}", in_degrees(upper), shown.into_iter().collect::<Option<Vec<_>>>()?.join(", "));
     let published = ["bernoulli", "molina", "kidd_fogg"].map(worst);
     let best = published.into_iter().collect::<Option<Vec<_>>>()?.into_iter().fold(f64::INFINITY, f64::min);
-    Some(StatementFinding::verified_if(worst("black_vel_1")? <= best, "", evidence))
+    Some(StatementFinding::verified_if(worst("denman")? <= best, "", evidence))
 }

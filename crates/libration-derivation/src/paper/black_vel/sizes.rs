@@ -21,6 +21,14 @@ pub(super) const STATEMENTS: &[Statement] = &[
     .paraphrased(),
     text_after(
         "(24)",
+        "text: a1 is not much greater than 1",
+        "An upper bound of a1 over all amplitudes; much greater is taken as twice.",
+        &["a1 = 2"],
+        fundamental_beside_one,
+    )
+    .paraphrased(),
+    text_after(
+        "(24)",
         "text: a3 is much smaller than 1 for 0 < theta0 <= pi",
         "A bound of |a3| over all amplitudes; much smaller is taken as a tenth.",
         &["a3 = 1/10"],
@@ -67,6 +75,23 @@ fn largest_fundamental(printed: &Printed) -> Option<StatementFinding> {
     let correct = "a1 < 4, which it tends to as theta0 -> pi";
     // A bit: a tenth.
     Some(StatementFinding::verified_if(a1 <= 1.1 * bound, correct, evidence))
+}
+
+fn fundamental_beside_one(printed: &Printed) -> Option<StatementFinding> {
+    let bound = decimal(printed.formula(0)?, &[])?;
+    let [a1, ..] = limits()?;
+    let reached = |bound: f64| {
+        amplitude_where_zero(0.1, PI - 1e-9, &|amplitude| Some(harmonics(amplitude)?[0] - bound))
+    };
+    let limit = reached(bound);
+    let evidence = format!(
+        "a1 passes 1 at {} and {bound} at {}; it tends to 4: {a1:.5} at 1e-300 rad below pi",
+        reached(1.0).map_or("no amplitude".to_owned(), in_degrees),
+        limit.map_or("no amplitude".to_owned(), in_degrees)
+    );
+    let correct = "a1 < 4, which it tends to as theta0 -> pi";
+    let finding = StatementFinding::verified_if(a1 <= bound, correct, evidence);
+    Some(finding.holding_for(vec![(0.0, limit.unwrap_or(PI))]))
 }
 
 fn largest_third(printed: &Printed) -> Option<StatementFinding> {

@@ -1,15 +1,17 @@
 //! (18) to (24): two harmonics in the equation truncated after θ³.
 
-use super::statement;
+use super::{statement, text_after};
 use crate::paper::amplitudes::at_degrees;
-use crate::paper::compare::{polynomial, same_polynomial};
+use crate::paper::compare::{decimal, polynomial, same_polynomial};
 use crate::paper::cosines::{cosine, cosines, projection, second_derivative};
-use crate::paper::exact_motion::harmonics;
+use crate::paper::exact_motion::{frequency_ratio, harmonics};
 use crate::paper::finding::StatementFinding;
 use crate::paper::printed::Printed;
 use crate::paper::sine::{equation_with_sine, sine};
 use crate::paper::statement::Statement;
 use libration::algebra::{Polynomial, Rational, Variable};
+use libration::pendulum::Pendulum;
+use std::f64::consts::TAU;
 
 pub(super) const STATEMENTS: &[Statement] = &[
     statement(
@@ -31,6 +33,13 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["0 = Delta^2*(-a1*c1 - 9*a3*c3) + a1*c1 + a3*c3 - (a1*c1 + a3*c3)^3/6"],
         inserted,
     ),
+    text_after(
+        "(21)",
+        "text: the Fourier integrals with respect to Omega*t have the factor Omega/pi",
+        "The factor of the integral over a period of Omega*t, times a cosine of it.",
+        &["Omega/pi"],
+        factor_of_the_integrals,
+    ),
     statement(
         "(22)",
         "(21) times cos(Omega*t), integrated over a period.",
@@ -45,6 +54,30 @@ pub(super) const STATEMENTS: &[Statement] = &[
     ),
     statement("(24)", "The amplitude is the motion at t = 0.", &["theta0 = a1 + a3"], amplitude_of_two),
 ];
+
+/// The factor times the integral over a period of Ωt must be the coefficient of the series.
+fn factor_of_the_integrals(printed: &Printed) -> Option<StatementFinding> {
+    const PHASES: u32 = 256;
+    let amplitude = at_degrees(150.0)?;
+    let (coefficients, frequency) = (harmonics(&amplitude)?, frequency_ratio(&amplitude)?);
+    let motion = Pendulum::from_angular_frequency(1.0).ok()?.released_from(amplitude).ok()?;
+    let phase = |index: u32| TAU * f64::from(index) / f64::from(PHASES);
+    let at = |index: u32| motion.state_at(phase(index) / frequency).angle * libm::cos(phase(index));
+    let integral = (0..PHASES).map(at).sum::<f64>() * TAU / f64::from(PHASES);
+    let stands = decimal(printed.formula(0)?, &[("Omega", frequency)])? * integral;
+    let a1 = coefficients.first()?;
+    let evidence = format!(
+        "at 150 degrees, where Omega = {frequency:.5}*omega0, the factor times the integral of theta*cos(Omega*t) is {stands:.5} \
+         with omega0 = 1, and a1 is {a1:.5}"
+    );
+    if (stands / a1 - 1.0).abs() < 1e-9 {
+        return Some(StatementFinding::verified(evidence));
+    }
+    Some(StatementFinding::typo(
+        "1/pi with respect to Omega*t; Omega/pi is the factor with respect to t",
+        evidence,
+    ))
+}
 
 /// The motion (18).
 pub(super) fn motion() -> Polynomial {

@@ -20,6 +20,14 @@ pub(super) const STATEMENTS: &[Statement] = &[
         &["E = T + U"],
         energy_of_the_motion,
     ),
+    text_after(
+        "(1)",
+        "text: the pendulum has two degrees of freedom",
+        "The number of coordinates that say where the pendulum is.",
+        &["freedom = 2"],
+        degrees_of_freedom,
+    )
+    .paraphrased(),
     statement("(2)", "The potential energy.", &["U = m*g*l*(1 - cos(theta))"], potential_energy),
     statement("(3)", "The energy at the release.", &["E = m*g*l*(1 - cos(theta0))"], energy_of_the_motion),
     statement(
@@ -106,6 +114,27 @@ fn energy_of_the_motion(printed: &Printed) -> Option<StatementFinding> {
     }
     let what = "the energy m*v^2/2 + m*g*l*(1 - cos(theta)) of the motion (T is the kinetic energy here, the period from (9) on)";
     Some(StatementFinding::verified_if(largest < ROUNDING, "", evidence(largest, what)))
+}
+
+/// Two coordinates in the plane of the swing less one for the rod, whose length depends on the place everywhere on the circle.
+fn degrees_of_freedom(printed: &Printed) -> Option<StatementFinding> {
+    let claimed = decimal(printed.formula(0)?, &[])?;
+    let slope = |instant: &Instant| {
+        let (x, y) = (LENGTH * libm::sin(instant.angle), -LENGTH * libm::cos(instant.angle));
+        libm::hypot(2.0 * x, 2.0 * y)
+    };
+    let least = instants(&amplitude()?, 48)?.iter().map(slope).fold(f64::INFINITY, f64::min);
+    let constraints = if least > 0.0 { 1.0 } else { 0.0 };
+    let evidence = format!(
+        "two coordinates x and y in the plane of the swing, less the constraint x^2 + y^2 = l^2, whose gradient is nowhere zero \
+         (at least {:.3}*l at 48 instants): theta alone says where the pendulum is",
+        least / LENGTH
+    );
+    Some(StatementFinding::verified_if(
+        (claimed - (2.0 - constraints)).abs() < 0.5,
+        "one degree of freedom: theta",
+        evidence,
+    ))
 }
 
 /// −dU/dθ must be the torque −m·g·l·sin θ, exactly.

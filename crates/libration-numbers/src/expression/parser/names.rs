@@ -15,6 +15,7 @@ impl Parser<'_> {
         let bracket = *self.peek() == Token::Sign('(');
         if symbol.primes == 0 {
             if let Some(function) = function(&symbol.name) {
+                self.free |= symbol.name == LOGARITHM;
                 let argument = match self.peek() {
                     Token::Sign('(') => self.bracketed(')')?,
                     Token::Sign('{') => self.bracketed('}')?,
@@ -22,10 +23,8 @@ impl Parser<'_> {
                 };
                 return self.grown(argument.levels, Expression::Call(function, Box::new(argument.tree)));
             }
-            match symbol.name.as_str() {
-                "pi" => return Ok(Node::leaf(Expression::Pi)),
-                "log" => return Err(self.fault_at(name, Fault::WhichLogarithm)),
-                _ => {}
+            if symbol.name == "pi" {
+                return Ok(Node::leaf(Expression::Pi));
             }
         }
         if bracket && symbol.primes == 0 && is_extremum(&symbol.name) && !self.is_variable(&symbol.name) {
@@ -174,7 +173,13 @@ fn function_of(symbol: &Symbol) -> Option<Function> {
     function(&symbol.name).filter(|_| symbol.primes == 0)
 }
 
+/// The natural logarithm in most programming languages; how it is read is told, since some write it for the common one.
+const LOGARITHM: &str = "log";
+
 /// The function of a name, or of the word that it is printed with.
 fn function(name: &str) -> Option<Function> {
+    if name == LOGARITHM {
+        return Some(Function::Ln);
+    }
     Function::by_name(name).or_else(|| Function::ALL.into_iter().find(|function| function.word() == name))
 }

@@ -64,7 +64,7 @@ pub struct PartialSum {
 /// How much is missing from a sum, in magnitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remainder {
-    /// At most so much is missing, or about so much when it is estimated; infinite where the series does not
+    /// At most so much is missing, or about so much when it is estimated, which is too little in about 1 of 100 cases, at order 5 and below in 2 of 100; infinite where the series does not
     /// converge, or is not known to.
     pub size: f64,
     /// What this rests on.

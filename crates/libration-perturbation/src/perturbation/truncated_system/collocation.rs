@@ -25,8 +25,19 @@ pub(super) struct Projections {
 impl Collocation {
     /// For the first odd harmonics, and an odd force given by its coefficients of x, x², x³, ….
     pub(super) fn new(harmonics: u32, force: &[Rational]) -> Self {
+        // A power of the force times a harmonic.
+        Self::exact_to(harmonics, force, (force.len() + 1) * highest(harmonics))
+    }
+
+    /// The same with as many phases as the square of what the equation of motion leaves needs.
+    pub(super) fn for_residuals(harmonics: u32, force: &[Rational]) -> Self {
+        Self::exact_to(harmonics, force, 2 * force.len() * highest(harmonics))
+    }
+
+    /// With sums over the phases that are exact for multiples of τ up to this one.
+    fn exact_to(harmonics: u32, force: &[Rational], multiple: usize) -> Self {
         let force: Vec<f64> = force.iter().step_by(2).map(Rational::to_f64).collect();
-        let points = (2 * force.len() * (2 * harmonics as usize - 1)) / 4 + 1;
+        let points = multiple / 4 + 1;
         let phase = |m: usize| odd(m) * FRAC_PI_2 / count(2 * points);
         let multiples = |m| (0..harmonics as usize).map(move |i| libm::cos(odd(i) * phase(m)));
         Self { cosines: (0..points).map(|m| multiples(m).collect()).collect(), force }
@@ -71,7 +82,7 @@ impl Collocation {
         Projections { values, derivatives }
     }
 
-    /// The root of the mean of |Δ²x″ + g(x)|².
+    /// The root of the mean of |Δ²x″ + g(x)|², of a collocation [for residuals](Self::for_residuals).
     pub(super) fn residual(&self, amplitudes: &[Complex], frequency_ratio_squared: Complex) -> f64 {
         let accelerations: Vec<Complex> =
             (0..).zip(amplitudes).map(|(i, a)| a.scaled(harmonic_squared(i))).collect();
@@ -100,6 +111,11 @@ impl Collocation {
 /// n² of the i-th odd harmonic.
 pub(super) fn harmonic_squared(i: usize) -> f64 {
     odd(i) * odd(i)
+}
+
+/// The highest of the first odd harmonics.
+fn highest(harmonics: u32) -> usize {
+    2 * harmonics as usize - 1
 }
 
 /// The i-th odd number.

@@ -147,7 +147,7 @@ impl TruncatedSystem {
         if roots.len() < expected {
             return Err(TruncatedSystemError::Missing { found: roots.len(), expected });
         }
-        let whole = Collocation::new(self.harmonics, &self.force);
+        let whole = Collocation::for_residuals(self.harmonics, &self.force);
         Ok(verdict::judged(&equations, &whole, amplitude, roots))
     }
 

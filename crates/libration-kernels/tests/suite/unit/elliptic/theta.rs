@@ -46,7 +46,7 @@ fn four_terms_suffice_at_the_largest_nome() {
 }
 
 #[test]
-fn the_phase_is_known_to_ten_to_the_twenty_seven_turns() {
+fn the_phase_is_known_to_two_to_the_ninety_seven_turns() {
     // (¼ + 2⁻⁶²)·2⁶² turns and three times as many are whole turns, a quarter off at 2⁶⁰.
     let frequency = DoubleDouble::new(0.25, libm::exp2(-62.0));
     let clock = PhaseClock { frequency, quarter: 0.0, offset: DoubleDouble::ZERO };
@@ -57,4 +57,9 @@ fn the_phase_is_known_to_ten_to_the_twenty_seven_turns() {
     let later = PhaseClock { offset: DoubleDouble::new(0.1, 0.0), ..clock }.phase(libm::exp2(80.0));
     // 2⁻¹⁰⁴ of 2⁷⁸ turns.
     assert!((later.rest.hi - 0.1).abs() < 1.5e-8, "{later:?}");
+    let last = libm::exp2(99.0) * (1.0 - f64::EPSILON);
+    assert!(clock.phase(last).rest.hi.abs() <= 0.125);
+    assert!(
+        clock.phase(libm::exp2(99.0)).rest.hi.is_nan() && clock.phase(-libm::exp2(99.0)).rest.hi.is_nan()
+    );
 }

@@ -1,0 +1,111 @@
+//! The LaTeX of every derivation: as many cells in a row as its table has columns, and documents that compile where `pdflatex` is present.
+
+use libration::oscillator::{NamedOscillator, Oscillator};
+use libration::perturbation::Gauge;
+use libration_derivation::{
+    Derivation, averaging, elliptic, formulas, limit_cycle, perturbation, to_latex, to_notebook,
+};
+use std::process::Command;
+
+/// One of each kind, and each as exercises.
+fn derivations() -> Vec<(&'static str, Derivation)> {
+    let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
+    let two_sided = Oscillator::new(&"x'' + x + x^2/2 + x^3 = 0".parse().unwrap()).unwrap();
+    let damped = "theta'' + c*theta' + sin(theta) = 0".parse().unwrap();
+    let rubbed = "x'' + x + c*x'*abs(x') = 0".parse().unwrap();
+    let excited = "x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap();
+    let own = vec![
+        ("elliptic", elliptic(None).unwrap()),
+        ("formulas", formulas(None).unwrap()),
+        ("perturbation", perturbation(&pendulum, 5, &Gauge::Fundamental, None).unwrap()),
+        ("two-sided", perturbation(&two_sided, 3, &Gauge::Fundamental, None).unwrap()),
+        ("averaging", averaging(&damped, None, 3, 2).unwrap()),
+        ("rubbing", averaging(&rubbed, None, 3, 1).unwrap()),
+        ("limit-cycle", limit_cycle(&excited, None, 3).unwrap()),
+    ];
+    let exercises: Vec<_> = own.iter().map(|(name, it)| (*name, it.clone().exercises())).collect();
+    own.into_iter().chain(exercises).collect()
+}
+
+/// The columns of a specification such as `r>{\raggedright}p{0.35\textwidth}`: letters outside of braces.
+fn columns(specification: &str) -> usize {
+    let mut depth = 0;
+    let mut found = 0;
+    for letter in specification.chars() {
+        match letter {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            'r' | 'l' | 'c' | 'p' if depth == 0 => found += 1,
+            _ => {}
+        }
+    }
+    found
+}
+
+/// What stands in the braces that the text begins behind, and the rest.
+fn in_braces(text: &str) -> (&str, &str) {
+    let mut depth = 1;
+    for (at, letter) in text.char_indices() {
+        depth += match letter {
+            '{' => 1,
+            '}' => -1,
+            _ => 0,
+        };
+        if depth == 0 {
+            return (&text[..at], &text[at + 1..]);
+        }
+    }
+    panic!("braces are not closed: {text}")
+}
+
+#[test]
+fn tables_have_as_many_columns_as_cells() {
+    let mut tables = 0;
+    for (name, derivation) in derivations() {
+        for table in to_latex(&derivation).split("\\begin{tabular}{").skip(1) {
+            let (specification, rest) = in_braces(table);
+            let rows = rest.split_once("\\end{tabular}").unwrap().0;
+            for row in rows.lines().filter(|row| row.ends_with("\\\\")) {
+                let cells = 1 + row.replace("\\&", "").matches('&').count();
+                assert_eq!(cells, columns(specification), "{name}: {specification}: {row}");
+            }
+            tables += 1;
+        }
+    }
+    assert!(tables > 20, "{tables}");
+}
+
+#[test]
+fn documents_compile_where_pdflatex_is_present() {
+    if Command::new("pdflatex").arg("--version").output().is_err() {
+        return;
+    }
+    let directory = std::env::temp_dir().join(format!("libration-latex-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    for (number, (name, derivation)) in derivations().into_iter().enumerate() {
+        let file = format!("{name}-{number}.tex");
+        std::fs::write(directory.join(&file), to_latex(&derivation)).unwrap();
+        let output = Command::new("pdflatex")
+            .args(["-interaction=nonstopmode", "-halt-on-error", &file])
+            .current_dir(&directory)
+            .output()
+            .unwrap();
+        let log = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{name}: {}", &log[log.len().saturating_sub(2000)..]);
+    }
+    std::fs::remove_dir_all(&directory).unwrap();
+}
+
+/// A check that stands before the answers would give them away. Formulas of the catalogue are no results, and have theirs.
+#[test]
+fn notebooks_of_exercises_compute_nothing_before_their_answers() {
+    let exercises =
+        derivations().into_iter().filter(|(name, it)| *name != "formulas" && !it.answers.is_empty());
+    for (name, derivation) in exercises {
+        let notebook = to_notebook(&derivation);
+        let (exercises, answers) = notebook.split_once("## Answers").unwrap();
+        let cells: Vec<&str> = exercises.matches("\"cell_type\": \"code\"").collect();
+        assert_eq!(cells.len(), 1, "{name}: the prelude alone");
+        assert!(answers.contains("\"answer-"), "{name}");
+    }
+}
