@@ -160,6 +160,7 @@ impl GatesFit {
             _ => angle_scale,
         };
         let period = MeasuredPeriod {
+            model: None,
             t0: t0.into(),
             amplitude: self.amplitude,
             angle_scale,

@@ -2,10 +2,12 @@
 
 use libration::watch::Watch;
 
-use super::fitted::{SwingsFit, small_angle_period};
+use super::FittedPendulum;
+use super::fitted::SwingsFit;
 use super::options::SwingsOptions;
-use super::pendulum::pendulum;
+use super::pendulum::pendulum_of;
 use super::{doubts, improvements};
+use crate::fit::Uncertain;
 use crate::fit::budget::BudgetError;
 use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces_watched, cycles_watched};
 use crate::fit::trace::{TraceFitError, compare, fit_traces};
@@ -45,12 +47,16 @@ pub fn swings(
         cycles => Ok(cycles),
     });
     let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
-    let pendulum = pendulum(&fit, small_angle_period(&fit, comparison.as_ref()), &cycles, options)?;
     let beta = beta_of_traces_watched(traces, &cycles, watch);
     if watch.is_stopped() {
         return Err(TraceFitError::Interrupted.into());
     }
-    let mut found = SwingsFit { fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };
+    let pendulum = FittedPendulum::Length(Uncertain::default());
+    let (contradiction, warnings, advice) = (None, vec![], vec![]);
+    let mut found = SwingsFit { fit, comparison, cycles, beta, contradiction, pendulum, warnings, advice };
+    found.contradiction = found.contradicting(traces);
+    let model = found.contradiction.as_ref().map(|it| it.uncertainty() / it.values[0]);
+    found.pendulum = pendulum_of(&found.fit, found.period_of_runs(), model, &found.cycles, options)?;
     found.warnings = doubts::warnings(&found, traces);
     found.advice = improvements::advice(&found, traces);
     Ok(found)
