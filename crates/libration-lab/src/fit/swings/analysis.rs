@@ -3,7 +3,7 @@
 use libration::watch::Watch;
 
 use super::FittedPendulum;
-use super::fitted::SwingsFit;
+use super::fitted::{SwingsFit, small_angle_period};
 use super::options::SwingsOptions;
 use super::pendulum::pendulum_of;
 use super::{doubts, improvements};
@@ -50,6 +50,10 @@ pub fn swings(
     let beta = beta_of_traces_watched(traces, &cycles, watch);
     if watch.is_stopped() {
         return Err(TraceFitError::Interrupted.into());
+    }
+    let t0 = small_angle_period(&fit, comparison.as_ref());
+    if t0.uncertainty.is_nan() || t0.uncertainty >= t0.value {
+        return Err(TraceFitError::Undetermined { parameter: "omega0" }.into());
     }
     let pendulum = FittedPendulum::Length(Uncertain::default());
     let (contradiction, warnings, advice) = (None, vec![], vec![]);

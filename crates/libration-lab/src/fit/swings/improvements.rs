@@ -28,8 +28,10 @@ fn length(pendulum: &FittedPendulum) -> Option<Advice> {
     };
     let Some(of_length) = length.uncertainty else { return Some(Advice::GiveLengthUncertainty) };
     let (relative_uncertainty, of_gravity) = (of_length / length.value, budget.uncertainty / budget.g);
-    (relative_uncertainty > MOST_OF_IT * of_gravity)
-        .then_some(Advice::MeasureLengthBetter { relative_uncertainty })
+    (relative_uncertainty > MOST_OF_IT * of_gravity).then(|| Advice::MeasureLengthBetter {
+        relative_uncertainty,
+        share: (relative_uncertainty / of_gravity).powi(2),
+    })
 }
 
 fn scale(found: &SwingsFit, observable: Observable) -> Option<Advice> {

@@ -5,6 +5,7 @@ mod unit;
 pub(crate) mod words;
 
 pub(super) use companion::name_uncertainties;
+use libration::quantity::printable;
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
 use words::Words;
@@ -60,6 +61,7 @@ impl Heading {
     /// What these words say; `unit` is from a line of units below, `group` from a line of titles above.
     #[doc(hidden)]
     pub fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
+        let text = printable(text);
         let text = text.trim();
         let (rest, run) = split_run(text);
         let (rest, is_uncertainty) = without_sign_of_uncertainty(rest);

@@ -61,3 +61,20 @@ fn a_table_is_the_first_sheet_with_two_columns_of_numbers() {
     assert_eq!(table.names(), ["L (m)", "T (s)"]);
     assert!(table.chosen_sheet().unwrap().contains("data"), "{:?}", table.chosen_sheet());
 }
+
+/// As cells between blanks these headers have more numbers than between tabs.
+#[test]
+fn names_with_numbers_do_not_make_blanks_the_delimiter() {
+    for names in ["t (s)\tangle 1 (rad)", "Length 1 (m)\tT (s)", "angle 1 (deg)\tangle 2 (deg)"] {
+        let text = format!("{names}\n0.0\t0.1\n0.1\t0.2\n0.2\t0.25\n");
+        let table = Table::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!(table.names(), names.split('\t').collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn names_have_no_characters_that_turn_a_terminal() {
+    let text = "\u{202e}angle\u{2066} (rad),T (s)\n0.1,2\n0.2,2.1\n";
+    let table = Table::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+    assert_eq!(table.names(), ["angle (rad)", "T (s)"]);
+}
