@@ -29,6 +29,11 @@ impl ColumnsOption {
         needed: &str,
     ) -> Result<ChosenColumns<N>, Failure> {
         match self.columns.len() {
+            0 if table.names().is_empty() && table.width() > 2 => {
+                let width = table.width();
+                let reason = format!("the table has {width} columns and no header: say which with --columns");
+                Err(Failure::no_answer(file, reason))
+            }
             0 => inferred(table).ok_or_else(|| {
                 let width = table.width();
                 let reason = format!("{needed} are needed, and the table has {width} column of numbers");

@@ -113,7 +113,7 @@ fn units_and_quantities_of_the_header_are_heeded() {
 #[test]
 fn repeated_readings_are_never_taken_for_uncertainties() {
     const READINGS: &str = "0.25,1.0031,1.0062,1.0009\n0.5,1.4185,1.4201,1.4149\n0.75,1.7373,1.7391,1.7402\n1,2.0061,2.0020,2.0048\n";
-    for (name, header) in [("runs", "length (m),run A,run B,run C"), ("y", "x,y1,y2,y3"), ("bare", "")] {
+    for (name, header) in [("runs", "length (m),run A,run B,run C"), ("y", "x,y1,y2,y3")] {
         let rows = format!("{header}\n{READINGS}");
         let lengths = table(&format!("fit-readings-{name}"), rows.trim_start());
         let answer = json(&format!("fit lengths {}", lengths.display()));

@@ -77,7 +77,7 @@ pub fn to_place(value: f64, place: i32, most: usize) -> String {
     let nearest = match digits {
         Ok(digits @ 1..) => format!("{value:.*e}", digits.min(most) - 1),
         // Of one place less the first digit decides.
-        Ok(_) if format!("{:e}", value.abs()) >= "5".to_owned() => {
+        Ok(_) if format!("{:e}", value.abs()).as_str() >= "5" => {
             format!("{}1e{place}", if value < 0.0 { "-" } else { "" })
         }
         _ => return "0".to_owned(),

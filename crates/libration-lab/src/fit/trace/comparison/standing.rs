@@ -77,12 +77,12 @@ impl Comparison {
         let adds_nothing = |rival: &TraceFit| {
             let contains = preferred.damping.iter().all(|term| rival.parameter(term.name()).is_some());
             let own = |term: &DampingKind| preferred.parameter(term.name()).is_some();
-            let added = rival.damping.iter().filter(|term| !own(term));
+            let mut added = rival.damping.iter().filter(|term| !own(term));
             let is_zero = |term: DampingKind| {
                 let added = rival.parameter(term.name()).map(|it| it.estimate);
                 added.is_none_or(|it| it.deviation_from(0.0) <= Self::ZERO)
             };
-            contains && added.map(is_zero).all(|zero| zero)
+            contains && added.all(is_zero)
         };
         let named = |terms: DampingModel| self.fits.iter().find(|fit| fit.damping == terms);
         self.rivals()
