@@ -15,7 +15,7 @@ pub struct ValueColumn {
 
 impl Table {
     /// The columns of values with those of their uncertainties, as the header says which are which: `±` belongs to the column
-    /// before it, `u(T)` and `dT` to that of the same name, or else to the one before it. Of two that would belong to one column the first does.
+    /// before it, or to the last one before it that has none yet, `u(T)` and `dT` to that of the same name, or else to the one before it. Of two that would belong to one column the first does.
     /// Columns of words are left out.
     ///
     /// # Examples
@@ -40,7 +40,10 @@ impl Table {
             let is_same = |value: &usize| headings[place].is_of_the_same(headings[*value]);
             let named = values.iter().position(is_same);
             let before = values.iter().position(|&value| value + 1 == place);
-            let of = if headings[place].is_bare_uncertainty() { before } else { named.or(before) };
+            // A bare one after those of other columns is of the last column that has none.
+            let open = || found.iter().rposition(|&(value, of)| value < place && of.is_none());
+            let is_bare = headings[place].is_bare_uncertainty();
+            let of = if is_bare { before.or_else(open) } else { named.or(before) };
             if let Some(of) = of {
                 found[of].1.get_or_insert(place);
             }

@@ -29,6 +29,7 @@ fn uncertainties_go_with_the_values_that_their_headings_name() {
         ("x,dx,y,dy", vec![(1, Some(2)), (3, Some(4))]),
         ("L,T,SD", vec![(1, None), (2, Some(3))]),
         ("L,T,u (s)", vec![(1, None), (2, Some(3))]),
+        ("angle,time,sigma_angle,error", vec![(1, Some(3)), (2, Some(4))]),
         ("T,u(T),σ_T", vec![(1, Some(2))]),
         // Another unit, another letter, or words that begin with d.
         ("T (s),dT (m)", vec![(1, None), (2, None)]),
