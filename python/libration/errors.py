@@ -2,7 +2,7 @@
 
 from typing import Any
 
-__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "NoAnswer", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError", "UsageError"]
+__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "MissingFile", "NoAnswer", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError", "UsageError"]
 
 
 class LibrationError(ValueError):
@@ -19,6 +19,10 @@ class FormulaError(LibrationError):
 
 class NoAnswer(LibrationError):
     """A question that is understood and has no answer; a file that cannot be read or written."""
+
+
+class MissingFile(NoAnswer, FileNotFoundError):
+    """A file that is to be read is not there."""
 
 
 class PendulumError(LibrationError):

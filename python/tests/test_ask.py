@@ -109,3 +109,10 @@ def test_the_command_ends_at_ctrl_c():
     running.send_signal(signal.SIGINT)
     _, told = running.communicate()
     assert running.returncode in (130, -signal.SIGINT), told
+
+
+def test_a_missing_file_is_a_file_not_found_error(tmp_path):
+    with pytest.raises(FileNotFoundError, match="cannot read"):
+        lb.lab.fit_periods(tmp_path / "none.csv")
+    with pytest.raises(lb.errors.NoAnswer):
+        lb.lab.read(tmp_path / "none.csv")

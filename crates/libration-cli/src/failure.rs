@@ -3,6 +3,7 @@
 pub(crate) mod echo;
 
 pub(crate) use echo::excerpt;
+use libration::quantity::printable;
 use std::io::{Error, ErrorKind};
 
 /// Why a question is left without its answer.
@@ -14,6 +15,8 @@ pub enum Failure {
     Usage(String),
     /// The question is understood and has no answer: exit status 1.
     NoAnswer(String),
+    /// A file is not there: exit status 1.
+    MissingFile(String),
     /// Somebody has ended the work early, and what is done was written: exit status 130.
     Interrupted(String),
     /// The answer cannot be written: exit status 1, or 0 when the reader has gone.
@@ -50,7 +53,7 @@ impl Failure {
             _ if self.is_closed_pipe() => 0,
             Self::Usage(_) => 2,
             Self::Interrupted(_) => Self::INTERRUPTED,
-            Self::NoAnswer(_) | Self::Output(_) => 1,
+            Self::NoAnswer(_) | Self::MissingFile(_) | Self::Output(_) => 1,
         }
     }
 
@@ -68,12 +71,18 @@ pub(crate) fn refusal(error: &clap::Error) -> String {
 impl std::fmt::Display for Failure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Usage(reason) | Self::NoAnswer(reason) | Self::Interrupted(reason) => {
-                f.write_str(&echo::shortened(reason))
-            }
+            Self::Usage(reason)
+            | Self::NoAnswer(reason)
+            | Self::MissingFile(reason)
+            | Self::Interrupted(reason) => f.write_str(&without_controls(&echo::shortened(reason))),
             Self::Output(error) => write!(f, "cannot write the answer: {error}"),
         }
     }
+}
+
+/// Without characters that move the cursor of a terminal or turn the direction of its text; lines stay.
+fn without_controls(text: &str) -> String {
+    text.split('\n').map(printable).collect::<Vec<_>>().join("\n")
 }
 
 impl std::error::Error for Failure {}

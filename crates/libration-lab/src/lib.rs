@@ -66,7 +66,7 @@ pub mod internals {
                 pub use crate::fit::gates::trend::at_the_beginning;
             }
             pub mod width {
-                pub use crate::fit::gates::width::PassingDisc;
+                pub use crate::fit::gates::width::{PassingDisc, PassingFlag};
             }
         }
         pub mod law {

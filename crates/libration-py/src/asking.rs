@@ -8,7 +8,7 @@ use libration_cli::{Failure, Host, Parameter, ParameterKind};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
-use crate::errors::{NoAnswer, UsageError, refusal};
+use crate::errors::{MissingFile, NoAnswer, UsageError, refusal};
 use crate::patience::Patience;
 
 /// Keeps the answer and the notes of one question.
@@ -76,6 +76,7 @@ pub(crate) fn raised(failure: &Failure) -> PyErr {
     match failure {
         Failure::Usage(_) => refusal::<UsageError>(failure),
         Failure::NoAnswer(_) | Failure::Interrupted(_) => refusal::<NoAnswer>(failure),
+        Failure::MissingFile(_) => refusal::<MissingFile>(failure),
         Failure::Output(_) => PyOSError::new_err(failure.to_string()),
     }
 }

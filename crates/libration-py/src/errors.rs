@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 
 import_exception!(libration.errors, ExpansionError);
 import_exception!(libration.errors, FormulaError);
+import_exception!(libration.errors, MissingFile);
 import_exception!(libration.errors, NoAnswer);
 import_exception!(libration.errors, PendulumError);
 import_exception!(libration.errors, QuantityError);
@@ -32,6 +33,7 @@ macro_rules! exceptions {
 exceptions!(
     ExpansionError,
     FormulaError,
+    MissingFile,
     NoAnswer,
     PendulumError,
     QuantityError,

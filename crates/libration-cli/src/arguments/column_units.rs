@@ -1,6 +1,6 @@
 //! The units of chosen columns: said by an option, else written in the header, else those of the SI.
 
-use super::CountedOptions;
+use super::{ChosenColumns, CountedOptions};
 use libration_lab::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
 
 /// What a column is to hold, and what an option says of it.
@@ -44,19 +44,21 @@ impl<const N: usize> ColumnsInSi<N> {
     /// The chosen columns of a table, or why they are not what is wanted.
     pub(crate) fn from_table(
         table: &Table,
-        chosen: &[Option<Column>; N],
+        chosen: &ChosenColumns<N>,
         wanted: &[Wanted; N],
     ) -> Result<Self, String> {
+        let ChosenColumns { columns: chosen, note } = chosen;
         let asked: Vec<Column> = chosen.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| error.to_string())?;
         let units = ColumnUnits::from_headings(table, chosen, wanted)?;
         let columns = units.in_si(selection.columns, chosen);
+        let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
         Ok(Self {
             columns,
             lines: selection.lines,
             dropped: selection.dropped,
             counts: units.counts,
-            inferences: units.inferences,
+            inferences: sheet.into_iter().chain(units.inferences).chain(note.clone()).collect(),
             units: units.units,
         })
     }

@@ -15,7 +15,13 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
 /// The same with another limit. A file that says its size is refused before it is read; pipes and devices say none, and are
 /// read as far as the limit.
 pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure> {
-    let cannot = |error: io::Error| Failure::NoAnswer(format!("cannot read {}: {error}", path.display()));
+    let cannot = |error: io::Error| {
+        let reason = format!("cannot read {}: {error}", path.display());
+        match error.kind() {
+            io::ErrorKind::NotFound => Failure::MissingFile(reason),
+            _ => Failure::NoAnswer(reason),
+        }
+    };
     let call = call::current();
     if path.as_os_str() == "-" {
         return within(&mut call.host().read(), path, limit).map_err(cannot)?;

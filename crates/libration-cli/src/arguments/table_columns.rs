@@ -7,9 +7,17 @@ use libration_lab::measurement::{Column, Table};
 /// The columns of two quantities, of the uncertainties of both, and of what else there may be.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct ColumnsOption {
-    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2 or 1,2,3,4]
+    /// Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of values, with the uncertainties that the header names]
     #[arg(long, value_name = "COLUMN,…", value_delimiter = ',')]
     columns: Vec<String>,
+}
+
+/// Chosen columns, in the order of what is wanted.
+#[derive(Clone, Debug)]
+pub(crate) struct ChosenColumns<const N: usize> {
+    pub(super) columns: [Option<Column>; N],
+    /// Which columns are not used, where that was not said.
+    pub(super) note: Option<String>,
 }
 
 impl ColumnsOption {
@@ -19,57 +27,72 @@ impl ColumnsOption {
         file: &str,
         table: &Table,
         needed: &str,
-    ) -> Result<[Option<Column>; N], Failure> {
-        let first = |count| (1..=count).map(|number| Some(Column::Number(number))).collect();
-        let told = by_header(table).filter(|columns| columns.len() <= N);
-        let columns: Vec<Option<Column>> = match (self.columns.len(), told, table.width()) {
-            (0, Some(columns), _) => columns,
-            (0, None, 3) if N == WITH_THIRD && table.names().get(2).is_some_and(|name| is_phase(name)) => {
-                [first(2), vec![None, None, Some(Column::Number(3))]].concat()
+    ) -> Result<ChosenColumns<N>, Failure> {
+        match self.columns.len() {
+            0 if table.names().is_empty() && table.width() > 2 => {
+                let width = table.width();
+                let reason = format!("the table has {width} columns and no header: say which with --columns");
+                Err(Failure::no_answer(file, reason))
             }
-            (0, None, 2) => first(2),
-            (0, None, 4..) => first(4),
-            (0, None, width) => {
-                let reason = format!("the table has {width} columns, not 2 or 4: say which with --columns");
-                return Err(Failure::no_answer(file, reason));
-            }
-            (given, ..) if (2..=N).contains(&given) => {
-                self.columns.iter().map(|text| optional_column(text)).collect()
-            }
-            (given, ..) => {
+            0 => inferred(table).ok_or_else(|| {
+                let width = table.width();
+                let reason = format!("{needed} are needed, and the table has {width} column of numbers");
+                Failure::no_answer(file, reason)
+            }),
+            given if (2..=N).contains(&given) => self.said(needed),
+            given => {
                 let reason = format!("{given} columns given: name 2 to {N}, as in 1,2,-,3");
-                return Err(Failure::usage("--columns", reason));
+                Err(Failure::usage("--columns", reason))
             }
-        };
+        }
+    }
+
+    fn said<const N: usize>(&self, needed: &str) -> Result<ChosenColumns<N>, Failure> {
+        let columns: Vec<Option<Column>> = self.columns.iter().map(|text| optional_column(text)).collect();
         if columns[0].is_none() || columns[1].is_none() {
             let reason = format!("{needed} are needed: - stands only for an uncertainty");
             return Err(Failure::usage("--columns", reason));
         }
-        Ok(std::array::from_fn(|index| columns.get(index).cloned().flatten()))
+        let columns = std::array::from_fn(|index| columns.get(index).cloned().flatten());
+        Ok(ChosenColumns { columns, note: None })
     }
 }
 
 /// Of three quantities and their uncertainties.
 const WITH_THIRD: usize = 6;
 
-fn is_phase(name: &str) -> bool {
-    let name = name.to_lowercase();
+fn holds_phases(table: &Table, column: &Column) -> bool {
+    let Column::Number(number) = column else { return false };
+    let name = table.names().get(number - 1).map_or_else(String::new, |name| name.to_lowercase());
     ["phase", "lag", "phi", "φ"].iter().any(|word| name.starts_with(word))
 }
 
-/// Two columns of values, and what the header says are their uncertainties; then perhaps a third with its own.
-fn by_header(table: &Table) -> Option<Vec<Option<Column>>> {
-    let columns = table.value_columns()?;
-    let (both, third) = columns.split_at_checked(2)?;
-    let [first, second] = both else { return None };
-    let mut found: Vec<Option<Column>> = [first, second].map(|it| Some(it.values.clone())).to_vec();
-    found.extend([first, second].map(|it| it.uncertainties.clone()));
-    match third {
-        [] => Some(found),
-        [third] => {
-            found.extend([Some(third.values.clone()), third.uncertainties.clone()]);
-            Some(found)
-        }
-        _ => None,
-    }
+/// The first two columns of values, with what the header says are their uncertainties; a third one of phases where that is wanted. No other
+/// column is used, as it may as well hold repeated readings.
+fn inferred<const N: usize>(table: &Table) -> Option<ChosenColumns<N>> {
+    let values = table.value_columns();
+    let [first, second, others @ ..] = &values[..] else { return None };
+    let third = others.first().filter(|it| N >= WITH_THIRD && holds_phases(table, &it.values));
+    let found = [
+        Some(&first.values),
+        Some(&second.values),
+        first.uncertainties.as_ref(),
+        second.uncertainties.as_ref(),
+        third.map(|it| &it.values),
+        third.and_then(|it| it.uncertainties.as_ref()),
+    ];
+    let columns: [Option<Column>; N] = std::array::from_fn(|index| found.get(index)?.cloned());
+    let is_used = |column: &Column| columns.iter().flatten().any(|used| used == column);
+    let unused: Vec<String> = (1..=table.width())
+        .map(Column::Number)
+        .filter(|column| !is_used(column))
+        .filter_map(|column| table.describe(&column).ok())
+        .collect();
+    let note = (!unused.is_empty()).then(|| {
+        format!(
+            "not used: {}; a column is an uncertainty where its header or --columns says so",
+            unused.join(", ")
+        )
+    });
+    Some(ChosenColumns { columns, note })
 }

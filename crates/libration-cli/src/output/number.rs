@@ -1,7 +1,7 @@
 //! Numbers as text: exact for machines, rounded for people.
 
 use libration::quantity::Quantity;
-pub(crate) use libration::quantity::{rounded, short, with_uncertainty};
+pub(crate) use libration::quantity::{rounded, short, to_place, with_uncertainty};
 
 /// A number of things as an `f64`.
 #[expect(clippy::cast_precision_loss, reason = "nothing in memory has 2⁵³ parts")]
@@ -38,11 +38,10 @@ pub fn at_most(value: f64) -> String {
 
 /// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3.
 pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
-    let text = rounded(value, most);
-    let written = format!("{error:e}");
-    let exponent = written.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let Some(exponent) = exponent.filter(|_| error > 0.0) else { return text };
-    let places = usize::try_from(-exponent).unwrap_or(0);
-    let shown = format!("{value:.places$}");
-    if shown.len() < text.len() { shown } else { text }
+    let exponent =
+        format!("{error:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    match exponent.filter(|_| error > 0.0) {
+        Some(exponent) => to_place(value, exponent, most),
+        None => rounded(value, most),
+    }
 }

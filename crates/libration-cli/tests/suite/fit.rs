@@ -108,3 +108,57 @@ fn units_and_quantities_of_the_header_are_heeded() {
     let refused = message(&refused);
     assert!(refused.contains("holds times") && refused.contains("--columns"), "{refused}");
 }
+
+/// Three readings of each period that agree to 5 ms, and no column that says it is an uncertainty.
+#[test]
+fn repeated_readings_are_never_taken_for_uncertainties() {
+    const READINGS: &str = "0.25,1.0031,1.0062,1.0009\n0.5,1.4185,1.4201,1.4149\n0.75,1.7373,1.7391,1.7402\n1,2.0061,2.0020,2.0048\n";
+    for (name, header) in [("runs", "length (m),run A,run B,run C"), ("y", "x,y1,y2,y3")] {
+        let rows = format!("{header}\n{READINGS}");
+        let lengths = table(&format!("fit-readings-{name}"), rows.trim_start());
+        let answer = json(&format!("fit lengths {}", lengths.display()));
+        close(&answer["gravity_m_per_s2"], 9.81, 0.02);
+        assert!(answer["gravity_uncertainty_m_per_s2"].as_f64().unwrap() < 0.3, "{answer}");
+        assert_eq!(answer["weighting"], "none: uncertainties from the scatter");
+        let told = answer["told_from_file"].to_string();
+        assert!(told.contains("not used: column 3") && told.contains("column 4"), "{told}");
+    }
+    let readings: String = [10, 20, 30, 40]
+        .iter()
+        .zip(READINGS.lines())
+        .map(|(angle, _)| format!("{angle},2.0{angle},2.0{},2.0{}\n", angle + 1, angle + 2))
+        .collect();
+    let periods = table("fit-readings-periods", &format!("amplitude (deg),T1,T2,T3\n{readings}"));
+    let answer = json(&format!("fit periods {} --amplitude-unit deg", periods.display()));
+    assert_eq!(answer["weighting"], "none: uncertainties from the scatter");
+}
+
+#[test]
+fn uncertainties_are_columns_whose_headers_say_so() {
+    for (name, header, weighted) in [
+        ("d", "L (m),dL (m),T (s),dT (s)", true),
+        ("delta", "L (m),ΔL,T (s),ΔT", true),
+        ("err", "L (m),Lerr,T (s),Terr", true),
+        ("sd", "L (m),sd(L),T (s),sd", true),
+        ("distance", "L (m),T (s),distance (m),diameter (m)", false),
+    ] {
+        let is_last = name == "distance";
+        let row = |l: &str, t: &str| {
+            if is_last { format!("{l},{t},0.001,0.002\n") } else { format!("{l},0.001,{t},0.002\n") }
+        };
+        let rows = [("0.25", "1.0031"), ("0.5", "1.4185"), ("0.75", "1.7373"), ("1", "2.0061")];
+        let rows: String = rows.iter().map(|(l, t)| row(l, t)).collect();
+        let lengths = table(&format!("fit-said-{name}"), &format!("{header}\n{rows}"));
+        let answer = json(&format!("fit lengths {}", lengths.display()));
+        let by = answer["weighting"].as_str().unwrap();
+        assert_eq!(by == "uncertainties of periods and lengths", weighted, "{name}: {by}");
+    }
+}
+
+#[test]
+fn a_column_of_names_is_skipped_with_a_note() {
+    let rows = "student,L (m),T (s)\nAnn,0.25,1.0031\nBob,0.5,1.4185\nCleo,0.75,1.7373\nDan,1,2.0061\n";
+    let answer = json(&format!("fit lengths {}", table("fit-names", rows).display()));
+    close(&answer["gravity_m_per_s2"], 9.81, 0.02);
+    assert!(answer["told_from_file"].to_string().contains("not used: column 1 (`student`)"), "{answer}");
+}

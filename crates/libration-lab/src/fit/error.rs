@@ -94,6 +94,12 @@ pub enum FitError {
         "the lengths are all the same, which does not determine their offset: measure with different lengths"
     )]
     EqualLengths,
+    /// Periods that do not rise with the lengths as those of one kind of pendulum do.
+    #[error(
+        "the periods do not follow the lengths as T² = 4π²(L + δ)/g: a rod that is turned about points on both sides of its centre is no simple \
+         pendulum of these lengths"
+    )]
+    PeriodsWithoutLength,
     /// A bob that reaches to the pivot where the lengths, with their offset, are shortest.
     #[error(
         "a bob of radius {radius:?} m reaches the pivot of the shortest pendulum, whose centre the periods put at most \

@@ -12,8 +12,10 @@
 //! Reference: J. Orear, *Least squares when both variables have uncertainties*, Am. J. Phys. 50 (1982) 912,
 //! doi:10.1119/1.12972; M. Lybanon, Am. J. Phys. 52 (1984) 22, doi:10.1119/1.13822.
 
+mod angle_unit;
 mod beta;
 pub(crate) mod budget;
+mod contradiction;
 pub mod cycles;
 mod damping_model;
 pub(crate) mod effective_weights;
@@ -37,12 +39,14 @@ pub mod trace;
 pub(crate) mod typical_amplitude;
 mod uncertain;
 
+pub use angle_unit::MistakenUnit;
 pub use beta::Beta;
 pub use budget::{
     AIR_DENSITY, Apparatus, Budget, BudgetError, BudgetInput, BudgetRow, BudgetWarning, COVERAGE_PROBABILITY,
     CombinedUncertainty, Contribution, Correction, Correlation, Evaluation, MeasuredPeriod, PeriodDamping,
     budget,
 };
+pub use contradiction::Contradiction;
 pub use damping_model::{DampingModel, DampingModelError, alternatives};
 pub use error::FitError;
 pub use excess_scale::{ExcessScaleFit, excess_scale};
@@ -55,7 +59,7 @@ pub use lengths::{
 pub use libration::decay::DampingKind;
 pub use outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 pub use period_table::{PeriodTable, Uncertainties, Weighting};
-pub use periods::{PeriodFit, PeriodsOptions, periods};
+pub use periods::{PeriodFit, PeriodsOptions, PeriodsWarning, periods};
 pub use scatter::{Enlargement, Scatter, ScatterVerdict, ScatterWarning};
 pub use significance::SIGNIFICANT;
 pub use small_angle_period::{LawFit, small_angle_period};

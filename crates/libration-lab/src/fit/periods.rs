@@ -1,13 +1,17 @@
 //! A table of periods explained: every law, the test of the exact one, and what does not belong.
 
+use super::angle_unit::MistakenUnit;
 use super::budget::{MeasuredPeriod, PeriodDamping};
+use super::contradiction::{Contradiction, Estimate};
 use super::excess_scale::{ExcessScaleFit, excess_scale};
 use super::law::Law;
 use super::outliers::{DEFAULT_OUTLIER_THRESHOLD, outliers};
 use super::scatter::ScatterWarning;
 use super::small_angle_period::{LawFit, small_angle_period};
 use super::typical_amplitude::typical_amplitude;
-use super::{FitError, PeriodTable, Weighting};
+use super::{Beta, FitError, PeriodTable, Uncertain, Weighting};
+use libration::quantity::rounded;
+use std::fmt;
 
 /// How a table is fitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,8 +31,14 @@ pub struct PeriodFit {
     /// The outliers among the rows given, counted from zero, by [`PeriodsOptions::reject_outliers`] or
     /// [`DEFAULT_OUTLIER_THRESHOLD`].
     pub outliers: Vec<usize>,
-    /// T0 under the exact law.
+    /// T0 under the exact law; with a contradiction its uncertainty includes that of the model.
     pub exact: LawFit,
+    /// T0 with β = 1 and with β free, where they contradict each other.
+    pub contradiction: Option<Contradiction>,
+    /// The unit of the amplitudes, where it is not the one that was said.
+    pub mistaken_unit: Option<MistakenUnit>,
+    /// The standard uncertainty of T0 under the exact law by the rows alone, in s.
+    pub uncertainty_of_rows: f64,
     /// T0 under the constant period.
     pub constant: LawFit,
     /// T0 under each other law, or why there is none.
@@ -37,15 +47,80 @@ pub struct PeriodFit {
     pub beta: Result<ExcessScaleFit, FitError>,
 }
 
-impl PeriodFit {
-    /// What a reader should know of the rows.
+/// What a reader should know of a table of periods.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PeriodsWarning {
+    /// The amplitudes are in another unit than was said.
+    MistakenUnit(MistakenUnit),
+    /// β differs from 1 by more than [chance](super::SIGNIFICANT) makes it.
+    ModelRefuted {
+        /// β.
+        beta: Uncertain,
+        /// T0 with it and without.
+        contradiction: Contradiction,
+    },
+    /// The scatter of the rows.
+    Scatter(ScatterWarning),
+}
+
+impl PeriodsWarning {
+    /// A name that stays.
     #[must_use]
-    pub fn warnings(&self) -> Vec<ScatterWarning> {
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::MistakenUnit(MistakenUnit::Radians) => "angles_are_radians",
+            Self::MistakenUnit(MistakenUnit::Degrees) => "angles_are_degrees",
+            Self::ModelRefuted { .. } => "model_refuted",
+            Self::Scatter(warning) => warning.name(),
+        }
+    }
+}
+
+impl fmt::Display for PeriodsWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MistakenUnit(MistakenUnit::Radians) => f.write_str(
+                "these amplitudes are radians that were taken for degrees: as radians they follow the exact law",
+            ),
+            Self::MistakenUnit(MistakenUnit::Degrees) => f.write_str(
+                "these amplitudes are degrees that were taken for radians: as degrees they follow the exact law",
+            ),
+            Self::ModelRefuted { beta, contradiction } => {
+                let deviation = rounded(beta.deviation_from(1.0), 2);
+                write!(
+                    f,
+                    "the exact law is refuted: β = {beta} is {deviation} standard uncertainties from 1. {contradiction}; the \
+                     uncertainty of T₀ includes the difference"
+                )
+            }
+            Self::Scatter(warning) => warning.fmt(f),
+        }
+    }
+}
+
+impl PeriodFit {
+    /// What a reader should know of the law and of the rows, the gravest first.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<PeriodsWarning> {
         /// Of T0: rounding errors leave less than this of rows that are alike.
         const ROUNDING: f64 = 1e-12;
         let of_scatter = self.exact.scatter().and_then(|scatter| scatter.warning("T₀"));
-        let is_without = self.weighting == Weighting::Scatter && self.exact.t0.relative() < ROUNDING;
-        of_scatter.or_else(|| is_without.then_some(ScatterWarning::Without)).into_iter().collect()
+        let is_without =
+            self.weighting == Weighting::Scatter && self.uncertainty_of_rows < ROUNDING * self.exact.t0.value;
+        let of_scatter = of_scatter.or_else(|| is_without.then_some(ScatterWarning::Without));
+        self.mistaken_unit
+            .map(PeriodsWarning::MistakenUnit)
+            .into_iter()
+            .chain(self.refuted())
+            .chain(of_scatter.map(PeriodsWarning::Scatter))
+            .collect()
+    }
+
+    fn refuted(&self) -> Option<PeriodsWarning> {
+        let contradiction = self.contradiction.clone().filter(Contradiction::refutes)?;
+        let beta = self.beta.as_ref().ok()?.beta.factor;
+        Some(PeriodsWarning::ModelRefuted { beta, contradiction })
     }
 
     /// T0 under the exact law for a budget of g, with the amplitude whose T/T0 is the mean of those measured; the relative
@@ -59,7 +134,8 @@ impl PeriodFit {
     ) -> MeasuredPeriod {
         let ratios = self.table.amplitudes().map(|amplitude| Law::exact().ratio_at(amplitude));
         MeasuredPeriod {
-            t0: self.exact.t0.into(),
+            t0: Uncertain { uncertainty: self.uncertainty_of_rows, ..self.exact.t0 }.into(),
+            model: self.contradiction.as_ref().map(|it| it.uncertainty() / self.exact.t0.value),
             amplitude: typical_amplitude(ratios),
             angle_scale,
             clock,
@@ -81,13 +157,31 @@ pub fn periods(
     let exact = Law::exact();
     let outliers = outliers(table, &exact, options.reject_outliers.unwrap_or(DEFAULT_OUTLIER_THRESHOLD))?;
     let table = if options.reject_outliers.is_some() { table.without(&outliers) } else { table.clone() };
+    let beta = excess_scale(&table, &exact);
+    let mut of_exact = small_angle_period(&table, &exact)?;
+    let uncertainty_of_rows = of_exact.t0.uncertainty;
+    let contradiction = beta.as_ref().ok().and_then(|beta| contradiction(of_exact.t0, &beta.beta));
+    if let Some(contradiction) = &contradiction {
+        of_exact.t0 = of_exact.t0.with_error(contradiction.uncertainty());
+    }
+    let mistaken_unit = beta.as_ref().ok().and_then(|beta| MistakenUnit::of(beta.beta.factor.value, &table));
     Ok(PeriodFit {
         weighting: table.weighting(),
         outliers,
-        exact: small_angle_period(&table, &exact)?,
+        exact: of_exact,
+        contradiction,
+        mistaken_unit,
+        uncertainty_of_rows,
         constant: small_angle_period(&table, &Law::constant())?,
         others: others.iter().map(|law| (law.key().into(), small_angle_period(&table, law))).collect(),
-        beta: excess_scale(&table, &exact),
+        beta,
         table,
     })
+}
+
+/// T0 with β = 1 and with β free are of the same rows: how far β is from 1 tells whether they contradict each other.
+fn contradiction(of_exact: Uncertain, free: &Beta) -> Option<Contradiction> {
+    let exact = Estimate { name: "β = 1".to_owned(), t0: of_exact };
+    let free_t0 = Estimate { name: "β free".to_owned(), t0: free.t0 };
+    Contradiction::of([&exact, &free_t0], free.deviation())
 }

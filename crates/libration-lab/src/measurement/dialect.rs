@@ -120,16 +120,18 @@ impl Dialect {
         delimiters.into_iter().flat_map(move |delimiter| marks.map(|mark| Self { delimiter, mark }))
     }
 
-    /// The number of rows of two numbers or more, of their cells, and of rows of one number.
+    /// The number of rows of two numbers or more, of cells with numbers, and of rows of one number. Above the first row of numbers there are names,
+    /// which may be numbered too.
     fn merit(self, sample: &str) -> (usize, usize, usize) {
-        let (mut rows, mut cells, mut single) = (0, 0, 0);
+        let (mut rows, mut cells, mut above, mut single) = (0, 0, 0, 0);
         for row in self.rows(sample) {
             let is_of_numbers = row.is_of_numbers(self.mark);
             rows += usize::from(is_of_numbers && row.filled() >= 2);
             single += usize::from(is_of_numbers && row.filled() == 1);
-            cells += if row.filled() >= 2 { row.numbers(self.mark) } else { 0 };
+            let numbers = if row.filled() >= 2 { row.numbers(self.mark) } else { 0 };
+            if rows == 0 { above += numbers } else { cells += numbers }
         }
-        (rows, cells, single)
+        (rows, if rows == 0 { above } else { cells }, single)
     }
 }
 

@@ -62,8 +62,12 @@ impl Recording {
         &self.sheets
     }
 
-    pub(super) fn into_first_sheet(mut self) -> Sheet {
-        self.sheets.swap_remove(0)
+    /// The first sheet with two columns of numbers, else the first one, and how many sheets there are.
+    pub(super) fn into_sheet_of_numbers(mut self) -> (Sheet, usize) {
+        let of_numbers = |sheet: &Sheet| sheet.channels.iter().filter(|it| it.count() > 1).count() > 1;
+        let place = self.sheets.iter().position(of_numbers).unwrap_or(0);
+        let count = self.sheets.len();
+        (self.sheets.swap_remove(place), count)
     }
 
     /// What was inferred from the file in reading it.

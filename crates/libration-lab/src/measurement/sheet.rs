@@ -45,6 +45,12 @@ impl Channel {
         &self.words
     }
 
+    /// Whether it holds words and no numbers, as a column of names does.
+    #[must_use]
+    pub fn is_of_words(&self) -> bool {
+        !self.words.is_empty() && self.count() == 0
+    }
+
     /// The smallest and the largest number.
     #[must_use]
     pub fn range(&self) -> Option<(f64, f64)> {

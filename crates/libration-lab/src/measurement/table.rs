@@ -21,6 +21,8 @@ use super::{Column, MeasurementError};
 pub struct Table {
     sheet: Sheet,
     names: Vec<String>,
+    /// How many sheets the file has.
+    sheets: usize,
 }
 
 /// The numbers of the chosen columns, in the rows that have them all.
@@ -35,20 +37,26 @@ pub struct Selection {
 }
 
 impl Table {
-    /// The table in these bytes; of a workbook, its first sheet.
+    /// The table in these bytes; of a workbook, the first sheet with two columns of numbers.
     ///
     /// # Errors
     /// Those of [`Recording::read`].
     pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Self, MeasurementError> {
         let recording = Recording::read(bytes, options)?;
-        let sheet = recording.into_first_sheet();
+        let (sheet, sheets) = recording.into_sheet_of_numbers();
         let named = sheet.header_line.is_some();
         let names = sheet.channels.iter().filter(|_| named).map(|it| it.heading.text.clone()).collect();
-        Ok(Self { sheet, names })
+        Ok(Self { sheet, names, sheets })
     }
 
     pub(super) fn sheet(&self) -> &Sheet {
         &self.sheet
+    }
+
+    /// The name of the sheet that is read, of a workbook with several.
+    #[must_use]
+    pub fn chosen_sheet(&self) -> Option<&str> {
+        (self.sheets > 1).then_some(self.sheet.name.as_str())
     }
 
     /// What stands between the cells.

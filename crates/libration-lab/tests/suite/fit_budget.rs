@@ -29,6 +29,7 @@ fn whole_apparatus() -> Apparatus {
 
 fn whole_period() -> MeasuredPeriod {
     MeasuredPeriod {
+        model: None,
         t0: about(2.006, 0.001),
         amplitude: Some(0.7),
         angle_scale: Some(0.02),

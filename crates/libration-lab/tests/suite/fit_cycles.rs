@@ -2,9 +2,10 @@
 
 use libration::pendulum::Pendulum;
 use libration::watch::{Interrupted, Progress, Watch};
+use libration_lab::fit::MistakenUnit;
 use libration_lab::fit::cycles::{
-    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, are_radians, beta_of_traces,
-    beta_of_traces_watched, beyond_a_turn, cycles, cycles_watched,
+    Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, beta_of_traces, beta_of_traces_watched,
+    beyond_a_turn, cycles, cycles_watched, mistaken_unit,
 };
 use libration_lab::fit::trace::DampingKind;
 use libration_lab::measurement::{Observable, Trace};
@@ -408,15 +409,15 @@ fn bars_of_cycles_are_not_those_of_a_slow_departure_from_the_law() {
 fn radians_that_are_called_degrees_are_recognised() {
     let right = Synthetic { noise: 0.002, amplitude: 0.8, ..Synthetic::USUAL }.trace(&mut Random::seeded(7));
     let found = found_in(&right);
-    assert!(!are_radians(found.beta.unwrap().factor.value, found.cycles.iter()));
+    assert!(mistaken_unit(found.beta.unwrap().factor.value, found.cycles.iter()).is_none());
     let called = found_in(&changed(&right, |_, value| Some(value * DEGREE)));
     let beta = called.beta.unwrap().factor.value;
     // (180/π)² and what the next terms of the series add at 46°.
     assert!((3283.0..3800.0).contains(&beta), "{beta}");
-    assert!(are_radians(beta, called.cycles.iter()));
+    assert_eq!(mistaken_unit(beta, called.cycles.iter()), Some(MistakenUnit::Radians));
     // Angles that are too small by another factor are no radians.
     let other = found_in(&changed(&right, |_, value| Some(value / 40.0)));
-    assert!(!are_radians(other.beta.unwrap().factor.value, other.cycles.iter()));
+    assert!(mistaken_unit(other.beta.unwrap().factor.value, other.cycles.iter()).is_none());
 }
 
 #[test]

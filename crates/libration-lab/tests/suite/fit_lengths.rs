@@ -325,3 +325,15 @@ fn offsets_of_a_bob_that_nearly_touches_the_pivot_are_not_chosen_from() {
         lengths(&table(&given, &periods, Some(&[1e-4; 6])), &LengthsOptions { bob_radius, clock: None });
     assert_eq!(refused, Err(FitError::BobRadius { radius: 0.1 }));
 }
+
+/// A rod of 1 m that is turned about points from 0.1 to 0.36 m above its centre: T² = 4π²(k² + L²)/(gL) falls with the length, k² = 1/12 m².
+#[test]
+fn different_lengths_are_not_said_to_be_the_same() {
+    let lengths: Vec<f64> = (0..14).map(|row| 0.1 + 0.02 * f64::from(row)).collect();
+    let period = |l: &f64| TAU * ((1.0 / 12.0 + l * l) / (9.81 * l)).sqrt();
+    let periods: Vec<f64> = lengths.iter().map(period).collect();
+    let columns = LengthColumns { lengths: &lengths, periods: &periods, ..Default::default() };
+    let refused =
+        libration_lab::fit::lengths(&LengthTable::new(&columns).unwrap(), &LengthsOptions::default());
+    assert_eq!(refused.unwrap_err(), FitError::PeriodsWithoutLength);
+}

@@ -126,3 +126,21 @@ fn long_records_are_as_uncertain_as_they_say() {
     let [_, beta] = deviations(&strong, 2e-5, 1..101);
     assert!((0.7..1.3).contains(&beta.rms()), "{}", beta.rms());
 }
+
+/// 0.3 m, 7°, and a flag of 30 mm, whose edges are at 47 % of the swing: the speed at the middle of the flag is not its width over the time.
+#[test]
+fn a_flag_nearly_as_wide_as_the_swing_leaves_t0_right() {
+    let wide = GateRecord {
+        omega0: 5.718,
+        damping: 0.01,
+        release: 0.1222,
+        gate: 0.0,
+        width: 0.1000417,
+        seconds: 20.0,
+    };
+    let [of_t0, _] = deviations(&wide, 2e-6, 0..6);
+    assert!(of_t0.0.iter().all(|z| z.abs() < 4.0), "{:?}", of_t0.0);
+    let off_centre = GateRecord { gate: 0.01, ..wide };
+    let [of_t0, _] = deviations(&off_centre, 2e-6, 0..6);
+    assert!(of_t0.0.iter().all(|z| z.abs() < 4.0), "{:?}", of_t0.0);
+}

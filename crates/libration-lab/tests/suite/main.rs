@@ -5,6 +5,7 @@
 use libration_testing::random;
 
 mod synthetic_gate;
+mod synthetic_response;
 mod synthetic_trace;
 mod zip_archive;
 

@@ -49,19 +49,52 @@ pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     let text = match places(uncertainty) {
         _ if !uncertainty.is_finite() => format!("{} ± {} {unit}", short(value, 6), non_finite(uncertainty)),
         Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
-        None if uncertainty > 0.0 => format!("{} ± {} {unit}", rounded(value, 12), rounded(uncertainty, 2)),
+        None if uncertainty > 0.0 => {
+            let place = exponent(uncertainty) - 1;
+            format!("{} ± {} {unit}", to_place(value, place, 12), to_place(uncertainty, place, 2))
+        }
         None => format!("{} {unit}", short(value, 12)),
     };
     text.trim_end().to_owned()
 }
 
-/// The decimal places of two digits of an uncertainty, if it has not too many of them.
+/// Rounded to the place 10ᵏ, and to at most this many significant digits: 0 where the number is less than half of 10ᵏ.
+///
+/// # Examples
+/// ```
+/// # extern crate libration_numbers as libration;
+/// use libration::quantity::to_place;
+/// assert_eq!(to_place(24.40126, -1, 15), "24.4");
+/// assert_eq!(to_place(138.9, 14, 15), "0");
+/// ```
+#[must_use]
+pub fn to_place(value: f64, place: i32, most: usize) -> String {
+    if !value.is_finite() {
+        return non_finite(value).to_owned();
+    }
+    let first = format!("{value:e}").split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
+    let digits = usize::try_from(i64::from(first) - i64::from(place) + 1);
+    let nearest = match digits {
+        Ok(digits @ 1..) => format!("{value:.*e}", digits.min(most) - 1),
+        // Of one place less the first digit decides.
+        Ok(_) if format!("{:e}", value.abs()).as_str() >= "5" => {
+            format!("{}1e{place}", if value < 0.0 { "-" } else { "" })
+        }
+        _ => return "0".to_owned(),
+    };
+    rounded(nearest.parse().unwrap_or(value), digits.unwrap_or(1).clamp(1, most))
+}
+
+/// The power of ten of the first of two digits.
+fn exponent(value: f64) -> i32 {
+    format!("{value:.1e}").split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0)
+}
+
+/// The decimal places of two digits of an uncertainty, if it has not too many of them and none before the decimal point that are rounded.
 fn places(uncertainty: f64) -> Option<usize> {
     const MOST: usize = 10;
-    let scientific = format!("{uncertainty:.1e}");
-    let (_, exponent) = scientific.split_once('e')?;
-    let places = usize::try_from(1 - exponent.parse::<i32>().ok()?).unwrap_or(0);
-    (uncertainty > 0.0 && uncertainty < 1e9 && places <= MOST).then_some(places)
+    let places = usize::try_from(1 - exponent(uncertainty)).ok()?;
+    (uncertainty > 0.0 && places <= MOST).then_some(places)
 }
 
 fn non_finite(value: f64) -> &'static str {

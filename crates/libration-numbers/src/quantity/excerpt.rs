@@ -5,7 +5,7 @@ pub fn excerpt(text: &str) -> String {
     const SHOWN: usize = 40;
     let mut shown = String::new();
     for c in text.chars().take(SHOWN) {
-        if c.is_control() {
+        if c.is_control() || is_bidirectional(c) {
             shown.extend(c.escape_default());
         } else {
             shown.push(c);
@@ -15,4 +15,16 @@ pub fn excerpt(text: &str) -> String {
         shown.push('…');
     }
     shown
+}
+
+/// Whether a character changes the direction of what follows it, so that a terminal shows another text (Unicode Standard Annex 9, section 2).
+#[must_use]
+pub fn is_bidirectional(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Text without control characters and without those that change its direction.
+#[must_use]
+pub fn printable(text: &str) -> String {
+    text.chars().filter(|&c| !c.is_control() && !is_bidirectional(c)).collect()
 }

@@ -15,7 +15,7 @@ use libration::quantity::{Angle, Quantity};
 use libration::watch::{Progress, Watch};
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{
-    GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates_watched,
+    FlagShape, GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates_watched,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -45,6 +45,9 @@ pub(crate) struct FitGates {
     /// Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is]
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty, requires = "length")]
     diameter: Option<Quantity>,
+    /// Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod
+    #[arg(long, value_enum, default_value = "ball", requires = "diameter")]
+    shape: Shape,
     /// Distance of the gate from the pivot [default: the length of the pendulum]
     #[arg(long, value_name = "LENGTH", value_parser = crate::arguments::length_with_uncertainty)]
     gate_distance: Option<Quantity>,
@@ -70,6 +73,12 @@ pub(crate) struct FitGates {
 enum Signals {
     Edges,
     Passages,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Shape {
+    Ball,
+    Flag,
 }
 
 impl FitGates {
@@ -108,7 +117,11 @@ impl FitGates {
     fn geometry(&self) -> Result<Option<GateGeometry>, Failure> {
         let Some(apparatus) = self.apparatus.apparatus() else { return Ok(None) };
         let geometry = GateGeometry::new(apparatus, self.diameter, self.gate_distance);
-        geometry.map(Some).map_err(|error| Failure::no_answer("gate", error))
+        let shape = match self.shape {
+            Shape::Ball => FlagShape::Ball,
+            Shape::Flag => FlagShape::Flat,
+        };
+        geometry.map(|it| Some(it.with_shape(shape))).map_err(|error| Failure::no_answer("gate", error))
     }
 
     fn budget(&self, fit: &GatesFit, geometry: Option<&GateGeometry>) -> Result<Option<Budget>, Failure> {

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::sheet;
 use crate::output::{self, Form, number};
+use libration_lab::fit::PeriodsWarning;
 use std::io::{self, Write};
 
 impl Answer<'_> {
@@ -36,7 +37,13 @@ impl Answer<'_> {
 
     fn lines(&self) -> Vec<(&'static str, String)> {
         let exact = &self.fit.exact;
-        let mut lines = vec![
+        let warnings = self.fit.warnings();
+        let (grave, others): (Vec<_>, Vec<_>) =
+            warnings.iter().partition(|it| !matches!(it, PeriodsWarning::Scatter(_)));
+        let said = |warning: &&PeriodsWarning| ("warning", warning.to_string());
+        let mut lines: Vec<(&'static str, String)> = grave.iter().map(said).collect();
+        let first = lines.len();
+        lines.extend([
             ("rows", self.rows_line()),
             ("weights", self.weighting().to_owned()),
             (
@@ -45,10 +52,10 @@ impl Answer<'_> {
                     + &output::scatter::remark(exact.scatter()),
             ),
             ("β", self.beta_line()),
-        ];
-        lines.extend(self.fit.warnings().iter().map(|warning| ("warning", warning.to_string())));
+        ]);
+        lines.extend(others.iter().map(said));
         if !self.measured.inferences.is_empty() {
-            lines.insert(1, ("units", self.measured.inferences.join("; ")));
+            lines.insert(first + 1, ("units", self.measured.inferences.join("; ")));
         }
         if let (Some(budget), Some(length)) = (self.budget, self.length) {
             lines.extend(output::budget::lines(budget, length));

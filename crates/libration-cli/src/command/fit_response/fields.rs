@@ -7,7 +7,7 @@ use crate::output::warnings::{self, Named};
 use crate::output::{json, number, scatter};
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::response::{
-    FittedAnswer, FittedCurve, FittedCurvePoint, FittedJump, ResponseFit, ResponsesFit,
+    AmplitudeErrors, FittedAnswer, FittedCurve, FittedCurvePoint, FittedJump, ResponseFit, ResponsesFit,
 };
 use serde_json::Value;
 
@@ -44,9 +44,14 @@ impl Answer<'_> {
     }
 
     pub(super) fn weighting(&self) -> &'static str {
-        match self.file.measured.table.is_weighted() {
-            true => "stated uncertainties",
-            false => "none: uncertainties from the scatter",
+        match self.file.measured.table.amplitude_errors() {
+            AmplitudeErrors::Stated => "stated uncertainties",
+            AmplitudeErrors::Absolute => {
+                "none stated: equal absolute errors of all amplitudes, from their scatter"
+            }
+            AmplitudeErrors::Relative => {
+                "none stated: equal relative errors of all amplitudes, from their scatter"
+            }
         }
     }
 
@@ -164,7 +169,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
         Of::known(
             "amplitude_scatter",
             "",
-            "standard deviation of the amplitudes by their scatter, or null",
+            "standard deviation of the amplitudes by their scatter, over the amplitude with relative errors, or null",
             |it| it.amplitude_scatter.ok_or_else(|| "uncertainties are stated".to_owned()),
         )
         .only_json(),

@@ -5,7 +5,7 @@ use crate::arguments::{
 };
 use crate::failure::Failure;
 use crate::figure::fitted_response::Measured;
-use libration_lab::fit::response::{ResponseColumns, ResponseTable};
+use libration_lab::fit::response::{AmplitudeErrors, ResponseColumns, ResponseTable};
 use libration_lab::measurement::Unit;
 use std::path::PathBuf;
 
@@ -25,8 +25,17 @@ pub(super) struct Input {
     /// Unit of the phases and of their uncertainties [default: that of the header, else rad]
     #[arg(long, value_enum)]
     phase_unit: Option<AmplitudeUnit>,
+    /// Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude
+    #[arg(long, value_enum, default_value = "absolute")]
+    errors: Errors,
     #[command(flatten)]
     dialect: DialectOptions,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Errors {
+    Absolute,
+    Relative,
 }
 
 /// What was measured, and how it was read.
@@ -65,6 +74,10 @@ impl Input {
             frequency_uncertainties: of_frequencies.as_deref(),
             amplitude_uncertainties: of_amplitudes.as_deref(),
             phase_uncertainties: of_phases.as_deref(),
+            unstated_errors: match self.errors {
+                Errors::Absolute => AmplitudeErrors::Absolute,
+                Errors::Relative => AmplitudeErrors::Relative,
+            },
         };
         let table = ResponseTable::new(&columns).map_err(|error| self.no_answer(error))?;
         let measured = Measured {

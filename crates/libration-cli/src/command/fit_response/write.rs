@@ -4,7 +4,7 @@ use super::fields::{self, Answer};
 use crate::failure::Failure;
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, json, number, scatter};
-use libration_lab::fit::response::FittedJump;
+use libration_lab::fit::response::{AmplitudeErrors, FittedJump};
 use std::io::{self, Write};
 
 impl Answer<'_> {
@@ -46,7 +46,11 @@ impl Answer<'_> {
         let of = |it: libration_lab::fit::Uncertain, unit: &str| {
             number::with_uncertainty(it.value, it.uncertainty, unit)
         };
-        lines.push(("weights", self.weighting().to_owned()));
+        let other = match self.file.measured.table.amplitude_errors() {
+            AmplitudeErrors::Absolute => "; --errors relative for equal parts of the amplitudes",
+            AmplitudeErrors::Relative | AmplitudeErrors::Stated => "",
+        };
+        lines.push(("weights", format!("{}{other}", self.weighting())));
         lines.push(("model", best.model.name().to_owned()));
         let remark = scatter::remark(best.scatter());
         lines.push(("ω0", of(best.natural_frequency, "rad/s") + &remark));

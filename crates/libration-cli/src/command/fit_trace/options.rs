@@ -7,6 +7,7 @@ use libration_lab::measurement::Observable;
 pub(super) fn warning(warning: &Warning) -> String {
     let options = match warning {
         Warning::AnglesAreRadians { .. } => "--unit rad",
+        Warning::AnglesAreDegrees { .. } => "--unit deg",
         Warning::PoorFit { .. } => "--from, --to, --unit",
         Warning::FeedsEnergy { .. } => "--model",
         Warning::ImplausibleLength { .. } => "--time-unit",

@@ -8,7 +8,7 @@ use crate::output::number::{self, rounded};
 use crate::output::table::{paragraph, sheet};
 use libration::quantity::STANDARD_GRAVITY;
 use libration_lab::fit::alternatives;
-use libration_lab::fit::swings::FittedPendulum;
+use libration_lab::fit::swings::{FittedPendulum, Warning};
 use libration_lab::fit::trace::Comparison;
 use std::io::{self, Write};
 
@@ -41,12 +41,14 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> io::Result<()> 
 
 fn lines(answer: &Answer<'_>) -> Vec<(&'static str, String)> {
     let period = answer.swings.small_angle_period();
-    let mut lines = vec![
+    let refuted = answer.swings.warnings.iter().find(|it| matches!(it, Warning::ModelRefuted(_)));
+    let mut lines: Vec<_> = refuted.map(|warning| ("refuted", warning.to_string())).into_iter().collect();
+    lines.extend([
         ("data", data(answer)),
         ("model", model(answer)),
         ("T₀", number::quantity(period, "s")),
         gravity_or_length(answer),
-    ];
+    ]);
     lines.extend(expanded(answer).map(|text| ("expanded", text)));
     lines.extend([("rms residual", residual(answer)), ("cycles", cycles(answer)), ("β", beta(answer))]);
     lines

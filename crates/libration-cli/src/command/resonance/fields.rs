@@ -4,7 +4,7 @@ use super::Answer;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::{at_most, rounded, short};
+use crate::output::number::{at_most, rounded, short, to_its_error};
 use libration::normal_form::{Divisor, Exchange, MeasuredExchange, SlowTerm};
 use libration::normal_modes::Mode;
 
@@ -157,7 +157,7 @@ pub(super) fn of_exchange() -> Fields<Both> {
 }
 
 fn period(value: f64, error: f64) -> String {
-    format!("{} s, to {}", rounded(value, 12), at_most(error))
+    format!("{} s, to {}", to_its_error(value, error, 12), at_most(error))
 }
 
 /// `-0.0625i`, `0.5 + 2i`.

@@ -74,7 +74,7 @@ impl Sheet {
     fn end_of(&self, EventEnding { name, end, error }: &EventEnding) -> String {
         let number = |title: &String, value: f64, error: f64| {
             let name = title.split(" / ").next().unwrap_or(title);
-            format!("{name} = {} ± {}", number::rounded(value, 15), number::at_most(error))
+            format!("{name} = {} ± {}", number::to_its_error(value, error, 15), number::at_most(error))
         };
         let state = self.titles[1..].iter().zip(&end.state).zip(&error.state);
         let state = state.map(|((title, value), error)| number(title, *value, *error));

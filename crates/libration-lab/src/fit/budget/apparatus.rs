@@ -54,6 +54,8 @@ pub struct MeasuredPeriod {
     pub angle_scale: Option<f64>,
     /// The relative standard uncertainty of the clock or frame rate: 0.001 where 29.97 frames a second were taken for 30.
     pub clock: Option<f64>,
+    /// The relative standard uncertainty of T0 by fits that contradict each other.
+    pub model: Option<f64>,
     /// The degrees of freedom of the uncertainty of T0; infinite where that is taken as known.
     pub degrees_of_freedom: f64,
     /// What is known of the damping.
@@ -80,6 +82,7 @@ impl MeasuredPeriod {
             amplitude: None,
             angle_scale: None,
             clock: None,
+            model: None,
             degrees_of_freedom: f64::INFINITY,
             damping: PeriodDamping::Unknown,
         }

@@ -31,6 +31,8 @@ pub(super) struct Values {
     pub(super) t0: f64,
     /// By which all times are to be multiplied.
     pub(super) clock: f64,
+    /// By which T0 is to be multiplied where the model is another.
+    pub(super) model: f64,
     pub(super) amplitude: f64,
     /// By which all angles are to be multiplied; T0 was found with 1.
     pub(super) angle_scale: f64,
@@ -74,7 +76,7 @@ impl Values {
 
     /// T0 in true seconds.
     fn period(&self) -> f64 {
-        self.t0 * self.clock
+        self.t0 * self.clock * self.model
     }
 
     /// What divides g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.

@@ -14,6 +14,8 @@ pub enum BudgetInput {
     Slope,
     /// By which all times are to be multiplied.
     Clock,
+    /// By which T0 is to be multiplied where the model is another.
+    Model,
     /// By which all angles are to be multiplied.
     AngleScale,
     /// Of the bob, a ball.
@@ -38,11 +40,12 @@ pub enum BudgetInput {
 
 impl BudgetInput {
     /// All of them.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Length,
         Self::Period,
         Self::Slope,
         Self::Clock,
+        Self::Model,
         Self::AngleScale,
         Self::BobRadius,
         Self::BobMass,
@@ -63,6 +66,7 @@ impl BudgetInput {
             Self::Period => "period",
             Self::Slope => "slope",
             Self::Clock => "clock",
+            Self::Model => "model",
             Self::AngleScale => "angle scale",
             Self::BobRadius => "bob radius",
             Self::BobMass => "bob mass",
@@ -83,7 +87,7 @@ impl BudgetInput {
             Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "m",
             Self::Period => "s",
             Self::Slope => "s^2/m",
-            Self::Clock | Self::AngleScale | Self::AddedMass => "1",
+            Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "1",
             Self::BobMass | Self::RodMass => "kg",
             Self::BobDensity | Self::AirDensity => "kg/m^3",
             Self::Damping => "1/s",
@@ -97,7 +101,7 @@ impl BudgetInput {
             Self::Length | Self::BobRadius | Self::RodLength | Self::Stretch => "1/s^2",
             Self::Period => "m/s^3",
             Self::Slope => "m^2/s^4",
-            Self::Clock | Self::AngleScale | Self::AddedMass => "m/s^2",
+            Self::Clock | Self::Model | Self::AngleScale | Self::AddedMass => "m/s^2",
             Self::BobMass | Self::RodMass => "m/(s^2 kg)",
             Self::BobDensity | Self::AirDensity => "m^4/(s^2 kg)",
             Self::Damping => "m/s",
@@ -111,6 +115,7 @@ impl BudgetInput {
             Self::Period => Some(&mut values.t0),
             Self::Slope => None,
             Self::Clock => Some(&mut values.clock),
+            Self::Model => Some(&mut values.model),
             Self::AngleScale => Some(&mut values.angle_scale),
             Self::BobRadius => Some(&mut values.radius),
             Self::BobMass => Some(&mut values.bob_mass),

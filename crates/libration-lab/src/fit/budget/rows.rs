@@ -9,7 +9,9 @@ use super::{
 impl Inputs {
     pub(super) fn budget(&self, correlations: &[Correlation]) -> Result<Budget, BudgetError> {
         let rows = [
-            vec![self.length(), self.timing(), self.clock(), self.amplitude(), self.angle_scale()],
+            vec![self.length(), self.timing()],
+            self.is_given(BudgetInput::Model).then(|| self.model()).into_iter().collect(),
+            vec![self.clock(), self.amplitude(), self.angle_scale()],
             vec![self.buoyancy(), self.added_mass(), self.finite_bob(), self.rod(), self.stretch()],
             vec![self.damping()],
         ];
@@ -27,7 +29,12 @@ impl Inputs {
     /// An effect: its size, and the uncertainty that its own inputs give it.
     fn effect(&self, name: &'static str, formula: &'static str, effect: Effect, note: String) -> BudgetRow {
         let ratio = |values: &Values| values.gravity() / values.gravity_without(Some(effect));
-        let own = |input| !matches!(input, BudgetInput::Length | BudgetInput::Period | BudgetInput::Clock);
+        let own = |input| {
+            !matches!(
+                input,
+                BudgetInput::Length | BudgetInput::Period | BudgetInput::Clock | BudgetInput::Model
+            )
+        };
         BudgetRow {
             name,
             formula,
@@ -64,6 +71,14 @@ impl Inputs {
     fn timing(&self) -> BudgetRow {
         let note = format!("T0 = {:.6} s", self.values.t0);
         BudgetRow { note, ..self.input("timing", "2 u(T0)/T0", BudgetInput::Period, Evaluation::Statistics) }
+    }
+
+    fn model(&self) -> BudgetRow {
+        let note = "fits that contradict each other: rectangular, with their difference as half-width".into();
+        BudgetRow {
+            note,
+            ..self.input("model", "2 a/(sqrt(3) T0)", BudgetInput::Model, Evaluation::Judgement)
+        }
     }
 
     fn clock(&self) -> BudgetRow {

@@ -10,7 +10,7 @@ use libration::quantity::{rounded, short};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BudgetWarning {
-    /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period is the
+    /// No model is refuted, and g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period is the
     /// easier one of its two inputs to measure, so that the length is suspected.
     GravityContradicted {
         /// The length that was given, in m.
@@ -67,7 +67,10 @@ impl Budget {
     #[must_use]
     pub fn warnings(&self) -> Vec<BudgetWarning> {
         let likely = 0.5 * (GRAVITY_ON_EARTH[0] + GRAVITY_ON_EARTH[1]);
-        let contradicted = is_nowhere_on_earth(self.gravity()).then(|| BudgetWarning::GravityContradicted {
+        // A refuted model is reason enough.
+        let is_refuted = self.combined.contributions.iter().any(|it| it.input == BudgetInput::Model);
+        let is_suspect = !is_refuted && is_nowhere_on_earth(self.gravity());
+        let contradicted = is_suspect.then(|| BudgetWarning::GravityContradicted {
             length: self.length,
             likely_length: self.length * likely / self.g,
         });

@@ -53,7 +53,7 @@ pub use analysis::{cycles, cycles_watched};
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
 pub use several::{beta_of_traces, beta_of_traces_watched};
-pub use unit::{BeyondATurn, are_radians, beyond_a_turn};
+pub use unit::{BeyondATurn, beyond_a_turn, mistaken_unit};
 pub use warning::CyclesWarning;
 
 use super::{Beta, Uncertain};

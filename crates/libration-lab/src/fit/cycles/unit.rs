@@ -4,16 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use super::Cycle;
 use super::swings::{turns, without_spikes};
-use crate::fit::{Law, PeriodTable, Uncertainties, excess_scale};
+use crate::fit::{MistakenUnit, PeriodTable, Uncertainties};
 use crate::measurement::{Observable, Trace};
 
 /// An angle that is not followed over the top jumps by a turn, and by its noise more.
 const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
 const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
-/// β of small angles in radians that are called degrees is (180/π)² = 3283, and anything above 1000 of no other making.
-const BETA_OF_RADIANS: f64 = 1000.0;
-/// With the right unit β is 1 within this, or within three of its uncertainties.
-const BETA_OF_A_PENDULUM: f64 = 0.15;
 
 /// Angles that go to and fro by more than a turn, which those of no free pendulum do: it turns back below the top only, and
 /// has never more energy than before.
@@ -54,25 +50,16 @@ pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
     })
 }
 
-/// Whether the angles of these cycles, of one trace or of several, are radians that were taken for degrees: the period changes
-/// with the amplitude as no pendulum's does, and as the exact law says where the numbers are radians.
+/// The unit that the angles of these cycles have, of one trace or of several, where it is not the one that was said: the period changes with
+/// the amplitude as no pendulum's does, and as the exact law says in the other unit.
 #[must_use]
-pub fn are_radians<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> bool {
+pub fn mistaken_unit<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> Option<MistakenUnit> {
     let counted: Vec<&Cycle> = cycles.filter(|cycle| !cycle.outlier).collect();
     let column = |of: &dyn Fn(&Cycle) -> f64| counted.iter().map(|cycle| of(cycle)).collect::<Vec<f64>>();
-    let amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude.value);
-    if beta < BETA_OF_RADIANS || amplitudes.iter().any(|&amplitude| amplitude >= PI) {
-        return false;
-    }
-    let periods = column(&|cycle| cycle.period.value);
-    let of_amplitudes = column(&|cycle| DEGREES_PER_RADIAN * cycle.amplitude.uncertainty);
+    let (amplitudes, periods) = (column(&|cycle| cycle.amplitude.value), column(&|cycle| cycle.period.value));
+    let of_amplitudes = column(&|cycle| cycle.amplitude.uncertainty);
     let of_periods = column(&|cycle| cycle.period.uncertainty);
     let uncertainties = Uncertainties { amplitudes: Some(&of_amplitudes), periods: Some(&of_periods) };
-    let table = PeriodTable::new(&amplitudes, &periods, uncertainties);
-    let fit = table.ok().and_then(|table| excess_scale(&table, &Law::exact()).ok());
-    fit.is_some_and(|fit| {
-        let beta = fit.beta.factor;
-        let uncertainty = beta.uncertainty.max(fit.uncertainty_scaled.unwrap_or(0.0));
-        (beta.value - 1.0).abs() < BETA_OF_A_PENDULUM.max(3.0 * uncertainty) && uncertainty < 1.0
-    })
+    let table = PeriodTable::new(&amplitudes, &periods, uncertainties).ok()?;
+    MistakenUnit::of(beta, &table)
 }

@@ -1,11 +1,21 @@
 //! g by the times of a gate: the angular width of the bob, and what T0 has in common with the sizes that it is made of.
 
-use super::width::PassingDisc;
+use super::width::{PassingDisc, PassingFlag};
 use super::{GatesFit, T0Source};
 use crate::fit::budget::{
     Apparatus, Budget, BudgetError, BudgetInput, Correlation, MeasuredPeriod, PeriodDamping, budget,
 };
 use libration::quantity::Quantity;
+
+/// The shape of what blocks the gate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FlagShape {
+    /// A ball, or a disc seen from the side.
+    #[default]
+    Ball,
+    /// Flat, with straight edges parallel to the rod.
+    Flat,
+}
 
 /// The pendulum beside its gate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +23,7 @@ pub struct GateGeometry {
     apparatus: Apparatus,
     diameter: Option<Quantity>,
     distance: Option<Quantity>,
+    shape: FlagShape,
 }
 
 /// Why a pendulum cannot stand beside its gate like this.
@@ -57,7 +68,7 @@ impl GateGeometry {
         diameter: Option<Quantity>,
         distance: Option<Quantity>,
     ) -> Result<Self, GateGeometryError> {
-        let geometry = Self { apparatus, diameter, distance };
+        let geometry = Self { apparatus, diameter, distance, shape: FlagShape::Ball };
         let Some((PassingDisc { radius, centre, beam }, _)) = geometry.disc() else { return Ok(geometry) };
         if radius >= centre {
             return Err(GateGeometryError::ReachesPivot { diameter: 2.0 * radius, distance: centre });
@@ -66,6 +77,18 @@ impl GateGeometry {
             return Err(GateGeometryError::BobMissesGate { radius, length: centre, distance: beam });
         }
         Ok(geometry)
+    }
+
+    /// The same with another shape of what has the diameter that was given: the diameter is then the width of the flag. The bob itself is a ball.
+    #[must_use]
+    pub fn with_shape(self, shape: FlagShape) -> Self {
+        Self { shape, ..self }
+    }
+
+    /// A flat flag, if it is one.
+    fn flag(&self, disc: PassingDisc) -> Option<PassingFlag> {
+        let is_flat = self.shape == FlagShape::Flat && self.diameter.is_some();
+        is_flat.then_some(PassingFlag { half: disc.radius, beam: disc.beam })
     }
 
     fn distance(&self) -> Quantity {
@@ -89,7 +112,8 @@ impl GateGeometry {
     /// The angle that the bob goes while it blocks the gate, in radians; none where neither diameter nor radius is known.
     #[must_use]
     pub fn width(&self) -> Option<Quantity> {
-        let value = self.disc()?.0.width();
+        let (disc, _) = self.disc()?;
+        let value = self.flag(disc).map_or_else(|| disc.width(), |flag| flag.width());
         let [by_radius, by_length, by_distance] = self.changes_of_width()?;
         let uncertainty = Some(libm::hypot(libm::hypot(by_radius, by_length), by_distance));
         Some(Quantity { value, uncertainty })
@@ -98,7 +122,13 @@ impl GateGeometry {
     /// By how much the width changes with one standard uncertainty of the radius, of the length, and of a distance of its own, in radians.
     fn changes_of_width(&self) -> Option<[f64; 3]> {
         let (disc, radius) = self.disc()?;
-        let [by_radius, by_centre, by_beam] = disc.slopes();
+        let [by_radius, by_centre, by_beam] = match self.flag(disc) {
+            Some(flag) => {
+                let [by_half, by_beam] = flag.slopes();
+                [by_half, 0.0, by_beam]
+            }
+            None => disc.slopes(),
+        };
         let (by_length, by_distance) = match (self.diameter, self.distance) {
             (_, None) => (by_centre + by_beam, 0.0),
             (Some(_), Some(_)) => (0.0, by_centre + by_beam),
@@ -160,6 +190,7 @@ impl GatesFit {
             _ => angle_scale,
         };
         let period = MeasuredPeriod {
+            model: None,
             t0: t0.into(),
             amplitude: self.amplitude,
             angle_scale,

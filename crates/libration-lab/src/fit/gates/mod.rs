@@ -30,7 +30,7 @@ mod gravity;
 
 pub use analysis::{gates, gates_watched};
 pub use error::GatesError;
-pub use gravity::{GateGeometry, GateGeometryError};
+pub use gravity::{FlagShape, GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;
 
 use crate::fit::{Beta, Uncertain};

@@ -1,7 +1,8 @@
 //! The amplitude by the time for which the bob blocks the gate.
 //!
-//! In that time the bob goes an angle w, so that θ′ = w/Δt at the gate. A pendulum that passes the gate a time τ after the
-//! bottom has θ′ = 2ω0 sin(A/2) cn(ω0τ): τ is zero at the centre, and off it the passages are T/2 ± 2τ apart.
+//! In that time the bob goes an angle w between the two edges, and not with one speed. Without damping sin(θ/2) = sin(A/2)·sn(ω0t) at the time t
+//! after the bottom, so that the angle between two times is known for any amplitude. The middle of both is zero for a gate at the centre; off
+//! it passages are T/2 ± 2τ apart.
 
 use libration::elliptic::Modulus;
 use libration::roots::{Tolerance, bisect};
@@ -10,17 +11,19 @@ use libration::roots::{Tolerance, bisect};
 /// changed by 1e-9.
 const LARGEST: f64 = 3.13;
 
-/// The amplitude, in radians, of a pendulum of this ω0 that blocks a gate for this time with an angle of this width, so long
-/// from the bottom; none where it goes over the top.
+/// The amplitude, in radians, of a pendulum of this ω0 that blocks a gate for this time with an angle of this width, with the middle of that time
+/// so long from the bottom; none where it goes over the top.
 pub fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64) -> Option<f64> {
-    let wanted = 0.5 * width / (blocked * omega0);
-    let speed = |amplitude: f64| {
+    let half = 0.5 * blocked;
+    let between = |amplitude: f64| {
         let sine = libm::sin(0.5 * amplitude);
-        Modulus::from_modulus(sine).map_or(f64::NAN, |modulus| sine * modulus.jacobi(omega0 * from_bottom).cn)
+        let Ok(modulus) = Modulus::from_modulus(sine) else { return f64::NAN };
+        let angle = |time: f64| 2.0 * libm::asin(sine * modulus.jacobi(omega0 * time).sn);
+        angle(from_bottom + half) - angle(from_bottom - half)
     };
-    if wanted.is_nan() || wanted >= speed(LARGEST) {
+    if width.is_nan() || width >= between(LARGEST) {
         return None;
     }
-    let [amplitude, _] = bisect([0.0, LARGEST], Tolerance::absolute(1e-12), |it| speed(it) < wanted);
+    let [amplitude, _] = bisect([0.0, LARGEST], Tolerance::absolute(1e-12), |it| between(it) < width);
     Some(amplitude)
 }

@@ -1,4 +1,4 @@
-//! The angle that a bob goes while it blocks the beam of a gate.
+//! The angle that a bob or a flag goes while it blocks the beam of a gate.
 //!
 //! Seen from the side the bob is a disc of radius r about a point at the distance c from the pivot, and the beam a point at the distance d. It
 //! is blocked while the two are no further apart than r, by the law of cosines d² + c² − 2dc·cos φ ≤ r²: on either side for the angle φ
@@ -38,5 +38,27 @@ impl PassingDisc {
         let Self { radius, centre, beam } = *self;
         let apart = beam - centre;
         (radius - apart) * (radius + apart) / (4.0 * centre * beam)
+    }
+}
+
+/// A flag with straight edges parallel to the rod, each half of its width from the middle, in metres: they pass the beam at sin φ = r/d.
+#[derive(Clone, Copy, Debug)]
+pub struct PassingFlag {
+    /// Half of its width.
+    pub half: f64,
+    /// From the pivot to the beam.
+    pub beam: f64,
+}
+
+impl PassingFlag {
+    /// In radians.
+    pub fn width(&self) -> f64 {
+        2.0 * libm::asin(self.half / self.beam)
+    }
+
+    /// Its derivatives with respect to half of the width and to the beam, in rad/m.
+    pub fn slopes(&self) -> [f64; 2] {
+        let adjacent = ((self.beam - self.half) * (self.beam + self.half)).sqrt();
+        [2.0 / adjacent, -2.0 * self.half / (self.beam * adjacent)]
     }
 }

@@ -82,6 +82,7 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
         let differ = table.rows.windows(2).any(|pair| pair[0].length.total_cmp(&pair[1].length).is_ne());
         return Err(match radius.filter(|_| differ) {
             Some(radius) => FitError::BobRadius { radius },
+            None if differ => FitError::PeriodsWithoutLength,
             None => FitError::EqualLengths,
         });
     }

@@ -54,6 +54,11 @@ pub enum ResponseFitError {
         /// What has not.
         missing: &'static str,
     },
+    /// Stated uncertainties are asked for, and none are given.
+    #[error(
+        "no uncertainties of the amplitudes are given: give a column of them, or absolute or relative errors"
+    )]
+    NoUncertainties,
     /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
     #[error(
         "give at least {needed} rows: {found} cannot determine the {parameters} parameters of a {model} response"
@@ -86,7 +91,7 @@ pub enum ResponseFitError {
     Undetermined(ResponseModel),
     /// No parameters with which the search ends.
     #[error(
-        "no {0} response was found that comes close to the rows: check the units, or choose another model"
+        "no {0} response was found that comes close to the rows: the search ended nowhere from any of its starts"
     )]
     NoConvergence(ResponseModel),
     /// It was stopped.

@@ -32,7 +32,8 @@ pub struct ResponseFit {
     pub chi2: Option<f64>,
     /// Degrees of freedom: amplitudes and phases less parameters.
     pub dof: usize,
-    /// The standard deviation of the amplitudes by their scatter, where no uncertainties are stated.
+    /// The standard deviation of the amplitudes by their scatter, where no uncertainties are stated: with
+    /// [`AmplitudeErrors::Relative`](super::AmplitudeErrors) over the amplitude.
     pub amplitude_scatter: Option<f64>,
     /// Akaike's criterion, corrected for few data; none where they are too few.
     pub aicc: Option<f64>,
@@ -47,6 +48,8 @@ pub struct FittedAnswer {
     pub amplitude: f64,
     /// What is left, in standard deviations: of the amplitude, or of amplitude and phase together.
     pub residual: f64,
+    /// By how much the fundamental of the fitted response lags behind the drive, in radians.
+    pub phase: f64,
     /// Whether small deviations from this answer die out.
     pub stable: bool,
     /// Whether it is between the folds, where no answer lasts: by more than three standard deviations of the amplitude.
@@ -171,6 +174,7 @@ fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDri
     FittedAnswer {
         amplitude: found.amplitude,
         residual: sign * DVector::from_row_slice(&found.residuals).norm(),
+        phase: required.drive.argument(),
         stable: required.stable,
         between_folds: found.slope < -2.0 * FAR * found.bend.abs(),
         beyond_fold: beyond_fold(fit, row, found, required),

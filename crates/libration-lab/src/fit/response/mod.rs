@@ -43,7 +43,7 @@ pub use curve::{FittedCurve, FittedCurvePoint, FittedJump};
 pub use error::ResponseFitError;
 pub use fitted::{FittedAnswer, ResponseFit};
 pub use model::ResponseModel;
-pub use table::{ResponseColumns, ResponseTable};
+pub use table::{AmplitudeErrors, ResponseColumns, ResponseTable};
 pub use warning::ResponseWarning;
 
 use crate::parallel;
@@ -132,25 +132,31 @@ fn fitted(
     table.check_for(model)?;
     let balance = OneHarmonic(model);
     let rough = Search { table, model, law: &balance, watch, rounds: ROUGH_ROUNDS };
-    let mut best: Option<Found> = None;
-    let mut refusal = ResponseFitError::NoConvergence(model);
-    for start in start::starts(table, model) {
-        match rough.near(&start) {
-            Ok(found) if best.as_ref().is_none_or(|best| found.misfit < best.misfit) => {
-                best = Some(found);
+    let (mut near, mut refusal) = (vec![], ResponseFitError::NoConvergence(model));
+    let of_grid = start::starts(table, model);
+    for start in &of_grid {
+        match rough.near(start) {
+            Ok(found) => near.push(found),
+            Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
+            Err(error) => refusal = error,
+        }
+    }
+    near.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
+    // The first from which the search settles: the misfit with one harmonic is nearly that with all.
+    for start in near.iter().map(Found::with_damping).chain(of_grid) {
+        let law = AllHarmonics::new(model, measured);
+        match (Search { table, model, law: &law, watch, rounds: MOST_ROUNDS }).near(&start) {
+            Ok(found) if found.settled => {
+                if let Some(fit) = fitted::described(table, &law, &found) {
+                    return Ok(fit);
+                }
             }
             Ok(_) => {}
             Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
             Err(error) => refusal = error,
         }
     }
-    let start = best.ok_or(refusal)?.with_damping();
-    let law = AllHarmonics::new(model, measured);
-    let found = Search { table, model, law: &law, watch, rounds: MOST_ROUNDS }.near(&start)?;
-    if !found.settled {
-        return Err(ResponseFitError::NoConvergence(model));
-    }
-    fitted::described(table, &law, &found).ok_or(ResponseFitError::NoConvergence(model))
+    Err(refusal)
 }
 
 /// Of the fits within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.

@@ -1,4 +1,5 @@
-//! By how much amplitudes and phases scatter where no uncertainties are stated: each kind by its own residuals.
+//! By how much amplitudes and phases scatter where no uncertainties are stated: each kind by its own residuals, amplitudes all by the same
+//! amount or all by the same part.
 //!
 //! A kind of data with the residuals r, in standard deviations, is enlarged by √(Σr²/(n − Σh)): h, the leverage of a datum, is the part of it
 //! that the parameters take up, so that the degrees of freedom which both kinds lose to them are shared as they were used. Once nothing changes
@@ -10,7 +11,7 @@
 //! taken for the other kind, and ω0 was off by 1.28 times as much as said.
 
 use super::found_row::FoundRow;
-use super::table::{ResponseTable, Row};
+use super::table::{AmplitudeErrors, ResponseTable, Row};
 use crate::statistics::count;
 
 /// Of the largest amplitude, and in radians: less scatter is rounding.
@@ -44,7 +45,7 @@ pub(super) struct Scatters {
     amplitude: f64,
     phase: f64,
     law: PhaseLaw,
-    stated: bool,
+    errors: AmplitudeErrors,
 }
 
 /// What a round of the search leaves over of a kind of data.
@@ -75,27 +76,39 @@ impl Left {
 impl Scatters {
     /// What a search begins with.
     pub(super) fn first(table: &ResponseTable) -> Self {
-        let stated = table.is_weighted();
-        let size = if stated { 1.0 } else { FIRST * table.largest_amplitude() };
-        Self { amplitude: size, phase: size, law: PhaseLaw::OverAmplitude, stated }
+        let errors = table.amplitude_errors();
+        let (size, law) = match errors {
+            AmplitudeErrors::Stated => (1.0, PhaseLaw::OverAmplitude),
+            AmplitudeErrors::Absolute => (FIRST * table.largest_amplitude(), PhaseLaw::OverAmplitude),
+            AmplitudeErrors::Relative => (FIRST, PhaseLaw::Alike),
+        };
+        Self { amplitude: size, phase: size, law, errors }
     }
 
-    pub(super) fn of_amplitude(&self, row: &Row) -> f64 {
-        self.amplitude * row.amplitude_uncertainty
+    /// The standard deviation of the amplitude of a row that has this amplitude without its error: relative errors as parts of measured
+    /// amplitudes would give rows that are too small by chance too much weight.
+    pub(super) fn of_amplitude(&self, row: &Row, without_error: f64) -> f64 {
+        match self.errors {
+            AmplitudeErrors::Relative => self.amplitude * without_error,
+            AmplitudeErrors::Absolute | AmplitudeErrors::Stated => self.amplitude * row.amplitude_uncertainty,
+        }
     }
 
     pub(super) fn of_phase(&self, row: &Row) -> f64 {
-        if self.stated { row.phase_uncertainty } else { self.phase * self.law.factor(row) }
+        match self.errors {
+            AmplitudeErrors::Stated => row.phase_uncertainty,
+            AmplitudeErrors::Absolute | AmplitudeErrors::Relative => self.phase * self.law.factor(row),
+        }
     }
 
     /// That of amplitudes, where none are stated.
     pub(super) fn unstated(&self) -> Option<f64> {
-        (!self.stated).then_some(self.amplitude)
+        (self.errors != AmplitudeErrors::Stated).then_some(self.amplitude)
     }
 
     /// After a round of a search of so many parameters.
     pub(super) fn renewed(self, table: &ResponseTable, rows: &[FoundRow], parameters: usize) -> Self {
-        if self.stated {
+        if self.errors == AmplitudeErrors::Stated {
             return self;
         }
         let of_kind = |kind: usize| {
@@ -120,8 +133,9 @@ impl Scatters {
 
     fn of_sizes(self, amplitude: f64, phase: f64, table: &ResponseTable) -> Self {
         let largest = table.largest_amplitude();
+        let least = if self.errors == AmplitudeErrors::Relative { LEAST } else { LEAST * largest };
         let least_phase = if self.law == PhaseLaw::Alike { LEAST } else { LEAST * largest };
-        Self { amplitude: amplitude.max(LEAST * largest), phase: phase.max(least_phase), ..self }
+        Self { amplitude: amplitude.max(least), phase: phase.max(least_phase), ..self }
     }
 
     /// Whether another one is the same within this part.
@@ -132,14 +146,13 @@ impl Scatters {
 
     /// What is made least where they are not known: −2 times the logarithm of the likelihood, but for a constant.
     pub(super) fn misfit(&self, table: &ResponseTable, rows: &[FoundRow]) -> f64 {
-        let kind = |kind: usize, deviation: &dyn Fn(&Row) -> f64| {
-            let data =
-                || table.rows.iter().zip(rows).filter_map(|(row, it)| Some((row, *it.residuals.get(kind)?)));
+        let kind = |kind: usize, deviation: &dyn Fn(&Row, &FoundRow) -> f64| {
+            let data = || table.rows.iter().zip(rows).filter(|(_, found)| found.residuals.len() > kind);
             let n = count(data().count());
-            let squares: f64 = data().map(|(_, residual)| residual * residual).sum();
-            let sizes: f64 = data().map(|(row, _)| 2.0 * libm::log(deviation(row))).sum();
+            let squares: f64 = data().map(|(_, found)| found.residuals[kind] * found.residuals[kind]).sum();
+            let sizes: f64 = data().map(|(row, found)| 2.0 * libm::log(deviation(row, found))).sum();
             if n > 0.0 { sizes + n * libm::log((squares / n).max(f64::MIN_POSITIVE)) } else { 0.0 }
         };
-        kind(0, &|row| self.of_amplitude(row)) + kind(1, &|row| self.of_phase(row))
+        kind(0, &|row, found| self.of_amplitude(row, found.amplitude)) + kind(1, &|row, _| self.of_phase(row))
     }
 }

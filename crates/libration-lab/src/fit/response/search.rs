@@ -55,6 +55,31 @@ impl Found {
     }
 }
 
+/// The part of a step that is taken. Next to a fold a whole step may lead to the other side, and the next one back: a step that turns back
+/// halves the part, one that goes on doubles it, up to a whole.
+#[derive(Clone, Debug)]
+struct Relaxation {
+    part: f64,
+    last: Option<DVector<f64>>,
+}
+
+impl Default for Relaxation {
+    fn default() -> Self {
+        Self { part: 1.0, last: None }
+    }
+}
+
+impl Relaxation {
+    /// For the next step.
+    fn part(&mut self, step: &DVector<f64>) -> f64 {
+        if let Some(last) = &self.last {
+            self.part = if step.dot(last) < 0.0 { 0.5 * self.part } else { (2.0 * self.part).min(1.0) };
+        }
+        self.last = Some(step.clone());
+        self.part
+    }
+}
+
 /// A table under a law.
 pub(super) struct Search<'a> {
     pub(super) table: &'a ResponseTable,
@@ -91,7 +116,8 @@ impl Search<'_> {
         let mut about = DVector::from_row_slice(start);
         let mut amplitudes: Vec<f64> = self.table.rows.iter().map(|row| row.amplitude).collect();
         let mut scatters = Scatters::first(self.table);
-        let (mut part, mut last_change) = (1.0, f64::INFINITY);
+        let mut of_parameters = Relaxation::default();
+        let mut of_rows = vec![Relaxation::default(); amplitudes.len()];
         for round in 1..=self.rounds {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
             let weighed = self.weighed(&about, &amplitudes, &scatters).ok_or_else(failed)?;
@@ -111,18 +137,16 @@ impl Search<'_> {
                 let parameters = least.parameters.as_slice().to_vec();
                 return Ok(Found { parameters, covariance, chi2, scatters: before, misfit, rows, settled });
             }
-            // Next to a fold a whole step may lead to the other side, and the next one back.
-            if change >= last_change {
-                part *= 0.5;
-            }
-            last_change = change;
-            about += part * step;
+            let in_deviations = step.component_div(&covariance.diagonal().map(f64::sqrt));
+            about += step * of_parameters.part(&in_deviations);
             // Without phases the damping counts by its square.
             if !self.table.has_phases() {
                 about[1] = about[1].abs();
             }
-            for (amplitude, aim) in amplitudes.iter_mut().zip(self.within_bounds(&rows, &scatters)) {
-                *amplitude += part * (aim - *amplitude);
+            let aims = self.within_bounds(&rows, &scatters);
+            for ((amplitude, aim), relaxation) in amplitudes.iter_mut().zip(aims).zip(&mut of_rows) {
+                let step = aim - *amplitude;
+                *amplitude += step * relaxation.part(&DVector::from_element(1, step));
             }
         }
         Err(failed())
@@ -135,7 +159,7 @@ impl Search<'_> {
         let within = |(row, found): (&Row, &FoundRow)| {
             let measured = row.amplitude;
             let farthest = FARTHEST * measured.min(bound - measured);
-            let spread = (6.0 * scatters.of_amplitude(row)).min(farthest);
+            let spread = (6.0 * scatters.of_amplitude(row, found.amplitude)).min(farthest);
             found.aim.clamp(measured - spread, measured + spread)
         };
         self.table.rows.iter().zip(rows).map(within).collect()
@@ -166,7 +190,8 @@ impl Search<'_> {
         scatters: &Scatters,
     ) -> Option<Vec<Weighed>> {
         let bound = self.model.amplitude_bound();
-        let deviations = self.table.rows.iter().map(|row| scatters.of_amplitude(row));
+        let rows = self.table.rows.iter().zip(amplitudes);
+        let deviations = rows.map(|(row, &amplitude)| scatters.of_amplitude(row, amplitude));
         let deviations: Vec<f64> = deviations.collect();
         let steps: Vec<f64> = amplitudes
             .iter()

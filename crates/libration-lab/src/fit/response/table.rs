@@ -4,6 +4,18 @@ use super::required_drive::along;
 use super::{ResponseFitError, ResponseModel};
 use libration::algebra::Complex;
 
+/// The errors of the amplitudes of a response.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AmplitudeErrors {
+    /// The same standard deviation for all amplitudes, which their scatter tells.
+    #[default]
+    Absolute,
+    /// The same part of each amplitude, which their scatter tells.
+    Relative,
+    /// The stated uncertainties.
+    Stated,
+}
+
 /// The columns of a measured response.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ResponseColumns<'a> {
@@ -20,13 +32,15 @@ pub struct ResponseColumns<'a> {
     pub amplitude_uncertainties: Option<&'a [f64]>,
     /// Standard deviations, in radians; positive.
     pub phase_uncertainties: Option<&'a [f64]>,
+    /// What the errors of the amplitudes are where no uncertainties of them are given.
+    pub unstated_errors: AmplitudeErrors,
 }
 
 /// Rows of frequency, amplitude and perhaps phase that a fit can use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseTable {
     pub(super) rows: Vec<Row>,
-    weighted: bool,
+    errors: AmplitudeErrors,
     leads: bool,
 }
 
@@ -46,7 +60,8 @@ pub(super) struct Row {
 impl ResponseTable {
     /// The rows of these columns.
     ///
-    /// Without uncertainties all amplitudes count alike; all phases too, each kind by what it scatters. With hardly more rows than parameters
+    /// Without uncertainties all amplitudes have the same absolute error or, with [`AmplitudeErrors::Relative`], the same relative one; all phases
+    /// count alike, each kind by what it scatters. With hardly more rows than parameters
     /// a phase counts as one of an amplitude of the same row: its standard deviation is that of the amplitude over the amplitude, as where both are
     /// of one sine through a noisy trace.
     ///
@@ -55,7 +70,8 @@ impl ResponseTable {
     /// negative), anything NaN or infinite; uncertainties of amplitudes without those of phases that are there, or the other way.
     pub fn new(columns: &ResponseColumns<'_>) -> Result<Self, ResponseFitError> {
         columns.check()?;
-        let weighted = columns.amplitude_uncertainties.is_some();
+        let errors =
+            columns.amplitude_uncertainties.map_or(columns.unstated_errors, |_| AmplitudeErrors::Stated);
         let rows = (0..columns.frequencies.len()).map(|row| Row::new(columns, row));
         let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
         // A drive that does work on what is damped is ahead of it: its power is proportional to the sine of the lag.
@@ -65,7 +81,7 @@ impl ResponseTable {
         if leads {
             rows.iter_mut().for_each(|row| row.phase = row.phase.map(|phase| -phase));
         }
-        Ok(Self { rows, weighted, leads })
+        Ok(Self { rows, errors, leads })
     }
 
     /// The number of rows.
@@ -83,7 +99,13 @@ impl ResponseTable {
     /// Whether the rows count by their uncertainties; else all alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
-        self.weighted
+        self.errors == AmplitudeErrors::Stated
+    }
+
+    /// The errors by which the amplitudes count.
+    #[must_use]
+    pub fn amplitude_errors(&self) -> AmplitudeErrors {
+        self.errors
     }
 
     /// Whether there are phases.
@@ -121,7 +143,7 @@ impl ResponseTable {
             return Err(ResponseFitError::Amplitude { row: row + 1, amplitude: self.rows[row].amplitude });
         }
         let parameters = model.coefficients() + 1;
-        let needed = parameters + usize::from(!self.weighted);
+        let needed = parameters + usize::from(!self.is_weighted());
         if self.data() < needed {
             let needed = if self.has_phases() { needed.div_ceil(2) } else { needed };
             return Err(ResponseFitError::TooFewRows { found: self.len(), needed, parameters, model });
@@ -144,6 +166,9 @@ impl ResponseColumns<'_> {
             if found != expected {
                 return Err(ResponseFitError::LengthMismatch { column, found, expected });
             }
+        }
+        if self.unstated_errors == AmplitudeErrors::Stated && self.amplitude_uncertainties.is_none() {
+            return Err(ResponseFitError::NoUncertainties);
         }
         match (self.amplitude_uncertainties, self.phases.and(self.phase_uncertainties)) {
             (Some(_), None) if self.phases.is_some() => {
@@ -177,7 +202,11 @@ impl Row {
             let uncertainty = frequency_uncertainty;
             return Err(ResponseFitError::Uncertainty { row, of: "frequency", uncertainty, hint });
         }
-        let amplitude_uncertainty = columns.amplitude_uncertainties.map_or(1.0, |column| column[index]);
+        let amplitude_uncertainty = match (columns.amplitude_uncertainties, columns.unstated_errors) {
+            (Some(column), _) => column[index],
+            (None, AmplitudeErrors::Relative) => amplitude,
+            (None, AmplitudeErrors::Absolute | AmplitudeErrors::Stated) => 1.0,
+        };
         let phase_uncertainty = match columns.phases.and(columns.phase_uncertainties) {
             Some(column) => column[index],
             None => 1.0 / amplitude,

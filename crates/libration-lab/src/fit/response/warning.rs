@@ -4,9 +4,12 @@ use std::fmt;
 
 use super::required_drive::OneHarmonic;
 use super::table::Row;
-use super::{FittedAnswer, ResponseFit, ResponseTable, ResponsesFit};
+use super::{FittedAnswer, ResponseFit, ResponseFitError, ResponseModel, ResponseTable, ResponsesFit};
 use crate::fit::scatter::ScatterWarning;
+use crate::statistics::count;
 
+/// So many standard deviations chance does not make of the correlation of neighbouring residuals.
+const RUNS: f64 = 3.5;
 /// Of a parameter that may as well be zero: less than so many of its uncertainties.
 const SURE: f64 = 2.0;
 
@@ -24,6 +27,10 @@ pub enum ResponseWarning {
     DampingOpen,
     /// All frequencies are on one side of the resonance.
     OneSided,
+    /// Neighbours in the table or along the curve are off to the same side far more often than chance makes them: three and a half standard deviations.
+    Systematic,
+    /// Models of which no fit was found, so that nothing here speaks against them.
+    NotFitted(Vec<ResponseModel>),
 }
 
 impl ResponseWarning {
@@ -36,6 +43,8 @@ impl ResponseWarning {
             Self::Scatter(warning) => warning.name(),
             Self::DampingOpen => "damping_open",
             Self::OneSided => "one_sided",
+            Self::Systematic => "residuals_not_random",
+            Self::NotFitted(_) => "models_not_fitted",
         }
     }
 }
@@ -60,6 +69,13 @@ impl fmt::Display for ResponseWarning {
             Self::OneSided => f.write_str(
                 "all frequencies are on one side of the resonance: its place and the drive are known by extrapolation alone",
             ),
+            Self::Systematic => f.write_str(
+                "neighbouring rows are off to the same side: the model does not hold, and the uncertainties are too small",
+            ),
+            Self::NotFitted(models) => {
+                let names: Vec<&str> = models.iter().map(|model| model.name()).collect();
+                write!(f, "no fit was found of the model {}: these rows do not speak against it", names.join(", "))
+            }
         }
     }
 }
@@ -89,6 +105,8 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
         best.scatter().and_then(|scatter| scatter.warning("the drive")).map(ResponseWarning::Scatter),
         (damping.value < SURE * damping.uncertainty).then_some(ResponseWarning::DampingOpen),
         is_one_sided(table, best).then_some(ResponseWarning::OneSided),
+        (serial_correlation(best) > RUNS).then_some(ResponseWarning::Systematic),
+        not_fitted(fit),
     ]
     .into_iter()
     .flatten()
@@ -104,4 +122,27 @@ fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     };
     let rows = || table.rows.iter().zip(&fit.rows).map(above);
     rows().all(|above| above) || rows().all(|above| !above)
+}
+
+/// The correlation of neighbouring residuals in its standard deviations 1/√n: of neighbours in the table, and along the fitted curve, which the
+/// phase orders through its jumps. A wrong model may have one branch where the rows have two.
+fn serial_correlation(fit: &ResponseFit) -> f64 {
+    let in_table: Vec<&FittedAnswer> = fit.rows.iter().collect();
+    let mut on_curve = in_table.clone();
+    on_curve.sort_by(|a, b| a.phase.total_cmp(&b.phase));
+    let squares: f64 = fit.rows.iter().map(|row| row.residual * row.residual).sum();
+    let of_order = |rows: &[&FittedAnswer]| {
+        let products: f64 = rows.windows(2).map(|pair| pair[0].residual * pair[1].residual).sum();
+        products / squares * count(rows.len()).sqrt()
+    };
+    if squares > 0.0 { of_order(&in_table).max(of_order(&on_curve)) } else { 0.0 }
+}
+
+fn not_fitted(fit: &ResponsesFit) -> Option<ResponseWarning> {
+    let models = fit.left_out.iter().filter_map(|reason| match reason {
+        ResponseFitError::NoConvergence(model) => Some(*model),
+        _ => None,
+    });
+    let models: Vec<ResponseModel> = models.collect();
+    (!models.is_empty()).then_some(ResponseWarning::NotFitted(models))
 }

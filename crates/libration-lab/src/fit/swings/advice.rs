@@ -18,6 +18,8 @@ pub enum Advice {
     MeasureLengthBetter {
         /// The relative uncertainty of the length.
         relative_uncertainty: f64,
+        /// The part of the variance of gravity that the length makes.
+        share: f64,
     },
     /// β is in doubt, and a wrong scale of the angles can be why.
     CheckScale {
@@ -108,11 +110,11 @@ impl fmt::Display for Advice {
                 "The length was given without an uncertainty, so that gravity has too small a one: write it as 0.57m±0.004m. Measure \
                  it {WHERE}."
             ),
-            Self::MeasureLengthBetter { relative_uncertainty } => write!(
+            Self::MeasureLengthBetter { relative_uncertainty, share } => write!(
                 f,
-                "The length is known to {} %, and so is gravity: nothing else in the budget matters. Measure the length better, \
-                 {WHERE}; more swings would not help.",
-                rounded(100.0 * relative_uncertainty, 2)
+                "The length is known to {} %, which makes {} % of the variance of gravity: measure it better, {WHERE}.",
+                rounded(100.0 * relative_uncertainty, 2),
+                rounded((100.0 * share).min(100.0), 3)
             ),
             Self::CheckScale { observable } => write!(
                 f,
@@ -149,11 +151,21 @@ impl fmt::Display for Advice {
     }
 }
 
+/// Of the first amplitude: a decay to less shows already how it slows down.
+const FAR_ENOUGH: f64 = 0.25;
+
 fn record_longer(f: &mut fmt::Formatter<'_>, amplitudes: [f64; 2]) -> fmt::Result {
+    let is_far = amplitudes[1] <= FAR_ENOUGH * amplitudes[0];
     let [largest, smallest] = amplitudes.map(|amplitude| rounded(amplitude.to_degrees(), 3));
     match largest == smallest {
         true => write!(f, "Only an amplitude of {largest}° was measured. ")?,
         false => write!(f, "The amplitude went from {largest}° to {smallest}°. ")?,
+    }
+    if is_far {
+        return f.write_str(
+            "The kinds of damping differ in how the decay slows down, which more of this decay would not show better: read the angles with \
+             less noise, or begin with a larger amplitude.",
+        );
     }
     f.write_str(
         "The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of what it was \

@@ -2,10 +2,12 @@
 
 use libration::watch::Watch;
 
+use super::FittedPendulum;
 use super::fitted::{SwingsFit, small_angle_period};
 use super::options::SwingsOptions;
-use super::pendulum::pendulum;
+use super::pendulum::pendulum_of;
 use super::{doubts, improvements};
+use crate::fit::Uncertain;
 use crate::fit::budget::BudgetError;
 use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces_watched, cycles_watched};
 use crate::fit::trace::{TraceFitError, compare, fit_traces};
@@ -45,12 +47,20 @@ pub fn swings(
         cycles => Ok(cycles),
     });
     let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
-    let pendulum = pendulum(&fit, small_angle_period(&fit, comparison.as_ref()), &cycles, options)?;
     let beta = beta_of_traces_watched(traces, &cycles, watch);
     if watch.is_stopped() {
         return Err(TraceFitError::Interrupted.into());
     }
-    let mut found = SwingsFit { fit, comparison, cycles, beta, pendulum, warnings: vec![], advice: vec![] };
+    let t0 = small_angle_period(&fit, comparison.as_ref());
+    if t0.uncertainty.is_nan() || t0.uncertainty >= t0.value {
+        return Err(TraceFitError::Undetermined { parameter: "omega0" }.into());
+    }
+    let pendulum = FittedPendulum::Length(Uncertain::default());
+    let (contradiction, warnings, advice) = (None, vec![], vec![]);
+    let mut found = SwingsFit { fit, comparison, cycles, beta, contradiction, pendulum, warnings, advice };
+    found.contradiction = found.contradicting(traces);
+    let model = found.contradiction.as_ref().map(|it| it.uncertainty() / it.values[0]);
+    found.pendulum = pendulum_of(&found.fit, found.period_of_runs(), model, &found.cycles, options)?;
     found.warnings = doubts::warnings(&found, traces);
     found.advice = improvements::advice(&found, traces);
     Ok(found)

@@ -1,10 +1,10 @@
 //! Which warnings swings give rise to.
 
 use super::{FittedPendulum, SwingsFit, Warning};
-use crate::fit::SIGNIFICANT;
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, DampingKind, TraceFit};
+use crate::fit::{Contradiction, MistakenUnit, SIGNIFICANT};
 use crate::measurement::Trace;
 
 /// The warnings, the gravest first.
@@ -15,7 +15,8 @@ pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
         FittedPendulum::Length(_) => vec![],
     };
     let mut warnings: Vec<Warning> = (!fit.converged).then_some(Warning::NotConverged).into_iter().collect();
-    warnings.extend(radians(found));
+    warnings.extend(mistaken_unit(found));
+    warnings.extend(refuted(found));
     warnings.extend(budget.into_iter().map(Warning::Budget));
     warnings.extend(found.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
     warnings.extend((!fit.dissipates()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
@@ -34,9 +35,17 @@ pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
     warnings
 }
 
-fn radians(found: &SwingsFit) -> Option<Warning> {
-    let beta = found.beta.as_ref().ok().filter(|_| found.angles_are_radians())?;
-    Some(Warning::AnglesAreRadians { beta: beta.factor.value })
+fn mistaken_unit(found: &SwingsFit) -> Option<Warning> {
+    let beta = found.beta.as_ref().ok()?.factor.value;
+    Some(match found.mistaken_unit()? {
+        MistakenUnit::Radians => Warning::AnglesAreRadians { beta },
+        MistakenUnit::Degrees => Warning::AnglesAreDegrees { beta },
+    })
+}
+
+/// Where a strong damping does not explain it.
+fn refuted(found: &SwingsFit) -> Option<Warning> {
+    found.contradiction.clone().filter(Contradiction::refutes).map(Warning::ModelRefuted)
 }
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {

@@ -1,9 +1,12 @@
 //! Everything that recordings of swings say.
 
 use super::{Advice, FittedPendulum, Warning};
+use crate::fit::contradiction::{Contradiction, Estimate};
 use crate::fit::cycles::{Cycle, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, TraceFit};
 use crate::fit::{Beta, DampingModel, SIGNIFICANT, Uncertain};
+use crate::measurement::Trace;
+use crate::statistics::count;
 
 /// Everything that recordings of swings say.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +19,8 @@ pub struct SwingsFit {
     pub cycles: Vec<Result<Cycles, CyclesError>>,
     /// The test of the exact law over all cycles, or why there is none.
     pub beta: Result<Beta, CyclesError>,
+    /// Fits that contradict each other, whose difference is a part of the uncertainty of T0.
+    pub contradiction: Option<Contradiction>,
     /// Gravity or the length.
     pub pendulum: FittedPendulum,
     /// What is doubtful, the gravest first.
@@ -25,10 +30,58 @@ pub struct SwingsFit {
 }
 
 impl SwingsFit {
-    /// T0, in s: averaged over the models that the data leave.
+    /// T0, in s: averaged over the models that the data leave, with what runs and contradicting fits add to its uncertainty.
     #[must_use]
     pub fn small_angle_period(&self) -> Uncertain {
-        small_angle_period(&self.fit, self.comparison.as_ref())
+        let model = self.contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);
+        self.period_of_runs().with_error(model)
+    }
+
+    /// T0, in s, of which the uncertainty is enlarged where runs scatter by more than theirs: by √(χ²/ν) of T0 by their cycles.
+    pub(super) fn period_of_runs(&self) -> Uncertain {
+        let period = small_angle_period(&self.fit, self.comparison.as_ref());
+        let runs: Vec<Uncertain> = self.cycles.iter().flatten().map(|cycles| cycles.t0).collect();
+        Uncertain { uncertainty: period.uncertainty * scatter_of_runs(&runs), ..period }
+    }
+
+    /// Of the whole motion, the cycles with β = 1 and with β free, and single runs the two that contradict each other by most. Cycles say nothing
+    /// where the amplitude falls fast, nor where a scale of the angles is fitted.
+    pub(super) fn contradicting(&self, traces: &[Trace]) -> Option<Contradiction> {
+        if self.scale_is_fitted() || self.strong_damping().is_some() {
+            return None;
+        }
+        let estimate = |name: &str, t0| Estimate { name: name.to_owned(), t0 };
+        let by_cycles = |t0: Uncertain| t0.with_error(ERROR_OF_CYCLES * t0.value);
+        let whole = estimate("the whole motion", small_angle_period(&self.fit, self.comparison.as_ref()));
+        let runs: Vec<Estimate> = traces
+            .iter()
+            .zip(&self.cycles)
+            .filter_map(|(trace, cycles)| {
+                let name = if traces.len() > 1 {
+                    format!("the cycles of {}", trace.name())
+                } else {
+                    "cycles".to_owned()
+                };
+                Some(Estimate { name, t0: by_cycles(cycles.as_ref().ok()?.t0) })
+            })
+            .collect();
+        let free = self.beta.as_ref().ok().map(|beta| (beta, estimate("β free", by_cycles(beta.t0))));
+        let of_beta = free.iter().filter(|(beta, _)| self.is_contradicted_by(beta));
+        let of_beta = of_beta.filter_map(|(beta, free)| Contradiction::of([&whole, free], beta.deviation()));
+        let with_whole = runs.iter().filter_map(|run| Contradiction::of_independent([&whole, run]));
+        let pairs = runs
+            .iter()
+            .enumerate()
+            .flat_map(|(place, run)| runs[..place].iter().map(move |other| [other, run]));
+        Contradiction::largest(
+            of_beta.chain(with_whole).chain(pairs.filter_map(Contradiction::of_independent)),
+        )
+    }
+
+    /// Whether T0 with β free is farther from that of the whole motion than the ways of measuring may differ.
+    fn is_contradicted_by(&self, beta: &Beta) -> bool {
+        let period = self.fit.small_angle_period().value;
+        (beta.t0.value - period).abs() > LEAST_CONTRADICTION * period
     }
 
     /// The models that the data leave and that contradict the preferred one.
@@ -89,4 +142,21 @@ impl SwingsFit {
 /// Of a fit, or averaged over those that the data leave.
 pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Uncertain {
     comparison.map_or_else(|| fit.small_angle_period(), |comparison| comparison.small_angle_period().mean)
+}
+
+/// Relative: local fits are off by up to this without any noise, and the damping adds as much.
+const ERROR_OF_CYCLES: f64 = 5e-5;
+/// Relative: a difference of T0 with β free that is none.
+const LEAST_CONTRADICTION: f64 = 1e-5;
+
+/// √(χ²/ν) of values about their weighted mean, or one where that is less.
+fn scatter_of_runs(runs: &[Uncertain]) -> f64 {
+    if runs.len() < 2 {
+        return 1.0;
+    }
+    let weight = |run: &Uncertain| 1.0 / (run.uncertainty * run.uncertainty);
+    let total: f64 = runs.iter().map(weight).sum();
+    let mean = runs.iter().map(|run| weight(run) * run.value).sum::<f64>() / total;
+    let chi2: f64 = runs.iter().map(|run| weight(run) * (run.value - mean) * (run.value - mean)).sum();
+    (chi2 / count(runs.len() - 1)).sqrt().max(1.0)
 }

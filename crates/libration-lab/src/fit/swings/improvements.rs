@@ -28,8 +28,8 @@ fn length(pendulum: &FittedPendulum) -> Option<Advice> {
     };
     let Some(of_length) = length.uncertainty else { return Some(Advice::GiveLengthUncertainty) };
     let (relative_uncertainty, of_gravity) = (of_length / length.value, budget.uncertainty / budget.g);
-    (relative_uncertainty > MOST_OF_IT * of_gravity)
-        .then_some(Advice::MeasureLengthBetter { relative_uncertainty })
+    let part = relative_uncertainty / of_gravity;
+    (part > MOST_OF_IT).then_some(Advice::MeasureLengthBetter { relative_uncertainty, share: part * part })
 }
 
 fn scale(found: &SwingsFit, observable: Observable) -> Option<Advice> {

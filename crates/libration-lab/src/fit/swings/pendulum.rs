@@ -24,18 +24,23 @@ pub enum FittedPendulum {
     Length(Uncertain),
 }
 
-/// Of the period of small swings that the motions of this fit have.
-pub(super) fn pendulum(
+/// Of the period of small swings that the motions of this fit have; `model` is the relative standard uncertainty of it by fits that contradict
+/// each other.
+pub(super) fn pendulum_of(
     fit: &TraceFit,
     t0: Uncertain,
+    model: Option<f64>,
     cycles: &[Result<Cycles, CyclesError>],
     options: &SwingsOptions<'_>,
 ) -> Result<FittedPendulum, BudgetError> {
-    let Some(apparatus) = options.apparatus else { return Ok(FittedPendulum::Length(length(t0))) };
+    let Some(apparatus) = options.apparatus else {
+        return Ok(FittedPendulum::Length(length(t0.with_error(model.unwrap_or(0.0) * t0.value))));
+    };
     let ratios =
         cycles.iter().flatten().flat_map(|found| found.cycles.iter().map(|cycle| cycle.period_ratio));
     let period = MeasuredPeriod {
         t0: t0.into(),
+        model,
         amplitude: typical_amplitude(ratios),
         // What a fitted scale is worth is part of T0 already.
         angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),

@@ -1,14 +1,14 @@
 //! How far β and the fitted motion can be relied on, which several warnings and pieces of advice need to know.
 
 use super::SwingsFit;
-use crate::fit::Beta;
 use crate::fit::cycles;
+use crate::fit::{Beta, MistakenUnit};
 
 impl SwingsFit {
-    /// Whether the angles are radians that were taken for degrees.
-    pub(super) fn angles_are_radians(&self) -> bool {
+    /// The unit of the angles, where it is not the one that was said.
+    pub(super) fn mistaken_unit(&self) -> Option<MistakenUnit> {
         let cycles = self.all_cycles().map(|(_, cycle)| cycle);
-        self.beta.as_ref().is_ok_and(|beta| cycles::are_radians(beta.factor.value, cycles))
+        self.beta.as_ref().ok().and_then(|beta| cycles::mistaken_unit(beta.factor.value, cycles))
     }
 
     /// By which part the amplitude falls in a cycle, where that is so much that the period of single cycles, which the exact law
@@ -19,12 +19,12 @@ impl SwingsFit {
         self.fall_in_a_cycle().filter(|&fall| fall > STRONG)
     }
 
-    /// A β that the exact law does not explain, and neither strong damping, nor a scale that is fitted, nor radians taken for
-    /// degrees.
+    /// A β that the exact law does not explain, and neither strong damping, nor a scale that is fitted, nor a mistaken
+    /// unit.
     pub(super) fn doubtful_beta(&self) -> Option<&Beta> {
         let beta = self.beta.as_ref().ok().filter(|beta| beta.differs_from_one())?;
         let explained =
-            self.scale_is_fitted() || self.strong_damping().is_some() || self.angles_are_radians();
+            self.scale_is_fitted() || self.strong_damping().is_some() || self.mistaken_unit().is_some();
         (!explained).then_some(beta)
     }
 

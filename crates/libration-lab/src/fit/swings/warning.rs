@@ -2,7 +2,7 @@
 
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, CyclesError, CyclesWarning};
-use crate::fit::{DampingKind, DampingModel};
+use crate::fit::{Contradiction, DampingKind, DampingModel};
 
 /// What is doubtful about what swings say.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,11 +10,18 @@ use crate::fit::{DampingKind, DampingModel};
 pub enum Warning {
     /// The search did not end at a minimum.
     NotConverged,
-    /// The angles are [radians that were taken for degrees](crate::fit::cycles::are_radians).
+    /// The angles are [radians that were taken for degrees](crate::fit::MistakenUnit).
     AnglesAreRadians {
         /// Of the angles as they were taken.
         beta: f64,
     },
+    /// The angles are degrees that were taken for radians.
+    AnglesAreDegrees {
+        /// Of the angles as they were taken.
+        beta: f64,
+    },
+    /// Fits of the same data contradict each other by more than [chance](crate::fit::SIGNIFICANT).
+    ModelRefuted(Contradiction),
     /// Of gravity and its uncertainty.
     Budget(BudgetWarning),
     /// The residuals are more than a tenth of the swing itself, where errors of reading are a hundredth or so.
@@ -129,6 +136,8 @@ impl Warning {
         match self {
             Self::NotConverged => "not_converged",
             Self::AnglesAreRadians { .. } => "angles_are_radians",
+            Self::AnglesAreDegrees { .. } => "angles_are_degrees",
+            Self::ModelRefuted(_) => "model_refuted",
             Self::Budget(warning) => warning.name(),
             Self::PoorFit { .. } => "poor_fit",
             Self::FeedsEnergy { .. } => "feeds_energy",

@@ -15,6 +15,16 @@ impl fmt::Display for Warning {
                 f.write_str("the fit did not converge to a minimum: its results are unreliable")
             }
             Self::AnglesAreRadians { beta } => angles_are_radians(f, *beta),
+            Self::AnglesAreDegrees { beta } => write!(
+                f,
+                "these angles are degrees that were taken for radians: β is {}, and with degrees the periods follow the exact law. T₀ \
+                 and all angles given here are wrong",
+                rounded(*beta, 4)
+            ),
+            Self::ModelRefuted(contradiction) => write!(
+                f,
+                "the model is refuted: {contradiction}. The uncertainty of T₀ includes the difference"
+            ),
             Self::Budget(warning) => warning.fmt(f),
             Self::PoorFit { part } => write!(
                 f,

@@ -1,8 +1,11 @@
 //! A header cell → the quantity, the unit and the run that its words name.
 
+mod companion;
 mod unit;
 pub(crate) mod words;
 
+pub(super) use companion::name_uncertainties;
+use libration::quantity::printable;
 pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
 use words::Words;
@@ -42,6 +45,8 @@ pub struct Heading {
     pub quantity: QuantityKind,
     /// Whether the numbers are the uncertainties of the quantity.
     pub is_uncertainty: bool,
+    /// The name of the column of which these are the uncertainties, where that is a part of this name, as in `dT` next to `T`.
+    pub uncertainty_of: Option<String>,
     /// The unit, where one is named and known.
     pub unit: Option<Unit>,
     /// The unit as it is written, known or not.
@@ -56,6 +61,7 @@ impl Heading {
     /// What these words say; `unit` is from a line of units below, `group` from a line of titles above.
     #[doc(hidden)]
     pub fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
+        let text = printable(text);
         let text = text.trim();
         let (rest, run) = split_run(text);
         let (rest, is_uncertainty) = without_sign_of_uncertainty(rest);
@@ -69,6 +75,7 @@ impl Heading {
             name: name.into(),
             quantity: quantity(words.quantity, unit, unit_text),
             is_uncertainty: is_uncertainty || words.is_uncertainty,
+            uncertainty_of: None,
             unit,
             unit_text: unit_text.map(Into::into),
             run: run.map(Into::into),
@@ -90,7 +97,10 @@ impl Heading {
 
     /// Whether both name the same, uncertainty or not.
     pub(super) fn is_of_the_same(&self, other: &Self) -> bool {
-        let plain = |heading: &Self| words::without_uncertainty(&heading.name).0;
+        let plain = |heading: &Self| {
+            let name = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
+            words::without_uncertainty(name).0
+        };
         !plain(self).is_empty() && plain(self) == plain(other)
     }
 
@@ -107,11 +117,14 @@ pub(super) fn bare(unit: &str) -> &str {
     unit.trim().trim_start_matches(['(', '[', '/', '{']).trim_end_matches([')', ']', '}']).trim()
 }
 
+/// Before the brackets around a quantity.
+const SIGNS: [&str; 10] = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta(", "sd(", "err(", "error(", "unc("];
+
 /// `u(θ)`, `σ(θ)`, `Δ(θ)` → θ; `+/-` → ±. A capital U of what is not known here is a voltage.
 fn without_sign_of_uncertainty(text: &str) -> (String, bool) {
     let text = text.replace("+/-", "±").replace("+-", "±");
     let lower = text.to_lowercase();
-    let is_signed = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta("].iter().any(|sign| lower.starts_with(sign));
+    let is_signed = SIGNS.iter().any(|sign| lower.starts_with(sign));
     let parts = text.split_once('(').and_then(|(_, rest)| rest.split_once(')')).filter(|_| is_signed);
     match parts {
         Some((of, after)) if !text.starts_with('U') || Words::read(of).quantity != QuantityKind::Other => {

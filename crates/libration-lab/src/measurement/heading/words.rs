@@ -103,7 +103,7 @@ impl Words {
 }
 
 /// What is written for the uncertainty of what follows, as one word.
-const UNCERTAINTY: [&str; 21] = [
+const UNCERTAINTY: [&str; 23] = [
     "uncertainty",
     "uncertainties",
     "uncert",
@@ -115,6 +115,8 @@ const UNCERTAINTY: [&str; 21] = [
     "std",
     "stdev",
     "stddev",
+    "sd",
+    "sem",
     "unsicherheit",
     "messunsicherheit",
     "fehler",
@@ -135,9 +137,10 @@ pub(super) fn without_uncertainty(name: &str) -> (String, bool) {
     }
     let parts: Vec<&str> =
         lower.split(|letter: char| letter.is_whitespace() || "_-.".contains(letter)).collect();
-    let is_uncertainty = parts.iter().any(|part| UNCERTAINTY.contains(part));
-    let kept =
-        parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !UNCERTAINTY.contains(part));
+    // A capital U is a voltage.
+    let is_sign = |part: &str| UNCERTAINTY.contains(&part) || part == "u" && !name.contains('U');
+    let is_uncertainty = parts.iter().any(|part| is_sign(part));
+    let kept = parts.into_iter().filter(|part| !part.is_empty() && *part != "of" && !is_sign(part));
     (kept.collect::<Vec<_>>().join(" "), is_uncertainty)
 }
 

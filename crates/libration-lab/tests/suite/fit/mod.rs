@@ -338,3 +338,36 @@ fn a_law_without_a_value_is_reported_beside_the_others() {
         matches!(&fit.others[0].1, Err(FitError::LawUndefined { key, amplitude }) if key == "broken" && *amplitude > 1.0)
     );
 }
+
+/// Periods with β = 0.495: the first warning, and a part of the uncertainty of T0 and of the budget.
+#[test]
+fn a_refuted_law_is_told_first_and_makes_t0_less_certain() {
+    use libration_lab::fit::{Contradiction, PeriodsOptions, PeriodsWarning, periods};
+    let law = Law::exact();
+    let amplitudes: Vec<f64> = (1..=12).map(|row| 0.1 * f64::from(row)).collect();
+    let periods_of = |beta: f64| -> Vec<f64> {
+        let period = |(row, a): (usize, &f64)| {
+            let error = if row % 2 == 0 { 2e-4 } else { -2e-4 };
+            2.0 * (1.0 + beta * (law.ratio_at(*a) - 1.0)) + error
+        };
+        amplitudes.iter().enumerate().map(period).collect()
+    };
+    let table =
+        |beta: f64| PeriodTable::new(&amplitudes, &periods_of(beta), Uncertainties::default()).unwrap();
+    let refuted = periods(&table(0.495), &[], &PeriodsOptions::default()).unwrap();
+    let said = refuted.warnings();
+    assert!(matches!(said[0], PeriodsWarning::ModelRefuted { .. }), "{said:?}");
+    let deviation = (refuted.exact.t0.value - 2.0).abs() / refuted.exact.t0.uncertainty;
+    assert!(deviation < 2.5 && refuted.exact.t0.uncertainty > refuted.uncertainty_of_rows, "{deviation}");
+    let model = refuted.measured_period(None, None, libration_lab::fit::PeriodDamping::Unknown).model;
+    let expected = refuted.contradiction.as_ref().map(Contradiction::uncertainty).unwrap();
+    assert!((model.unwrap() * refuted.exact.t0.value / expected - 1.0).abs() < 1e-12);
+    let kept = periods(&table(1.0), &[], &PeriodsOptions::default()).unwrap();
+    assert_eq!((kept.warnings(), kept.contradiction.clone()), (vec![], None));
+    let named = |amplitudes: &[f64]| {
+        let table = PeriodTable::new(amplitudes, &periods_of(1.0), Uncertainties::default()).unwrap();
+        periods(&table, &[], &PeriodsOptions::default()).unwrap().warnings()[0].name()
+    };
+    let radians: Vec<f64> = amplitudes.iter().map(|a| a.to_radians()).collect();
+    assert_eq!(named(&radians), "angles_are_radians");
+}

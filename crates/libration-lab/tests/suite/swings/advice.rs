@@ -1,9 +1,12 @@
 //! The advice.
 
+use libration_lab::fit::DampingKind;
 use libration_lab::fit::swings::{Advice, EndOfTrace, SwingsOptions};
+use libration_lab::fit::trace::TraceFit;
 use libration_lab::measurement::Observable;
 
 use super::{SWING, advice, changed, found, linear, of_length, trace, with_free_scale};
+use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 
 fn has(advice: &[Advice], name: &str) -> bool {
@@ -16,7 +19,8 @@ fn the_length_is_to_be_given_with_an_uncertainty_and_to_be_measured_better_where
     assert_eq!(advice(&SWING, &linear())[0], Advice::GiveLength);
     assert_eq!(advice(&SWING, &of_length(1.09, None))[0], Advice::GiveLengthUncertainty);
     let rough = advice(&SWING, &of_length(1.09, Some(0.0109)));
-    let Advice::MeasureLengthBetter { relative_uncertainty } = rough[0] else { panic!("{rough:?}") };
+    let Advice::MeasureLengthBetter { relative_uncertainty, share } = rough[0] else { panic!("{rough:?}") };
+    assert!((0.49..=1.0).contains(&share), "{share}");
     assert!((relative_uncertainty - 0.01).abs() < 1e-12);
     assert!(rough[0].to_string().contains("The length is known to 1.0 %"), "{}", rough[0]);
     assert_eq!(advice(&SWING, &of_length(1.09, Some(1e-6))), []);
@@ -135,4 +139,27 @@ fn fewer_than_fifteen_rows_in_a_period_are_few() {
         has(&advice(&Synthetic { step, rows: 130, ..SWING }, &linear()), "sample_faster")
     };
     assert!(told(14.5) && !told(15.5));
+}
+
+/// A rival with one kind of damping more, of nothing, contradicts nothing; and a decay to a quarter needs no longer record.
+#[test]
+fn a_rival_that_adds_nothing_is_none_and_a_long_decay_is_long_enough() {
+    for seed in 1..4 {
+        let swing = Synthetic { rows: 800, linear: 0.1, ..SWING };
+        let fit = found(&[swing.trace(&mut Random::seeded(seed))], &SwingsOptions::default());
+        let preferred = fit.fit.damping;
+        for rival in fit.rivals() {
+            let of = |fits: &[TraceFit]| fits.iter().find(|it| it.damping == rival).cloned().unwrap();
+            let rival = of(&fit.comparison.as_ref().unwrap().fits);
+            let contains = preferred.iter().all(|term| rival.parameter(term.name()).is_some());
+            let mut added = rival.damping.iter().filter(|term| fit.fit.parameter(term.name()).is_none());
+            let is_zero =
+                |term: DampingKind| rival.parameter(term.name()).unwrap().estimate.deviation_from(0.0) <= 2.0;
+            assert!(!contains || !added.all(is_zero), "{seed}: {:?}", rival.damping);
+        }
+    }
+    let far = Advice::RecordLonger { amplitudes: [0.7, 0.01] }.to_string();
+    assert!(!far.contains("record for longer"), "{far}");
+    let near = Advice::RecordLonger { amplitudes: [0.7, 0.3] }.to_string();
+    assert!(near.contains("record for longer"), "{near}");
 }

@@ -2,6 +2,7 @@
 //! that just do not.
 
 mod advice;
+mod contradiction;
 mod warnings;
 
 use std::cell::Cell;

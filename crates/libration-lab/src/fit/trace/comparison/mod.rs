@@ -36,6 +36,8 @@ impl Comparison {
     pub const SUBSTANTIAL: f64 = 2.0;
     /// So many of its uncertainties a coefficient does not move by chance: one in 370 times.
     pub const MOVED: f64 = 3.0;
+    /// A coefficient within so many of its uncertainties from zero is none.
+    pub const ZERO: f64 = 2.0;
     /// A coefficient is believed to be negative where the criterion differs by more: a weight of e⁻¹⁰, or 1 in 22 000.
     pub const DECISIVE: f64 = 20.0;
 

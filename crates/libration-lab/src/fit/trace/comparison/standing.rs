@@ -1,7 +1,7 @@
 //! How models stand beside the one that the data prefer.
 
 use super::Comparison;
-use crate::fit::trace::{DampingModel, TraceFit};
+use crate::fit::trace::{DampingKind, DampingModel, TraceFit};
 
 /// How a model stands beside the preferred one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +61,8 @@ impl Comparison {
     }
 
     /// Those of the rivals that contradict the preferred model: they lack a kind of damping that it has, or with what they add to
-    /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states.
+    /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states. A model that contains the
+    /// preferred one, with a coefficient more that is zero within two of its uncertainties, contradicts nothing.
     #[must_use]
     pub fn contradicting(&self) -> Vec<DampingModel> {
         let preferred = self.best();
@@ -73,8 +74,21 @@ impl Comparison {
                 })
             })
         };
+        let adds_nothing = |rival: &TraceFit| {
+            let contains = preferred.damping.iter().all(|term| rival.parameter(term.name()).is_some());
+            let own = |term: &DampingKind| preferred.parameter(term.name()).is_some();
+            let mut added = rival.damping.iter().filter(|term| !own(term));
+            let is_zero = |term: DampingKind| {
+                let added = rival.parameter(term.name()).map(|it| it.estimate);
+                added.is_none_or(|it| it.deviation_from(0.0) <= Self::ZERO)
+            };
+            contains && added.all(is_zero)
+        };
         let named = |terms: DampingModel| self.fits.iter().find(|fit| fit.damping == terms);
-        self.rivals().into_iter().filter(|&rival| named(rival).is_some_and(moves)).collect()
+        self.rivals()
+            .into_iter()
+            .filter(|&rival| named(rival).is_some_and(|rival| !adds_nothing(rival) && moves(rival)))
+            .collect()
     }
 
     /// The models that explain the data better than the preferred one and are not believed, with by how much: a criterion that is

@@ -1,6 +1,6 @@
 //! The angle that a bob goes while it blocks the beam of a gate.
 
-use libration_lab::internals::fit::gates::width::PassingDisc;
+use libration_lab::internals::fit::gates::width::{PassingDisc, PassingFlag};
 
 const DISCS: [PassingDisc; 4] = [
     PassingDisc { radius: 0.0125, centre: 1.0, beam: 1.0 },
@@ -35,4 +35,17 @@ fn slopes_are_what_the_width_changes_by() {
             assert!((found - slope).abs() < 1e-5 * disc.slopes()[0], "{disc:?} {place}: {found} {slope}");
         }
     }
+}
+
+/// sin φ = r/d, and differences of it.
+#[test]
+fn a_flat_flag_passes_with_straight_edges() {
+    let flag = PassingFlag { half: 0.015, beam: 0.3 };
+    assert!((flag.width() - 0.100_041_713_611_5).abs() < 1e-12, "{}", flag.width());
+    let [by_half, by_beam] = flag.slopes();
+    let moved = |half: f64, beam: f64| PassingFlag { half: 0.015 + half, beam: 0.3 + beam }.width();
+    let slope = |half: f64, beam: f64| (moved(half, beam) - moved(-half, -beam)) / 2e-6;
+    assert!(
+        (by_half / slope(1e-6, 0.0) - 1.0).abs() < 1e-8 && (by_beam / slope(0.0, 1e-6) - 1.0).abs() < 1e-7
+    );
 }

@@ -1,0 +1,80 @@
+//! Estimates of T0 that contradict each other, which refute the model they share.
+
+use std::fmt;
+
+use super::significance::SIGNIFICANT;
+use super::uncertain::Uncertain;
+use libration::quantity::rounded;
+
+/// Estimates that differ by more than so many of their uncertainties contradict each other.
+const CONTRADICTS: f64 = 2.0;
+
+/// An estimate of T0 with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Estimate {
+    pub(super) name: String,
+    pub(super) t0: Uncertain,
+}
+
+/// Two estimates of T0 from the same data that contradict each other: of all such pairs the one with the largest difference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contradiction {
+    /// The estimates, by their names.
+    pub between: [String; 2],
+    /// Both values of T0, in s.
+    pub values: [f64; 2],
+    /// Their difference in standard uncertainties.
+    pub deviation: f64,
+}
+
+impl Contradiction {
+    /// The half-width of the rectangular distribution that the difference adds to T0, in s.
+    #[must_use]
+    pub fn half_width(&self) -> f64 {
+        (self.values[0] - self.values[1]).abs()
+    }
+
+    /// The standard uncertainty of T0 that the model is responsible for, in s (Guide to the Expression of Uncertainty in Measurement, 4.3.7).
+    #[must_use]
+    pub fn uncertainty(&self) -> f64 {
+        self.half_width() / 3.0_f64.sqrt()
+    }
+
+    /// `true` where the difference is beyond chance, so that the model is refuted.
+    #[must_use]
+    pub fn refutes(&self) -> bool {
+        self.deviation > SIGNIFICANT
+    }
+
+    /// Of two estimates that differ by so many standard uncertainties.
+    pub(super) fn of(pair: [&Estimate; 2], deviation: f64) -> Option<Self> {
+        let between = pair.map(|estimate| estimate.name.clone());
+        let values = pair.map(|estimate| estimate.t0.value);
+        (deviation > CONTRADICTS).then_some(Self { between, values, deviation })
+    }
+
+    /// Of two estimates with independent errors.
+    pub(super) fn of_independent(pair: [&Estimate; 2]) -> Option<Self> {
+        let [one, other] = pair.map(|estimate| estimate.t0);
+        Self::of(pair, one.with_error(other.uncertainty).deviation_from(other.value))
+    }
+
+    /// The one with the largest difference.
+    pub(super) fn largest(found: impl Iterator<Item = Self>) -> Option<Self> {
+        found.max_by(|a, b| a.half_width().total_cmp(&b.half_width()))
+    }
+}
+
+/// The contradiction in words, with the number of standard uncertainties.
+impl fmt::Display for Contradiction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [[one, other], values] = [&self.between, &self.values.map(|value| rounded(value, 7))];
+        write!(
+            f,
+            "T₀ is {} s with {one} and {} s with {other}, {} standard uncertainties apart",
+            values[0],
+            values[1],
+            rounded(self.deviation, 2)
+        )
+    }
+}

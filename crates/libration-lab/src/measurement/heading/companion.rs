@@ -1,0 +1,49 @@
+//! Names of uncertainties that contain the name of another column: `dT` next to `T`, `xerr` next to `x`.
+
+use super::Heading;
+
+/// Before a name.
+const BEFORE: [&str; 8] = ["d", "Δ", "∆", "δ", "delta", "u", "σ", "sigma"];
+/// After a name, in lower case.
+const AFTER: [&str; 8] = ["err", "error", "unc", "uncert", "sd", "std", "stdev", "sigma"];
+
+/// Marks the headings whose names are a sign of uncertainty and the name of another column of the same unit. `distance`, `diameter` and a lone
+/// `d` are no uncertainties.
+pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
+    for place in 0..headings.len() {
+        if headings[place].is_uncertainty {
+            continue;
+        }
+        let of = stems(&headings[place].name).into_iter().find_map(|stem| {
+            let is_of = |other: &&Heading| other.name == stem && headings[place].may_measure_as(other);
+            headings.iter().filter(|other| !other.is_uncertainty).find(is_of)
+        });
+        if let Some((name, quantity)) = of.map(|of| (of.name.clone(), of.quantity)) {
+            let heading = &mut headings[place];
+            (heading.is_uncertainty, heading.uncertainty_of, heading.quantity) = (true, Some(name), quantity);
+        }
+    }
+}
+
+/// What is left of a name without a sign of uncertainty before or after it.
+fn stems(name: &str) -> Vec<&str> {
+    let between = [' ', '_', '-', '.'];
+    let before = BEFORE.iter().filter_map(|sign| name.strip_prefix(sign));
+    let after = AFTER.iter().filter_map(|sign| {
+        let (stem, end) = name.split_at_checked(name.len().checked_sub(sign.len())?)?;
+        end.eq_ignore_ascii_case(sign).then_some(stem)
+    });
+    let stems = before.chain(after).map(|stem| stem.trim_matches(between));
+    stems.filter(|stem| !stem.is_empty()).collect()
+}
+
+impl Heading {
+    /// Whether its unit is of the same kind as that of another column, or it has none of its own.
+    fn may_measure_as(&self, other: &Self) -> bool {
+        match (self.unit, other.unit) {
+            (Some(own), Some(other)) => own.measures() == other.measures(),
+            (None, _) => self.unit_text.is_none() || self.unit_text == other.unit_text,
+            (Some(_), None) => false,
+        }
+    }
+}
