@@ -36,13 +36,14 @@ pub fn at_most(value: f64) -> String {
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
-/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3.
+/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3; `0` where
+/// the error is larger than the value.
 pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
-    let text = rounded(value, most);
-    let written = format!("{error:e}");
-    let exponent = written.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
-    let Some(exponent) = exponent.filter(|_| error > 0.0) else { return text };
-    let places = usize::try_from(-exponent).unwrap_or(0);
-    let shown = format!("{value:.places$}");
-    if shown.len() < text.len() { shown } else { text }
+    let exponent = |number: f64| format!("{number:e}").split_once('e')?.1.parse::<i32>().ok();
+    let known = exponent(value).zip(exponent(error)).filter(|_| error > 0.0 && value != 0.0);
+    let Some((value_exponent, error_exponent)) = known else { return rounded(value, most) };
+    match usize::try_from(1 + value_exponent - error_exponent) {
+        Ok(0) | Err(_) => "0".to_owned(),
+        Ok(digits) => rounded(value, digits.min(most)),
+    }
 }

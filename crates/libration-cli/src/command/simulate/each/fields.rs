@@ -26,6 +26,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             "equations of motion with names in the place of what the file gives",
             |it| it.model.equation().to_string().into(),
         ),
+        Of::value("no_errors", "", "why no error of the states is estimated", |_| "--each".into()),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::present_value(
             "columns[]",
