@@ -28,6 +28,8 @@ pub(super) struct Passing {
     pub(super) gradient: Vec<f64>,
     /// That by the time along the motion.
     pub(super) rate: f64,
+    /// What it is not zero by.
+    pub(super) rest: f64,
     /// What it loses by rounding.
     pub(super) error: f64,
     /// How fast the numbers of the state change.
@@ -69,7 +71,7 @@ impl Crossing {
         let rate = by_time.iter().copied().chain(along).sum();
         let of_series: f64 = gradient.iter().zip(sizes).map(|(slope, size)| 2.0 * slope.abs() * size).sum();
         let error = self.formulas.error(0) + ROUNDING * of_series;
-        Passing { gradient: gradient.to_vec(), rate, error, speeds }
+        Passing { gradient: gradient.to_vec(), rate, rest: self.formulas.value(0).abs(), error, speeds }
     }
 }
 

@@ -63,7 +63,13 @@ impl Gathered<'_> {
     fn go_back(&mut self, steps: &[RoundedStep], moments: &[&Moment], growths: &[Matrix]) {
         for ((step, growth), ends) in steps.iter().zip(growths).zip(moments.windows(2)).rev() {
             let mut blurred = vec![0.0; growth.size];
-            add_unseen(self.layout, |number| step.unseen[number], growth, ends[1].time - ends[0].time, &mut blurred);
+            add_unseen(
+                self.layout,
+                |number| step.unseen[number],
+                growth,
+                ends[1].time - ends[0].time,
+                &mut blurred,
+            );
             for (sum, slope) in self.sums.iter_mut().zip(&mut self.slopes) {
                 let before = through(slope, growth);
                 let larger = slope.iter().zip(&before).map(|(a, b)| f64::max(a.abs(), b.abs()));
@@ -77,6 +83,7 @@ impl Gathered<'_> {
 
 /// How something depends on the state before, from how it does on that after.
 fn through(slope: &[f64], growth: &Matrix) -> Vec<f64> {
-    let by = |column: usize| slope.iter().enumerate().map(|(row, slope)| slope * growth.row(row)[column]).sum();
+    let by =
+        |column: usize| slope.iter().enumerate().map(|(row, slope)| slope * growth.row(row)[column]).sum();
     (0..slope.len()).map(by).collect()
 }

@@ -95,7 +95,8 @@ impl Kept<'_> {
         let [state, errors, unseen, rates] = [list()?, list()?, list()?, list()?];
         let [added, ways, first, last] = [list()?, list()?, list()?, list()?];
         let (own_signs, signs) = (self.list(moduli)?, self.list(moduli)?);
-        let step = RoundedStep { middle: Moment { time, state }, errors, unseen, length, rates, signs: own_signs };
+        let step =
+            RoundedStep { middle: Moment { time, state }, errors, unseen, length, rates, signs: own_signs };
         let stuck = Middle::stuck(system, &signs);
         Some(Middle { step, spread, added, stuck, signs, rates: [first, last], ways })
     }

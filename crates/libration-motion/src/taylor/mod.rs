@@ -100,8 +100,8 @@ mod propagator;
 mod sizes_of_terms;
 mod spread;
 
-mod pieces;
 mod kept_errors;
+mod pieces;
 mod state_errors;
 
 mod ensemble;

@@ -72,9 +72,8 @@ impl Middle {
 
     /// The numbers that friction keeps at zero, whose signs are between those of motions.
     pub(super) fn stuck(system: &System, signs: &[f64]) -> Vec<usize> {
-        let stuck = |(modulus, sign): (usize, &f64)| {
-            system.driven_in_modulus(modulus).filter(|_| sign.abs() < 1.0)
-        };
+        let stuck =
+            |(modulus, sign): (usize, &f64)| system.driven_in_modulus(modulus).filter(|_| sign.abs() < 1.0);
         signs.iter().enumerate().filter_map(stuck).collect()
     }
 
@@ -125,9 +124,8 @@ impl Pieces {
     ) -> Boundary {
         let Some(last) = &mut self.last else { return Boundary::Smooth };
         let jumps: Vec<f64> = last.rates[1].iter().zip(&next.rates[0]).map(|(a, b)| b - a).collect();
-        let is_none = |(jump, (a, b)): (&f64, (&f64, &f64))| {
-            (jump * next.step.length).abs() <= SMALLEST_JUMP * (a + b)
-        };
+        let is_none =
+            |(jump, (a, b)): (&f64, (&f64, &f64))| (jump * next.step.length).abs() <= SMALLEST_JUMP * (a + b);
         if jumps.iter().zip(last.ways.iter().zip(&next.ways)).all(is_none) {
             return Boundary::Smooth;
         }

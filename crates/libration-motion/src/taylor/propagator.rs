@@ -37,8 +37,8 @@ impl Propagator {
         }
     }
 
-    /// The derivatives of the state at one time of a step by that at another. Two evaluations of the forces give it to the fourth order in the
-    /// time between; what those lose by rounding is noted.
+    /// The derivatives of the state at one time of a step by that at another, to the fourth order in the time between; what the forces lose
+    /// by rounding where they are evaluated is noted.
     pub(super) fn between(
         &mut self,
         stepper: &Stepper<'_, 1>,
@@ -46,13 +46,37 @@ impl Propagator {
         times: [f64; 2],
         flow: &mut Matrix,
     ) {
+        self.lost.fill(0.0);
+        self.go(stepper, step, times, flow, 0);
+    }
+
+    /// Long ways, on which forces change much, in halves.
+    fn go(
+        &mut self,
+        stepper: &Stepper<'_, 1>,
+        step: &Step<'_>,
+        times: [f64; 2],
+        flow: &mut Matrix,
+        halvings: usize,
+    ) {
+        const MOST_HALVINGS: usize = 5;
+        /// Of the rates of change times the time: Magnus's series converges below π.
+        const LARGEST: f64 = 2.5;
         let length = times[1] - times[0];
         let middle = times[0] + 0.5 * length;
         let apart = 0.5 * length / SQRT_3;
-        self.lost.fill(0.0);
         self.linearise(stepper, step, [middle - apart, middle + apart]);
         let Self { rates: [first, second], commutator, exponent, exponential, .. } = self;
         exponent.set_product(second, first);
+        let size = exponent.largest_row_sum().sqrt() * length.abs();
+        if size > LARGEST && halvings < MOST_HALVINGS && first != second {
+            let mut half = Matrix::zero(flow.size);
+            self.go(stepper, step, [times[0], middle], &mut half, halvings + 1);
+            let mut other = Matrix::zero(flow.size);
+            self.go(stepper, step, [middle, times[1]], &mut other, halvings + 1);
+            flow.set_product(&other, &half);
+            return;
+        }
         commutator.set_product(first, second);
         let factor = SQRT_3 / 12.0 * length * length;
         let rates = first.entries.iter().zip(&second.entries);
@@ -76,7 +100,8 @@ impl Propagator {
                 }
                 *lost = larger_or_nan(*lost, forces.error(coordinate));
             }
-            for modulus in (0..stepper.surroundings.signs.len()).filter(|&modulus| is_stuck(stepper, modulus)) {
+            for modulus in (0..stepper.surroundings.signs.len()).filter(|&modulus| is_stuck(stepper, modulus))
+            {
                 if let Some(number) = stepper.expander.system.driven_in_modulus(modulus) {
                     rates.row_mut(number).fill(0.0);
                 }
@@ -89,11 +114,9 @@ const SQRT_3: f64 = 1.7320508075688772;
 
 /// What the tape of a system is given at a time of a step.
 fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut Vec<f64>) {
-    /// Inside a step the terms left out are less than the derivatives of forces need to be known.
-    const TERMS: usize = 14;
     let h = (time - step.start) / step.unit;
     let value = |number: usize| {
-        let terms = (0..step.terms.min(TERMS)).rev();
+        let terms = (0..step.terms).rev();
         terms.fold(0.0, |sum, n| sum * h + step.coefficient(number, n))
     };
     inputs.clear();

@@ -137,20 +137,12 @@ impl Formulas {
 
 /// What a step loses in each number of the state, where rounding takes so much of the forces.
 fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
+    // The first power is exact but for the force in it, and that of a coordinate is its velocity, which is known in two words.
+    let first = |number: usize| if step.layout.velocity(number).is_some() { 3 } else { 2 };
     let mut errors: Vec<f64> =
-        (0..step.numbers()).map(|number| ROUNDING * rounded_terms(step, number, length)).collect();
+        (0..step.numbers()).map(|number| ROUNDING * terms(step, number, first(number), length)).collect();
     add_forces(step, length, forces, &mut errors);
     errors
-}
-
-/// The sum of the sizes of the terms of a number that are rounded.
-fn rounded_terms(step: &Step<'_>, number: usize, length: f64) -> f64 {
-    terms(step, number, first_rounded(step, number), length)
-}
-
-/// The first power is exact but for the force in it, and that of a coordinate is its velocity, which is known in two words.
-pub(super) fn first_rounded(step: &Step<'_>, number: usize) -> usize {
-    if step.layout.velocity(number).is_some() { 3 } else { 2 }
 }
 
 /// Adds what comes of it that rounding takes so much of the forces.

@@ -12,8 +12,7 @@ pub(super) struct SizesOfTerms {
 }
 
 impl SizesOfTerms {
-    /// Of the terms from a power on those that are rounded.
-    pub(super) fn new(step: &Step<'_>, number: usize, first: usize, length: f64) -> Self {
+    pub(super) fn new(step: &Step<'_>, number: usize, length: f64) -> Self {
         let h = (length / step.unit).abs();
         let (mut power, mut rounded) = (1.0, 0.0);
         let mut term = |n: usize| {
@@ -21,7 +20,8 @@ impl SizesOfTerms {
             // A power that overflows makes nothing of no term.
             let term = if coefficient == 0.0 { 0.0 } else { coefficient * power };
             power *= h;
-            if n >= first {
+            // What is linear in the time is added in two words.
+            if n >= 2 {
                 rounded += term;
             }
             term
@@ -35,16 +35,19 @@ impl SizesOfTerms {
 }
 
 /// How many terms tell what comes after them.
-const LAST: usize = 6;
+const LAST: usize = 12;
 
-/// A geometric series after the largest of the last three terms: by parity every other may vanish.
-fn left_out([a, b, _, c, d, e]: [f64; LAST]) -> Option<f64> {
+/// A geometric series that the largest of the last terms leads to: by parity every other may vanish, and next to pairs of singularities they
+/// swing.
+fn left_out(last: [f64; LAST]) -> Option<f64> {
     const LARGEST_RATIO: f64 = 0.9;
-    let (before, end) = (f64::max(a, b), f64::max(d, e));
+    const MARGIN: f64 = 2.0;
+    let largest = |terms: &[f64]| terms.iter().copied().fold(0.0, f64::max);
+    let (before, end) = (largest(&last[..4]), largest(&last[8..]));
     if end == 0.0 {
-        return (before + c > 0.0).then_some(0.0);
+        return (largest(&last) > 0.0).then_some(0.0);
     }
-    let ratio = (end / before).sqrt().sqrt().min(LARGEST_RATIO);
-    let largest = e.max(d * ratio).max(c * ratio * ratio);
-    Some(largest * ratio / (1.0 - ratio))
+    let ratio = (end / before).sqrt().sqrt().sqrt().min(LARGEST_RATIO);
+    let next = last[4..].iter().fold(0.0, |next: f64, term| (next * ratio).max(*term));
+    Some(MARGIN * next * ratio / (1.0 - ratio))
 }

@@ -41,17 +41,24 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
 
 pub(super) fn of_sample() -> Fields<Sample> {
     type Of = Field<Sample>;
-    Fields::from([
-        Of::number("time", "s", "time of the sample", |it| it.moment.time),
-        Of::value("state[]", "", "state then, in the order of the names", |it| {
-            json::numbers(&it.moment.state)
-        }),
+    of_sample_alone().and([
         Of::present_value(
             "error[]",
             "",
             "estimate of the error of each of these, null where the state is not determined; left out where none is estimated",
             |it| it.error.as_ref().map(|error| json::numbers(error)),
         ),
+    ])
+}
+
+/// Without errors.
+pub(super) fn of_sample_alone() -> Fields<Sample> {
+    type Of = Field<Sample>;
+    Fields::from([
+        Of::number("time", "s", "time of the sample", |it| it.moment.time),
+        Of::value("state[]", "", "state then, in the order of the names", |it| {
+            json::numbers(&it.moment.state)
+        }),
         Of::present_value(
             "columns[]",
             "",
@@ -63,15 +70,7 @@ pub(super) fn of_sample() -> Fields<Sample> {
 
 pub(super) fn of_event() -> Fields<Happening> {
     type Of = Field<Happening>;
-    Fields::from([
-        Of::number("time", "s", "time of the event", |it| it.time),
-        Of::value(
-            "kind",
-            "",
-            "event that was asked for, and how it touched zero if not by passing it",
-            |it| it.kind.as_str().into(),
-        ),
-        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
+    of_event_alone().and([
         Of::present_value(
             "time_error",
             "s",
@@ -84,6 +83,21 @@ pub(super) fn of_event() -> Fields<Happening> {
             "estimate of the error of each number of the state, as in samples",
             |it| it.error.as_ref().map(|error| json::numbers(&error.state)),
         ),
+    ])
+}
+
+/// Without errors.
+pub(super) fn of_event_alone() -> Fields<Happening> {
+    type Of = Field<Happening>;
+    Fields::from([
+        Of::number("time", "s", "time of the event", |it| it.time),
+        Of::value(
+            "kind",
+            "",
+            "event that was asked for, and how it touched zero if not by passing it",
+            |it| it.kind.as_str().into(),
+        ),
+        Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
         Of::present_value(
             "columns[]",
             "",
@@ -153,8 +167,11 @@ fn of_start_effect() -> Fields<Moment> {
 }
 
 /// The errors in CSV.
-pub(super) const TIME_ERROR: Row =
-    ("time_error", "s", "estimate of the error of the time of an event, empty in samples; only with --events");
+pub(super) const TIME_ERROR: Row = (
+    "time_error",
+    "s",
+    "estimate of the error of the time of an event, empty in samples; only with --events",
+);
 const ERROR: Row = (
     "NAME_error",
     "",

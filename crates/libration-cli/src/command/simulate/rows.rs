@@ -1,7 +1,7 @@
 //! The samples and events of a motion that is known.
 
-use super::both_ways::KnownErrors;
 use super::events::Happening;
+use super::known_errors::KnownErrors;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample};
 use libration::taylor::{Moment, Solution};

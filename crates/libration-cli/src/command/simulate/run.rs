@@ -69,7 +69,13 @@ impl SimulatedMotion<'_> {
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
         let state = watch.state().clone();
         let precision = watch.precision();
-        watch.end(&Summary { steps, drift, precision, ending: ending.clone(), state: Some(state.clone()) })?;
+        watch.end(&Summary {
+            steps,
+            drift,
+            precision,
+            ending: ending.clone(),
+            state: Some(state.clone()),
+        })?;
         let drawn = match (figure, watch.trace) {
             (Some(figure), Some(trace)) => {
                 let start = &self.initial.state;

@@ -117,7 +117,8 @@ impl Sheet {
             ("determined", format!("not determined in double precision after t = {until} s{left_out}"))
         });
         let effects = self.titles[1..].iter().zip(state);
-        let effects = effects.map(|(title, effect)| format!("{} {}", name_in(title), number::at_most(*effect)));
+        let effects =
+            effects.map(|(title, effect)| format!("{} {}", name_in(title), number::at_most(*effect)));
         let effects = effects.collect::<Vec<_>>().join(", ");
         let time = number::rounded(*time, 6);
         let start = format!(
@@ -170,7 +171,8 @@ pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
 /// A time, and the numbers of a state and the columns then, the former to their errors.
 pub(super) fn cells_of(time: f64, [state, columns]: [&[f64]; 2], error: Option<&[f64]>) -> Vec<String> {
     let error = |number: usize| error.map_or(0.0, |error| error[number]);
-    let state = state.iter().enumerate().map(|(number, value)| number::to_its_error(*value, error(number), 12));
+    let state =
+        state.iter().enumerate().map(|(number, value)| number::to_its_error(*value, error(number), 12));
     let columns = columns.iter().map(|value| number::rounded(*value, 12));
     [number::short(time, 12)].into_iter().chain(state).chain(columns).collect()
 }

@@ -1,7 +1,7 @@
 //! The motions of a table as table, JSON and CSV.
 
 use super::super::ending::Ending;
-use super::super::fields::{EVENT, of_event, of_sample, of_time};
+use super::super::fields::{EVENT, of_event_alone, of_sample_alone, of_time};
 use super::super::precision::Precision;
 use super::super::report::Summary;
 use super::super::rows::Row;
@@ -38,8 +38,8 @@ impl Answer<'_> {
             let (mut samples, mut events) = (vec![], vec![]);
             for row in listed.motion.rows(&followed.solution, None) {
                 match row {
-                    Row::Sample(sample) => samples.push(of_sample().record(&sample)),
-                    Row::Event(event) => events.push(of_event().record(&event)),
+                    Row::Sample(sample) => samples.push(of_sample_alone().record(&sample)),
+                    Row::Event(event) => events.push(of_event_alone().record(&event)),
                 }
             }
             let head = of_values().added_to(of_number().record(&numbered), &numbered);
@@ -132,7 +132,10 @@ impl Answer<'_> {
             for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
                 let kind = self.with_events.then(|| kind.to_owned());
-                table.row(out, own.iter().cloned().chain(cells_of(time, numbers, None)).chain(kind).collect())?;
+                table.row(
+                    out,
+                    own.iter().cloned().chain(cells_of(time, numbers, None)).chain(kind).collect(),
+                )?;
             }
         }
         table.finish(out)

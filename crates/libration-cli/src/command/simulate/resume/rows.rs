@@ -14,11 +14,7 @@ pub(crate) enum Rows {
     /// In memory, in the order of time.
     List(Vec<Happening>),
     /// In the first lines of a CSV file, the first of which are names.
-    Csv {
-        path: PathBuf,
-        bytes: u64,
-        cells: Cells,
-    },
+    Csv { path: PathBuf, bytes: u64, cells: Cells },
 }
 
 /// What stands in a line.
@@ -106,7 +102,8 @@ impl Cells {
         let errors = if with_errors { numbers + usize::from(with_events) } else { 0 };
         let mut cells = line.splitn(numbers + columns + errors + 2, ',');
         let time = cells.next()?.parse().ok()?;
-        let state: Vec<f64> = cells.by_ref().take(numbers).map(|cell| cell.parse().ok()).collect::<Option<_>>()?;
+        let state: Vec<f64> =
+            cells.by_ref().take(numbers).map(|cell| cell.parse().ok()).collect::<Option<_>>()?;
         let mut behind = cells.skip(columns);
         // What is not determined has no error.
         let mut error = || match behind.next()? {
