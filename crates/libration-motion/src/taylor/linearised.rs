@@ -64,7 +64,7 @@ impl Linearised {
         for (place, operation) in operations.iter().enumerate().filter(|(place, _)| needed[*place]) {
             match operation {
                 Operation::Input(number) if *number < numbers => {
-                    linearised.slopes[numbers * place + number] = 1.0
+                    linearised.slopes[numbers * place + number] = 1.0;
                 }
                 _ if tape.is_constant(place) => linearised.place(place, &[]),
                 _ => {}

@@ -61,7 +61,7 @@ impl Propagator {
     ) {
         const MOST_HALVINGS: usize = 5;
         /// Of the rates of change times the time: Magnus's series converges below π.
-        const LARGEST: f64 = 2.5;
+        const LARGEST: f64 = 2.0;
         let length = times[1] - times[0];
         let middle = times[0] + 0.5 * length;
         let apart = 0.5 * length / SQRT_3;

@@ -41,7 +41,7 @@ const LAST: usize = 12;
 /// swing.
 fn left_out(last: [f64; LAST]) -> Option<f64> {
     const LARGEST_RATIO: f64 = 0.9;
-    const MARGIN: f64 = 2.0;
+    const MARGIN: f64 = 4.0;
     let largest = |terms: &[f64]| terms.iter().copied().fold(0.0, f64::max);
     let (before, end) = (largest(&last[..4]), largest(&last[8..]));
     if end == 0.0 {

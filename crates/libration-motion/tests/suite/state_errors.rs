@@ -124,7 +124,7 @@ fn errors_of_motions_in_closed_form_hold() {
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let start = system.start(start).unwrap();
         for tolerance in TOLERANCES {
-            let (found, errors) = determined(&system, &start, 100.0, tolerance);
+            let (found, errors) = determined(&system, &start, 50.0, tolerance);
             let until = errors.determined_until();
             assert!(until.is_none() || equation == "x'' = x", "{equation}: {until:?}");
             for (Moment { time, state: found }, stated) in found {
