@@ -44,6 +44,11 @@ pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
     let Some((value_exponent, error_exponent)) = known else { return rounded(value, most) };
     match usize::try_from(1 + value_exponent - error_exponent) {
         Ok(0) | Err(_) => "0".to_owned(),
-        Ok(digits) => rounded(value, digits.min(most)),
+        // Digits before the point are all shown: those beyond the error are zero.
+        Ok(digits) => {
+            let unit = 10_f64.powi(error_exponent.max(0));
+            let value = if error_exponent > 0 { (value / unit).round() * unit } else { value };
+            rounded(value, digits.min(most))
+        }
     }
 }
