@@ -21,7 +21,7 @@ pub mod internals {
     pub mod algebra {
         pub use crate::algebra::{
             common_denominator::composition,
-            function::entry::{Domain, Growth, Parity},
+            function::entry::{Domain, Growth, Parity, Slope},
             harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
             integer_polynomial::product,
             lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes},

@@ -106,7 +106,7 @@ impl Asked {
         let mut dense = [DenseSolution::default(), DenseSolution::default()];
         let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
         let span = first.abs().max(last.abs());
-        let watch = |step: &Step<'_>| -> ControlFlow<()> {
+        let mut watch = |step: &Step<'_>| -> ControlFlow<()> {
             steps += 1;
             if steps.saturating_mul(numbers * size_of::<f64>()) > MOST {
                 is_full = true;
@@ -117,7 +117,7 @@ impl Asked {
         };
         let Self { system, start, effort, .. } = self;
         let outcome = match first < 0.0 && last > 0.0 {
-            true => integrate_both_ways(system, start, times, effort, watch),
+            true => integrate_both_ways(system, start, times, effort, |accepted| watch(accepted.step())),
             false => integrate_watched(system, start, times, effort, watch),
         };
         Followed { outcome, dense, is_full }

@@ -1,5 +1,6 @@
 //! Formulas with names, `energy = x'^2/2 - cos(x), p = 2*x'`.
 
+use super::commas::at_commas;
 use crate::failure::Failure;
 use libration::expression::Expression;
 use libration::systems::{Model, Observables};
@@ -21,14 +22,4 @@ pub(crate) fn columns(argument: &'static str, text: &str, model: &Model) -> Resu
         formulas.push((name, formula));
     }
     Observables::new(model, &formulas).map_err(|error| usage(error.to_string()))
-}
-
-/// The parts between commas that stand in no brackets.
-fn at_commas(text: &str) -> Vec<&str> {
-    let mut open = 0_i32;
-    let outside = |letter: char| {
-        open += i32::from(letter == '(') - i32::from(letter == ')');
-        letter == ',' && open == 0
-    };
-    text.split(outside).collect()
 }

@@ -1,5 +1,6 @@
 //! Which equilibrium is meant: `theta=180deg`.
 
+use super::commas::at_commas;
 use super::{coordinate, say_radians};
 use crate::failure::Failure;
 use libration::expression::Expression;
@@ -18,7 +19,7 @@ impl EquilibriumOptions {
     pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, Failure> {
         let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
         let about = self.about.as_deref().unwrap_or_default();
-        for item in about.split(',').filter(|item| !item.trim().is_empty()) {
+        for item in at_commas(about).into_iter().filter(|item| !item.trim().is_empty()) {
             let (name, value) = item.split_once('=').ok_or_else(|| {
                 refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
             })?;

@@ -1,5 +1,6 @@
 //! The state a motion begins in, by names: `theta=60deg,theta'=0`.
 
+use super::commas::at_commas;
 use crate::call;
 use crate::failure::Failure;
 use libration::quantity::RoundedComplement;
@@ -108,7 +109,7 @@ fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Fa
             usage(format!("`{}` has no value: give NAME=VALUE, such as {example}=0.5", item.trim()))
         })
     };
-    text.split(',').filter(|item| !item.trim().is_empty()).map(item).collect()
+    at_commas(text).into_iter().filter(|item| !item.trim().is_empty()).map(item).collect()
 }
 
 /// Says how angles without a unit are understood, and what is lost of angles next to the upright position, where that may surprise.

@@ -1,5 +1,6 @@
 //! A parameter and the values it shall have: `A=0.9:1.5:0.001`.
 
+use super::commas::at_commas;
 use super::values::plain_name;
 use libration::expression::Expression;
 
@@ -18,7 +19,9 @@ pub fn parameter_range(text: &str) -> Result<ParameterRange, String> {
     let (name, values) = text.split_once('=').ok_or("give NAME=START:STOP:STEP, as A=0.9:1.5:0.001")?;
     let values = match values.split(':').collect::<Vec<_>>()[..] {
         [start, stop, step] => progression(constant(start)?, constant(stop)?, constant(step)?)?,
-        [list] => list.split(',').map(|item| value(&constant(item)?)).collect::<Result<_, _>>()?,
+        [list] => {
+            at_commas(list).into_iter().map(|item| value(&constant(item)?)).collect::<Result<_, _>>()?
+        }
         _ => return Err("give START:STOP:STEP, as 0.9:1.5:0.001".to_owned()),
     };
     Ok(ParameterRange { name: plain_name(name), values })

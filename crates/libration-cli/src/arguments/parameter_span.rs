@@ -1,5 +1,6 @@
 //! A parameter and the range it is followed over: `omega=0.3:1.4`.
 
+use super::commas::at_commas;
 use super::parameter_range::constant;
 use super::values::plain_name;
 
@@ -25,7 +26,7 @@ pub(crate) fn parameter_span(text: &str) -> Result<ParameterSpan, String> {
 /// Reads two of them, `NAME=FROM:TO,NAME=FROM:TO`.
 pub(crate) fn two_parameter_spans(text: &str) -> Result<[ParameterSpan; 2], String> {
     let refusal = || "give two parameters, as omega=1:3,a=0:0.5".to_owned();
-    let [first, second] = text.split(',').collect::<Vec<_>>()[..] else { return Err(refusal()) };
+    let [first, second] = at_commas(text)[..] else { return Err(refusal()) };
     let spans = [parameter_span(first)?, parameter_span(second)?];
     match spans[0].name == spans[1].name {
         true => Err(format!("`{}` stands there twice: {}", spans[0].name, refusal())),

@@ -1,11 +1,12 @@
 //! Values of parameters, `--set c=0.1`.
 
+use super::commas::at_commas;
 use crate::failure::Failure;
 use libration::expression::Expression;
 
 /// Reads `NAME=VALUE` items, several of them in one text with commas between.
 pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, Failure> {
-    items.iter().flat_map(|items| items.split(',')).map(value).collect()
+    items.iter().flat_map(|items| at_commas(items)).map(value).collect()
 }
 
 /// The same as the library takes them.

@@ -36,7 +36,8 @@ pub fn at_most(value: f64) -> String {
     if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
 }
 
-/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3.
+/// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3; `0` where
+/// the error is larger than the value.
 pub fn to_its_error(value: f64, error: f64, most: usize) -> String {
     let exponent =
         format!("{error:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 51] = [
+const FURTHER: [&str; 53] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -231,6 +231,8 @@ const FURTHER: [&str; 51] = [
     "modes|x''=-x;y''=-4*y",
     // The energy of damped motions is not conserved; a motion into a pole stops.
     "simulate|damped_pendulum|--set|c=0.1|--initial|theta=1|--times|0,1",
+    "simulate|damped_pendulum|--set|c=0.1|--initial|theta=1|--times|0,1|--no-errors",
+    "simulate|pendulum|--initial|theta=179.999999deg|--times|0,90|--events|turning",
     "simulate|x''=-x*abs(x)|--initial|x=1|--times|0,1,5",
     "simulate|x''=-x|--initial|x=1|--times|0,5|--columns|e=x'^2+x^2|--until|x=0",
     "simulate|x''=-1/x^2|--initial|x=1|--times|0:10:1",

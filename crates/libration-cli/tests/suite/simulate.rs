@@ -10,6 +10,11 @@ fn sample(answer: &Value, place: usize) -> Vec<f64> {
     state.iter().map(|value| value.as_f64().unwrap()).collect()
 }
 
+/// The errors of a sample or an event; `None` where they are null.
+fn error(row: &Value) -> Option<Vec<f64>> {
+    row["error"].as_array().unwrap().iter().map(Value::as_f64).collect()
+}
+
 #[test]
 fn a_damped_pendulum_is_that_of_the_reference() {
     let answer = json(
@@ -27,6 +32,7 @@ fn a_damped_pendulum_is_that_of_the_reference() {
         "energy_drift",
         "energy_drift_uncertainty",
         "steps",
+        "half_ulp_of_start",
         "resume",
         "note",
     ];
@@ -70,10 +76,11 @@ fn every_form_has_the_same_numbers() {
     let answer = json(question);
     let table = text(&format!("{question} --csv"));
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("time,r,theta,r',theta'"));
+    assert_eq!(lines.next(), Some("time,r,theta,r',theta',r_error,theta_error,r'_error,theta'_error"));
     for (place, line) in lines.enumerate() {
         let numbers: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        assert_eq!(numbers[1..], sample(&answer, place));
+        assert_eq!(numbers[1..5], sample(&answer, place));
+        assert_eq!(numbers[5..], error(&answer["samples"][place]).unwrap());
     }
     // r is not given and begins where the spring carries the weight.
     assert_eq!(sample(&answer, 0), [1.1, 0.5, 0.0, 0.0]);
@@ -140,8 +147,11 @@ fn turning_points_passages_and_levels_are_found() {
     let levels = events(&json(&format!("{question} --events theta-0.5,c-0.2")));
     assert_eq!(levels.iter().map(|(_, kind)| kind.as_str()).collect::<Vec<_>>(), ["theta - 0.5"; 3]);
     let table = text(&format!("{question} --events turning --csv"));
-    assert!(table.starts_with("time,theta,theta',event\n0.0,1.0,0.0,\n"), "{table}");
+    let start = "time,theta,theta',time_error,theta_error,theta'_error,event\n0.0,1.0,0.0,,0.0,0.0,\n";
+    assert!(table.starts_with(start), "{table}");
     assert_eq!(table.lines().filter(|line| line.ends_with(",turning")).count(), 3);
+    let without = text(&format!("{question} --events turning --csv --no-errors"));
+    assert!(without.starts_with("time,theta,theta',event\n0.0,1.0,0.0,\n"), "{without}");
     let coupled = "simulate double_pendulum --initial theta1=1 --times 0,3 --events turning";
     assert!(events(&json(coupled)).iter().any(|(_, kind)| kind == "turning of theta2"));
     let sheet = text(&format!("{question} --events turning"));
@@ -281,7 +291,8 @@ fn formulas_are_columns_in_every_form() {
     }
     let table = ask(&["--csv"]);
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("time,x,x',energy,x'',\"max(x, t)\",event"));
+    let names = "time,x,x',energy,x'',\"max(x, t)\",time_error,x_error,x'_error,event";
+    assert_eq!(lines.next(), Some(names));
     let first: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert_eq!(first[..6], ["0.0", "1.0", "0.0", "2.0", "-4.0", "1.0"]);
     assert!(unfolded(&ask(&[])).contains("max(x, t)"));
@@ -454,7 +465,8 @@ fn derivatives_by_parameters_and_starts_are_columns() {
         }
     }
     let csv = String::from_utf8(asked(&["--times", "0,1", "--csv"]).stdout).unwrap();
-    let begin = "time,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0)\n0.0,1.0,0.0,0.0,0.0,0.0,1.0\n";
+    let begin =
+        "time,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0),x_error,x'_error\n0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0\n";
     assert!(csv.starts_with(begin), "{csv}");
     let until = asked(&["--times", "0,9", "--until", "x = 0", "--json"]);
     let until: Value = serde_json::from_slice(&until.stdout).unwrap();
@@ -482,4 +494,144 @@ fn what_does_not_go_with_derivatives_of_the_motion_is_refused() {
     let friction =
         ["simulate", "x''=-x-sign(x')/9", "--initial", "x=1", "--times", "0,1", "--sensitivity", "x"];
     assert!(message(&run(&friction)).contains("a force jumps where x' is zero"));
+}
+
+/// At t = 10 and 50, from `state_errors.csv` (`reference/state_errors.py`).
+const TRUTH: [[f64; 4]; 2] = [
+    [2.251330516205132145295, 1.288484491003162599902, 0.447226772579647563582, 0.194474924043406667387],
+    [-2.446185634339284863574, -23.92666652141450953403, 0.269643446868338875056, 0.456626431080599767355],
+];
+
+#[test]
+fn chaotic_motions_have_errors_as_far_as_they_are_determined() {
+    let question = "simulate double_pendulum --initial theta1=2,theta2=2 --times 10,50,80,100";
+    let answer = json(question);
+    let until = answer["determined_until_s"].as_f64().unwrap();
+    assert!((60.0..80.0).contains(&until), "{until}");
+    let samples = answer["samples"].as_array().unwrap();
+    let known: Vec<bool> = samples.iter().map(|sample| error(sample).is_some()).collect();
+    assert_eq!(known, [true, true, false, false]);
+    for (place, truth) in TRUTH.into_iter().enumerate() {
+        let errors = error(&samples[place]).unwrap();
+        for ((found, truth), error) in sample(&answer, place).iter().zip(truth).zip(errors) {
+            let off = (found - truth).abs();
+            assert!(off <= error && error < 1e-3, "{place}: {off:e} {error:e}");
+        }
+    }
+    // What was printed as if it were known is far from the truth, -5.163773181 and -38.317931200.
+    assert!((sample(&answer, 3)[0] + 5.163773181).abs() > 0.1);
+    let sheet = unfolded(&text(question));
+    assert!(sheet.contains("not determined in double precision after t = 7"), "{sheet}");
+    assert!(sheet.contains("2 rows after it are left out") && !sheet.contains("\n 100 "), "{sheet}");
+    assert!(sheet.contains("half a unit in the last place of the start"), "{sheet}");
+    let table = text(&format!("{question} --csv"));
+    assert!(table.lines().nth(4).unwrap().ends_with(",,,,"), "{table}");
+}
+
+#[test]
+fn without_errors_the_answer_says_so() {
+    let question = "simulate pendulum --initial theta=1 --times 0,5";
+    let answer = json(&format!("{question} --no-errors"));
+    assert_eq!(answer["no_errors"], "--no-errors");
+    assert!(answer["samples"][1]["error"].is_null() && answer["half_ulp_of_start"].is_null(), "{answer}");
+    assert_eq!(answer["samples"][1]["state"], json(question)["samples"][1]["state"]);
+    assert!(text(&format!("{question} --no-errors")).contains("not estimated (--no-errors)"));
+    assert!(!text(question).contains("not estimated"));
+    let until = json(&format!("{question} --no-errors --until theta=0"));
+    assert!(until["until"]["time"].is_number() && until["until"]["time_error"].is_null(), "{until}");
+}
+
+/// The digits end where the error begins: at t = 50 four are left of thirteen.
+#[test]
+fn no_digits_are_shown_beyond_the_error() {
+    let question = "simulate double_pendulum --initial theta1=2,theta2=2 --times 0:60:10";
+    let answer = json(question);
+    let sheet = text(question);
+    let rows: Vec<Vec<&str>> = sheet.lines().map(|line| line.split_whitespace().collect()).collect();
+    for (place, sample) in answer["samples"].as_array().unwrap().iter().enumerate().skip(1) {
+        let time = format!("{}", sample["time"].as_f64().unwrap());
+        let row = rows.iter().find(|row| row.len() == 5 && row[0] == time).unwrap();
+        for (cell, error) in row[1..].iter().zip(error(sample).unwrap()) {
+            let places = cell.split_once('.').map_or(0, |(_, places)| places.len());
+            let last = 10_f64.powi(-i32::try_from(places).unwrap());
+            assert!(last > 0.1 * error, "{place}: {cell} with an error of {error:e}");
+        }
+    }
+}
+
+/// Sixty degrees and pi/3 differ in the last digit at most.
+#[test]
+fn a_start_on_an_event_does_not_cross_it() {
+    for (question, expected) in [
+        ("--initial theta=60deg --times 0,5 --events theta-pi/3", vec!["theta - pi/3, at the start"]),
+        ("--initial theta=-60deg --times 0,5 --events theta+pi/3", vec!["theta + pi/3, at the start"]),
+        ("--initial theta=60deg --times 0,-5 --events pi/3-theta", vec!["pi/3 - theta, at the start"]),
+    ] {
+        let found: Vec<String> = events(&json(&format!("simulate pendulum {question}")))
+            .into_iter()
+            .map(|(_, kind)| kind)
+            .collect();
+        assert_eq!(found, expected, "{question}");
+    }
+    let until = "simulate pendulum --initial theta=60deg --times 0,20 --until theta=pi/3 --direction falling";
+    let output = libration(until);
+    assert_eq!(output.status.code(), Some(1), "{}", message(&output));
+}
+
+#[test]
+fn commas_in_brackets_separate_nothing() {
+    let run_all = |arguments: &[&str]| {
+        let output = run(&[arguments, &["--json"]].concat());
+        assert!(output.status.success(), "{arguments:?}: {}", message(&output));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let question = ["simulate", "pendulum", "--initial", "theta=max(1, 0.5)", "--times", "0,5"];
+    let answer = run_all(&[&question[..], &["--events", "max(theta,0.1)-0.2,turning"]].concat());
+    close(&answer["samples"][0]["state"][0], 1.0, 0.0);
+    let kinds: Vec<String> = events(&answer).into_iter().map(|(_, kind)| kind).collect();
+    assert_eq!(kinds.len(), 3, "{kinds:?}");
+    let set = ["simulate", "x'' = -k*x", "--set", "k=max(4, 1)", "--initial", "x=1", "--times", "1"];
+    assert!((sample(&run_all(&set), 0)[0] - 2_f64.cos()).abs() < 1e-12);
+    let over = [
+        "bifurcation",
+        "driven_pendulum",
+        "--set",
+        "c=1/2",
+        "--over",
+        "A=max(0.1, 0),0.2",
+        "--initial",
+        "theta=0.2",
+    ];
+    run_all(&[&over[..], &["--points", "2", "--skip", "2"]].concat());
+}
+
+/// The same bytes, where forces have jumps and where the motion is not determined any more.
+#[test]
+fn errors_survive_a_stop() {
+    let place = directory("errors_survive");
+    for (name, system, initial, first, whole) in [
+        ("friction", "x'' = -x - sign(x')/100", "x=1", "0:5:0.5", "0:20:0.5"),
+        ("clearance", "x'' = -x - max(x - 0.5, 0)", "x=1", "0:9:0.5", "0:20:0.5"),
+        ("lost", "theta'' = -sin(theta)", "theta=3.14159265", "0:70:5", "0:90:5"),
+    ] {
+        for form in ["csv", "json"] {
+            let files = ["part", "whole"].map(|it| place.join(format!("{name}_{it}.{form}")));
+            let [part, other] = files.each_ref().map(|file| file.to_str().unwrap());
+            let ask = |times: &str, more: &[&str]| {
+                let question = ["simulate", system, "--initial", initial, "--times", times];
+                let output = run(&[&question[..], &["--events", "turning"], more].concat());
+                assert!(output.status.success(), "{name}: {}", message(&output));
+            };
+            ask(first, &["--output", part]);
+            ask(whole, &["--resume", part, "--output", part]);
+            ask(whole, &["--output", other]);
+            let [resumed, at_once] = files.map(|file| fs::read_to_string(file).unwrap());
+            assert_eq!(resumed, at_once, "{name} {form}");
+        }
+    }
+    let part = place.join("friction_part.csv");
+    let question =
+        ["simulate", "x'' = -x - sign(x')/100", "--times", "0:30:0.5", "--events", "turning", "--no-errors"];
+    let refused = run(&[&question[..], &["--resume", part.to_str().unwrap()]].concat());
+    assert!(message(&refused).contains("leave out --no-errors"), "{}", message(&refused));
 }

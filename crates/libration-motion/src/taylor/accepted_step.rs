@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::batch::{Batch, LaneStep};
+use super::stepper::Stepper;
 use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Step, System, Trajectory};
 
 /// Where an integration begins.
@@ -37,6 +38,11 @@ impl<'a> AcceptedStep<'a> {
     #[must_use]
     pub fn ended_at(&self) -> Option<f64> {
         self.taken.solution.ended_at()
+    }
+
+    /// The motion in its only lane.
+    pub(super) fn stepper(&self) -> &'a Stepper<'a, 1> {
+        self.taken.stepper
     }
 
     /// Its end, to be gone on from; `None` when this or an earlier step ended only because the last of the times is so near,

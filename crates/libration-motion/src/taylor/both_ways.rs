@@ -3,12 +3,13 @@
 use std::ops::ControlFlow;
 
 use super::{
-    Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, Step, System, integrate_watched,
+    AcceptedStep, Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, Start, System,
+    integrate_from,
 };
 use libration_numbers::expression::WithoutValue;
 
-/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward. Samples and events are
-/// in the order of time, in which events rise and fall too.
+/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward; `watch` sees
+/// each step. Samples and events are in the order of time, in which events rise and fall too.
 ///
 /// # Errors
 /// As [`integrate`](super::integrate()), with what was computed until then.
@@ -31,20 +32,21 @@ pub fn integrate_both_ways(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
     if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
         return Err(IntegrationError::TimesNotInOrder { before: pair[0], after: pair[1] });
     }
     let (before, after) = times.split_at(times.partition_point(|time| *time < start.time));
     let before: Vec<f64> = before.iter().rev().copied().collect();
+    let beginning = Start::State(start.clone());
     let backward = match seen_backward(system) {
-        Ok(backward) => integrate_watched(&backward, start, &before, effort, &mut watch),
+        Ok(backward) => integrate_from(&backward, &beginning, &before, effort, &mut watch),
         // It had values when it was made.
-        Err(_) => integrate_watched(system, start, &before, effort, &mut watch),
+        Err(_) => integrate_from(system, &beginning, &before, effort, &mut watch),
     };
     let before = backward.map(reversed).map_err(|error| with_solution(error, reversed))?;
-    let forward = integrate_watched(system, start, after, effort, &mut watch);
+    let forward = integrate_from(system, &beginning, after, effort, &mut watch);
     match forward {
         Ok(after) => Ok(joined(before, after)),
         Err(error) => Err(with_solution(error, |after| joined(before, after))),

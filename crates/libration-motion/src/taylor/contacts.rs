@@ -53,6 +53,12 @@ impl Stretch<'_> {
         sign_changes(&slopes)
     }
 
+    /// The sign of the first extremum, or of the end, that is farther from zero than this.
+    fn side_beyond(&self, error: f64) -> Option<f64> {
+        let mut values = self.extrema().into_iter().chain([1.0]).map(|tau| self.at(tau));
+        values.find(|value| value.abs() > error).map(f64::signum)
+    }
+
     /// The one zero between two places where it has different signs.
     fn zero_between(&self, before: f64, behind: f64) -> f64 {
         let negative_behind = self.at(behind) < 0.0;
@@ -90,8 +96,12 @@ impl Contacts {
     pub(super) const NONE: Self =
         Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
 
-    /// The zeros in a step, with their times in its order.
-    pub(super) fn zeros_in(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+    /// The zeros in a step, with their times in its order. Where the motion begins the formula has an error: within it, it is zero.
+    pub(super) fn zeros_in(
+        &mut self,
+        stretch: &Stretch<'_>,
+        error_at_start: impl Fn() -> f64,
+    ) -> Vec<(f64, Contact)> {
         if stretch.coefficients.is_empty() {
             // Behind a pole either sign is as good.
             (self.side, self.near) = (None, false);
@@ -101,7 +111,7 @@ impl Contacts {
         if blur == 0.0 {
             return self.comes_to_rest(stretch);
         }
-        let mut found = self.at_start(stretch, blur);
+        let mut found = self.at_start(stretch, blur, error_at_start);
         if stretch.keeps_away(blur) {
             self.near = false;
             return found;
@@ -123,13 +133,20 @@ impl Contacts {
     }
 
     /// What happens where the step begins.
-    fn at_start(&mut self, stretch: &Stretch<'_>, blur: f64) -> Vec<(f64, Contact)> {
+    fn at_start(
+        &mut self,
+        stretch: &Stretch<'_>,
+        blur: f64,
+        error_at_start: impl Fn() -> f64,
+    ) -> Vec<(f64, Contact)> {
         let first = stretch.coefficients[0];
         let leaves = stretch.coefficients.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(side) = self.side else {
-            self.side = Some(leaves);
-            return if first == 0.0 && !begun { vec![(stretch.start, Contact::Start)] } else { vec![] };
+            let error = if begun { f64::NAN } else { error_at_start() };
+            let is_zero = error < f64::INFINITY && first.abs() <= error;
+            self.side = if is_zero { stretch.side_beyond(error) } else { Some(leaves) };
+            return if is_zero { vec![(stretch.start, Contact::Start)] } else { vec![] };
         };
         if first.abs() > blur && first * side < 0.0 {
             // A formula with a jump.

@@ -1,8 +1,9 @@
 //! What roundings on the way come to at the end of a motion.
 
-use super::growth::{Growth, growths};
+use super::growth::{distances, growths};
+use super::matrix::Matrix;
 use super::outcome::Outcome;
-use super::roundings_of_steps::{RoundedStep, rounded_steps};
+use super::roundings_of_steps::{RoundedStep, add_unseen, rounded_steps};
 use super::survey::Survey;
 use super::{Effort, IntegrationError, Moment, StateLayout, System};
 
@@ -36,7 +37,7 @@ pub(super) fn gathered_roundings(
             return Ok(None);
         }
         let moments: Vec<&Moment> = steps.iter().map(|step| &step.middle).chain(end.take()).collect();
-        let Some(growths) = growths(&plain, &moments) else { return Ok(None) };
+        let Some(growths) = growths(&plain, &moments, &distances(&moments)) else { return Ok(None) };
         gathered.go_back(&steps, &moments, &growths);
     }
     let sums = gathered.sums;
@@ -59,9 +60,16 @@ struct Gathered<'a> {
 impl Gathered<'_> {
     /// Steps that end where those begin that were gone through, from the last to the first; they lead from the middle of each to that of the
     /// next, since in the middle of a step no force jumps.
-    fn go_back(&mut self, steps: &[RoundedStep], moments: &[&Moment], growths: &[Growth]) {
+    fn go_back(&mut self, steps: &[RoundedStep], moments: &[&Moment], growths: &[Matrix]) {
         for ((step, growth), ends) in steps.iter().zip(growths).zip(moments.windows(2)).rev() {
-            let blurred = blurred_by_forces(self.layout, step, growth, ends[1].time - ends[0].time);
+            let mut blurred = vec![0.0; growth.size];
+            add_unseen(
+                self.layout,
+                |number| step.unseen[number],
+                growth,
+                ends[1].time - ends[0].time,
+                &mut blurred,
+            );
             for (sum, slope) in self.sums.iter_mut().zip(&mut self.slopes) {
                 let before = through(slope, growth);
                 let larger = slope.iter().zip(&before).map(|(a, b)| f64::max(a.abs(), b.abs()));
@@ -73,22 +81,9 @@ impl Gathered<'_> {
     }
 }
 
-/// What comes of it that forces do not see the whole state: all that a deviation brings about beside going on by itself.
-fn blurred_by_forces(layout: &StateLayout, step: &RoundedStep, growth: &Growth, length: f64) -> Vec<f64> {
-    let by_itself = |row: usize, column: usize| match layout.velocity(row) {
-        _ if row == column => 1.0,
-        Some(velocity) if velocity == column => length,
-        _ => 0.0,
-    };
-    let part = |row: usize, column: usize| {
-        (growth[row][column] - by_itself(row, column)).abs() * step.unseen[column]
-    };
-    let columns = || 0..growth.len();
-    columns().map(|row| columns().map(|column| part(row, column)).sum()).collect()
-}
-
 /// How something depends on the state before, from how it does on that after.
-fn through(slope: &[f64], growth: &Growth) -> Vec<f64> {
-    let by = |column: usize| slope.iter().zip(growth).map(|(slope, row)| slope * row[column]).sum();
+fn through(slope: &[f64], growth: &Matrix) -> Vec<f64> {
+    let by =
+        |column: usize| slope.iter().enumerate().map(|(row, slope)| slope * growth.row(row)[column]).sum();
     (0..slope.len()).map(by).collect()
 }

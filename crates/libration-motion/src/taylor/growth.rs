@@ -1,14 +1,11 @@
 //! How a small deviation of a motion grows from one moment on it to another.
 
+use super::matrix::Matrix;
 use super::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 
-/// Of each number of the state at a later moment its derivative by each number at an earlier one, row by row.
-pub(super) type Growth = Vec<Vec<f64>>;
-
-/// From each moment to the next, by differences of motions that begin a little apart: whatever a force does on the way, jump, bend or bring
+/// The derivatives of the state at a later moment by that at an earlier one, from each moment to the next, by differences of motions that begin a little apart: whatever a force does on the way, jump, bend or bring
 /// to rest, it does to them too. `None` where such a motion does not get there.
-pub(super) fn growths(system: &System, moments: &[&Moment]) -> Option<Vec<Growth>> {
-    let apart = distances(moments);
+pub(super) fn growths(system: &System, moments: &[&Moment], apart: &[f64]) -> Option<Vec<Matrix>> {
     let times: Vec<f64> = moments.iter().map(|moment| moment.time).collect();
     let mut trajectories = vec![];
     for stretch in 0..moments.len().saturating_sub(1) {
@@ -31,17 +28,22 @@ pub(super) fn growths(system: &System, moments: &[&Moment]) -> Option<Vec<Growth
 /// Errors of a motion are far below the distances of two.
 const EFFORT: Effort = Effort { relative: 1e-13, absolute: 0.0, most_steps: 10_000 };
 
-/// How far beside the motion, in each number: a small part of the way that it goes from moment to moment, and far above its roundings.
-fn distances(moments: &[&Moment]) -> Vec<f64> {
+/// How far beside the motion, in each number, where it goes such a way and is so large: a small part of the way, and far above the roundings.
+pub(super) fn distance(way: f64, size: f64) -> f64 {
+    let distance = libm::ldexp(way, -24) + libm::ldexp(size, -34);
+    if distance > 0.0 { distance } else { libm::ldexp(1.0, -24) }
+}
+
+/// That in each number, for a motion that is known at many moments.
+pub(super) fn distances(moments: &[&Moment]) -> Vec<f64> {
     let numbers = moments.first().map_or(0, |moment| moment.state.len());
-    let distance = |number: usize| {
+    let of_number = |number: usize| {
         let values = || moments.iter().map(|moment| moment.state[number]);
         let way = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
         let size = values().map(f64::abs).fold(0.0, f64::max);
-        let distance = libm::ldexp(way, -24) + libm::ldexp(size, -34);
-        if distance > 0.0 { distance } else { libm::ldexp(1.0, -24) }
+        distance(way, size)
     };
-    (0..numbers).map(distance).collect()
+    (0..numbers).map(of_number).collect()
 }
 
 /// The derivatives by one number, from two motions on both sides.
@@ -56,6 +58,7 @@ fn column(
     Some(pairs.map(|(a, b)| (a - b) / apart).collect())
 }
 
-fn transposed(columns: &[Vec<f64>]) -> Growth {
-    (0..columns.len()).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
+fn transposed(columns: &[Vec<f64>]) -> Matrix {
+    let row = |row: usize| columns.iter().map(move |column| column[row]);
+    Matrix { size: columns.len(), entries: (0..columns.len()).flat_map(row).collect() }
 }

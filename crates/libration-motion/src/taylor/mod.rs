@@ -80,17 +80,29 @@ mod both_ways;
 mod dense_solution;
 mod integrate;
 
+mod linearised;
+mod matrix;
+
 mod growth;
-mod roundings;
 mod roundings_of_steps;
 
 mod survey;
 
+mod crossing;
 mod outcome;
 
 mod gathered;
 
 mod ending;
+
+mod exponential;
+mod propagator;
+mod sizes_of_terms;
+mod spread;
+
+mod kept_errors;
+mod pieces;
+mod state_errors;
 
 mod ensemble;
 
@@ -107,6 +119,7 @@ pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
 pub use sensitivities::{Sensitivities, SensitivityError};
 pub use solution::{Moment, Solution};
+pub use state_errors::StateErrors;
 pub use state_names::StateNameError;
 pub use step::Step;
 pub use step_length::Effort;

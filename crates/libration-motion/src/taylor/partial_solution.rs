@@ -1,6 +1,7 @@
 //! The solution of one trajectory while it is computed.
 
 use super::contacts::{Contacts, Stretch};
+use super::linearised::{Linearised, half_ulp};
 use super::sharp::Part;
 use super::{
     Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Moment, Occurrence, Solution,
@@ -129,7 +130,8 @@ impl<'a> PartialSolution<'a> {
             };
             for Part { start, length, coefficients } in parts {
                 let stretch = Stretch { coefficients: &coefficients, start, length, tolerance };
-                let all = contacts.zeros_in(&stretch).into_iter();
+                let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
+                let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
                 let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
                 found.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }
@@ -154,4 +156,16 @@ impl<'a> PartialSolution<'a> {
     pub(super) fn stopped(self, cause: Cause, end: Moment) -> Result<Solution, IntegrationError> {
         Err(IntegrationError::Stopped { cause, solution: Box::new(self.finished(end)) })
     }
+}
+
+/// What rounding and half a unit in the last place of each number of the start make of the formula of an event there.
+fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usize) -> f64 {
+    let Trajectory { start, parameters, .. } = trajectory;
+    let formula = system.coordinates() + system.moduli() + event;
+    let mut formulas = Linearised::new(system.tape(), [formula].into_iter(), start.state.len());
+    // Either sign in the place of a |…| makes the same of an error.
+    let signs = vec![1.0; system.moduli()];
+    formulas.evaluate(&[&start.state[..], &[start.time], parameters, &signs].concat());
+    let typed = start.state.iter().zip(formulas.slopes(formula));
+    formulas.error(formula) + typed.map(|(value, slope)| half_ulp(*value) * slope.abs()).sum::<f64>()
 }

@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::larger::larger_or_nan;
-use super::roundings::{ROUNDING, Rounded, rounded_values};
-use super::{AcceptedStep, Effort, Moment, Start, Step, System, integrate_from};
+use super::linearised::{Linearised, ROUNDING};
+use super::matrix::Matrix;
+use super::{AcceptedStep, Effort, Moment, Start, StateLayout, Step, System, integrate_from};
 
 /// A step of a motion.
 #[derive(Clone, Debug)]
@@ -12,15 +13,15 @@ pub(super) struct RoundedStep {
     /// The state halfway.
     pub(super) middle: Moment,
     /// By how much each number may be wrong at the end that was right before, had the forces seen the whole state at the start; NaN where
-    /// a formula does not tell.
+    /// a formula has no value.
     pub(super) errors: Vec<f64>,
     /// What the forces do not see of the state at the start: its second words.
     pub(super) unseen: Vec<f64>,
-    length: f64,
+    pub(super) length: f64,
     /// How fast each number changes at the end.
-    rates: Vec<f64>,
+    pub(super) rates: Vec<f64>,
     /// Those of what stands in each |…|.
-    signs: Vec<f64>,
+    pub(super) signs: Vec<f64>,
 }
 
 /// So many steps from a start on, or as many as there are.
@@ -31,12 +32,12 @@ pub(super) fn rounded_steps(
     effort: &Effort,
     most: usize,
 ) -> Vec<RoundedStep> {
-    let mut steps: Vec<RoundedStep> = vec![];
+    let (mut steps, mut formulas): (Vec<RoundedStep>, _) = (vec![], Formulas::new(system));
     // Broken off or not, these are the steps that were taken before.
     let _ = integrate_from(system, start, &[last], effort, |accepted| {
-        let step = RoundedStep::new(system, accepted);
+        let step = RoundedStep::new(&mut formulas, accepted);
         if let Some(before) = steps.last_mut() {
-            before.jump(system, accepted.step(), &step.signs);
+            before.jump(&mut formulas, accepted.step(), &step.signs);
         }
         steps.push(step);
         if steps.len() < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -45,12 +46,12 @@ pub(super) fn rounded_steps(
 }
 
 impl RoundedStep {
-    fn new(system: &System, accepted: &AcceptedStep<'_>) -> Self {
+    pub(super) fn new(formulas: &mut Formulas, accepted: &AcceptedStep<'_>) -> Self {
         let step = accepted.step();
         let length = accepted.ended_at().unwrap_or(step.end()) - step.start();
         let [start, middle, end] = [0.0, 0.5, 1.0].map(|part| moment(step, step.start() + part * length));
-        let signs = signs_at(system, &middle);
-        let lost = [&start, &middle].map(|moment| lost_in_forces(system, &signs, moment));
+        let signs = formulas.signs_at(&middle);
+        let lost = [&start, &middle].map(|moment| formulas.lost_in_forces(&signs, moment));
         let forces: Vec<f64> = lost[0].iter().zip(&lost[1]).map(|(a, b)| larger_or_nan(*a, *b)).collect();
         let numbers = 0..step.numbers();
         let unseen = numbers.clone().map(|number| step.low(number).abs()).collect();
@@ -59,9 +60,9 @@ impl RoundedStep {
     }
 
     /// Where the next step has other signs, forces jump or bend, and rates of change with them, at a time that is rounded.
-    fn jump(&mut self, system: &System, next: &Step<'_>, signs: &[f64]) {
+    pub(super) fn jump(&mut self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) {
         if self.signs != signs {
-            let late = self.late(system, next, signs);
+            let late = self.late(formulas, next, signs);
             for (number, error) in self.errors.iter_mut().enumerate() {
                 *error += late * (next.slope_at(number, next.start()) - self.rates[number]).abs();
             }
@@ -70,15 +71,17 @@ impl RoundedStep {
 
     /// By how much the time is wrong at which the arguments of the signs are zero: it is found to the last bit of the step, and rounded, and
     /// what an argument loses by rounding takes as long as the argument needs to change by that.
-    fn late(&self, system: &System, next: &Step<'_>, signs: &[f64]) -> f64 {
+    fn late(&self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) -> f64 {
         const PART: f64 = 1.0 / 64.0;
         let apart = PART * (next.end() - next.start());
-        let values = [0.0, apart].map(|after| formulas(system, signs, &moment(next, next.start() + after)));
-        let [Some(here), Some(near)] = values else { return f64::NAN };
+        let [here, near] = [0.0, apart].map(|after| {
+            formulas.evaluate(signs, &moment(next, next.start() + after));
+            (0..signs.len()).map(|modulus| formulas.argument(modulus)).collect::<Vec<_>>()
+        });
         let other = (0..signs.len()).filter(|&modulus| (signs[modulus] - self.signs[modulus]).abs() > 0.0);
-        let lost = other.map(|modulus| system.coordinates() + modulus).map(|argument| {
-            let change = (near[argument].value - here[argument].value).abs();
-            let error = ROUNDING * here[argument].error;
+        let lost = other.map(|modulus| {
+            let [value, error] = here[modulus];
+            let change = (near[modulus][0] - value).abs();
             if error > 0.0 { error * (apart / change).abs() } else { 0.0 }
         });
         ROUNDING * next.start().abs() + f64::EPSILON * self.length.abs() + lost.sum::<f64>()
@@ -89,44 +92,68 @@ fn moment(step: &Step<'_>, time: f64) -> Moment {
     Moment { time, state: step.state_at(time) }
 }
 
-/// The signs of what stands in each |…|, which may have others in it.
-fn signs_at(system: &System, moment: &Moment) -> Vec<f64> {
-    let mut signs = vec![1.0; system.moduli()];
-    for _ in 0..signs.len() {
-        let values = formulas(system, &signs, moment);
-        let arguments = values.iter().flatten().skip(system.coordinates());
-        signs.iter_mut().zip(arguments).for_each(|(sign, argument)| *sign = argument.value.signum());
+/// The accelerations and rates of change of a system, and what stands in each |…|.
+#[derive(Debug)]
+pub(super) struct Formulas {
+    formulas: Linearised,
+    coordinates: usize,
+    moduli: usize,
+}
+
+impl Formulas {
+    pub(super) fn new(system: &System) -> Self {
+        let (coordinates, moduli) = (system.coordinates(), system.moduli());
+        let formulas = Linearised::new(system.tape(), 0..coordinates + moduli, 0);
+        Self { formulas, coordinates, moduli }
     }
-    signs
-}
 
-/// The accelerations and rates of change, then what stands in each |…|; `None` where a formula has no value.
-fn formulas(system: &System, signs: &[f64], moment: &Moment) -> Option<Vec<Rounded>> {
-    rounded_values(system.tape(), &[&moment.state[..], &[moment.time], signs].concat())
-}
+    fn evaluate(&mut self, signs: &[f64], moment: &Moment) {
+        self.formulas.evaluate(&[&moment.state[..], &[moment.time], signs].concat());
+    }
 
-/// What rounding does to the accelerations and rates of change, each in its unit.
-fn lost_in_forces(system: &System, signs: &[f64], moment: &Moment) -> Vec<f64> {
-    match formulas(system, signs, moment) {
-        Some(values) => values[..system.coordinates()].iter().map(|value| ROUNDING * value.error).collect(),
-        None => vec![f64::NAN; system.coordinates()],
+    /// What stands in a |…|, and what it loses by rounding.
+    fn argument(&self, modulus: usize) -> [f64; 2] {
+        let formula = self.coordinates + modulus;
+        [self.formulas.value(formula), self.formulas.error(formula)]
+    }
+
+    /// The signs of what stands in each |…|, which may have others in it.
+    fn signs_at(&mut self, moment: &Moment) -> Vec<f64> {
+        let mut signs = vec![1.0; self.moduli];
+        for _ in 0..signs.len() {
+            self.evaluate(&signs, moment);
+            let arguments = (0..self.moduli).map(|modulus| self.argument(modulus)[0].signum());
+            signs = arguments.collect();
+        }
+        signs
+    }
+
+    /// What rounding does to the accelerations and rates of change, each in its unit.
+    fn lost_in_forces(&mut self, signs: &[f64], moment: &Moment) -> Vec<f64> {
+        self.evaluate(signs, moment);
+        (0..self.coordinates).map(|coordinate| self.formulas.error(coordinate)).collect()
     }
 }
 
+/// What a step loses in each number of the state, where rounding takes so much of the forces.
 fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
-    let layout = step.layout;
     // The first power is exact but for the force in it, and that of a coordinate is its velocity, which is known in two words.
-    let first = |number: usize| if layout.velocity(number).is_some() { 3 } else { 2 };
+    let first = |number: usize| if step.layout.velocity(number).is_some() { 3 } else { 2 };
     let mut errors: Vec<f64> =
         (0..step.numbers()).map(|number| ROUNDING * terms(step, number, first(number), length)).collect();
+    add_forces(step, length, forces, &mut errors);
+    errors
+}
+
+/// Adds what comes of it that rounding takes so much of the forces.
+pub(super) fn add_forces(step: &Step<'_>, length: f64, forces: &[f64], errors: &mut [f64]) {
     for (coordinate, force) in forces.iter().enumerate() {
-        let driven = layout.driven(coordinate);
+        let driven = step.layout.driven(coordinate);
         errors[driven] += force * length.abs();
         if driven != coordinate {
             errors[coordinate] += 0.5 * force * length * length;
         }
     }
-    errors
 }
 
 /// The sum of the sizes of the terms of a number from a power on, so far from the start of the step.
@@ -135,4 +162,26 @@ pub(super) fn terms(step: &Step<'_>, number: usize, first: usize, length: f64) -
     let horner = |sum: f64, n: usize| sum * h + step.coefficient(number, n).abs();
     let sum = (first..step.terms).rev().fold(0.0, horner);
     (0..first).fold(sum, |sum, _| sum * h)
+}
+
+/// Adds what comes of it that forces do not see so much of each number of the state: all that a deviation brings about beside going on by
+/// itself.
+pub(super) fn add_unseen(
+    layout: &StateLayout,
+    unseen: impl Fn(usize) -> f64,
+    growth: &Matrix,
+    length: f64,
+    errors: &mut [f64],
+) {
+    for (row, error) in errors.iter_mut().enumerate() {
+        let velocity = layout.velocity(row);
+        for (column, growth) in growth.row(row).iter().enumerate() {
+            let by_itself = match velocity {
+                _ if row == column => 1.0,
+                Some(velocity) if velocity == column => length,
+                _ => 0.0,
+            };
+            *error += (growth - by_itself).abs() * unseen(column);
+        }
+    }
 }

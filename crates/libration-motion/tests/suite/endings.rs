@@ -5,7 +5,7 @@ use libration::quantity::Angle;
 use libration::taylor::{Effort, Event, Moment, System, ending_error, integrate};
 use std::f64::consts::PI;
 
-const TOLERANCES: [f64; 5] = [1e-6, 1e-9, 1e-12, 1e-15, 1e-16];
+pub(crate) const TOLERANCES: [f64; 5] = [1e-6, 1e-9, 1e-12, 1e-15, 1e-16];
 
 /// A number at the end, what it is, and by how much it may be wrong as is stated.
 type Compared = [f64; 3];
@@ -97,14 +97,14 @@ fn two_springs(time: f64) -> Vec<f64> {
     vec![libm::sin(stiff * since), stiff * libm::cos(stiff * since)]
 }
 
-struct Known {
-    equation: &'static str,
-    start: &'static [(&'static str, f64)],
-    state: fn(f64) -> Vec<f64>,
+pub(crate) struct Known {
+    pub(crate) equation: &'static str,
+    pub(crate) start: &'static [(&'static str, f64)],
+    pub(crate) state: fn(f64) -> Vec<f64>,
 }
 
 /// Terms that cancel, constants that are no doubles, small motions far from zero, quotients, forces that jump and bend.
-const KNOWN: [Known; 11] = [
+pub(crate) const KNOWN: [Known; 11] = [
     Known { equation: "x' = 0.1", start: &[("x", 1.0)], state: |t| vec![1.0 + t / 10.0] },
     Known { equation: "x' = -x", start: &[("x", 1.0)], state: |t| vec![libm::exp(-t)] },
     Known { equation: "x' = 1 - x^2", start: &[("x", 0.0)], state: |t| vec![libm::tanh(t)] },

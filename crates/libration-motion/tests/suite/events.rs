@@ -418,3 +418,51 @@ fn a_motion_ends_at_the_event_that_is_counted() {
         }
     }
 }
+
+/// A formula that is zero at the start, but for its rounding or half a unit in the last place of the start, does not cross zero there, on
+/// whichever side rounding puts it; where it returns, it does.
+#[test]
+fn roundings_at_the_start_are_no_crossings() {
+    let pendulum = Pendulum::from_angular_frequency(1.0).unwrap();
+    for degrees in 1..180 {
+        let angle = f64::from(degrees).to_radians();
+        let exact = pendulum.released_from(Angle::from_radians(angle).unwrap()).unwrap();
+        for neighbour in [angle.next_down(), angle, angle.next_up()] {
+            for formula in [format!("theta - pi*{degrees}/180"), format!("pi*{degrees}/180 - theta")] {
+                let system = watched("theta'' = -sin(theta)", &[(&formula, Direction::Any, false)]);
+                let events = run(&system, &[neighbour, 0.0], &[0.75 * exact.period()], 1e-12).events;
+                let contacts: Vec<Contact> = events.iter().map(|event| event.contact).collect();
+                assert_eq!(contacts, [Contact::Start], "{formula}: {events:?}");
+            }
+        }
+    }
+    for (start, direction) in [(1.0, Direction::Falling), (-1.0, Direction::Rising)] {
+        for wrong in [direction, Direction::Any] {
+            for formula in ["x*sqrt(3) - sqrt(3)*1", "x*sqrt(3) + sqrt(3)*1", "sqrt(3) - x*sqrt(3)"] {
+                let system = watched("x'' = -x", &[(formula, wrong, false)]);
+                let events = run(&system, &[start, 0.0], &[1.0], 1e-12).events;
+                assert!(events.iter().all(|event| event.contact == Contact::Start), "{formula}: {events:?}");
+            }
+        }
+    }
+}
+
+/// What begins next to a zero, but beyond its roundings, crosses it; and what leaves zero and returns does.
+#[test]
+fn crossings_soon_after_the_start_are_found() {
+    for before in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14] {
+        let system = watched("x' = 1", &[("x - 1", Direction::Any, false)]);
+        let events = run(&system, &[1.0 - before], &[1.0], 1e-12).events;
+        assert_eq!(events.len(), 1, "{before}: {events:?}");
+        assert!(events[0].contact == Contact::Rising && (events[0].time - before).abs() < 1e-15);
+    }
+    let system = watched("x'' = -x", &[("x - sqrt(2)/2", Direction::Any, false)]);
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let events = run(&system, &[half, half], &[3.0], 1e-12).events;
+    let contacts: Vec<Contact> = events.iter().map(|event| event.contact).collect();
+    assert_eq!(contacts, [Contact::Start, Contact::Falling]);
+    assert!((events[1].time - std::f64::consts::FRAC_PI_2).abs() < 1e-12, "{events:?}");
+    let until = watched("x'' = -x", &[("x - sqrt(2)/2", Direction::Falling, true)]);
+    let ended = run(&until, &[half, half], &[30.0], 1e-12);
+    assert!((ended.end.time - std::f64::consts::FRAC_PI_2).abs() < 1e-12, "{ended:?}");
+}

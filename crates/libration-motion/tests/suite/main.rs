@@ -18,6 +18,7 @@ mod hidden_forces;
 mod orbit;
 mod passages;
 mod sensitivities;
+mod state_errors;
 mod systems;
 mod taylor;
 mod tolerances;

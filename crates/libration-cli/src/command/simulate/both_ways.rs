@@ -1,5 +1,6 @@
 //! Times on both sides of the start: first backward, then forward, and written in their order.
 
+use super::known_errors::KnownErrors;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
@@ -7,7 +8,7 @@ use super::run::{Outcome, ended};
 use crate::failure::Failure;
 use crate::interrupt;
 use libration::systems::Energy;
-use libration::taylor::{IntegrationError, Moment, Solution, Step, System, integrate_both_ways};
+use libration::taylor::{AcceptedStep, IntegrationError, Moment, Solution, System, integrate_both_ways};
 use std::io::Write;
 use std::ops::ControlFlow;
 
@@ -47,7 +48,11 @@ impl SimulatedMotion<'_> {
         out: &mut dyn Write,
     ) -> Result<Outcome, Failure> {
         let energy = self.model.energy();
-        let follow = |_: &Step<'_>| {
+        let mut errors = self.no_errors().is_none().then(|| KnownErrors::new(self));
+        let follow = |step: &AcceptedStep<'_>| {
+            if let Some(errors) = &mut errors {
+                errors.follow(step, self, system);
+            }
             if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let (outcome, drift) = self.integrate_both_ways(system, energy.as_ref().ok(), follow);
@@ -55,9 +60,10 @@ impl SimulatedMotion<'_> {
         let drift = energy.as_ref().map(|_| drift).map_err(ToString::to_string);
         let state = State { question: self.question.clone(), mark: None };
         let (steps, kept) = (solution.steps, Some(state.clone()));
-        let summary = Summary { steps, drift, ending: ending.clone(), state: kept };
+        let precision = self.precision(errors.as_ref().and_then(KnownErrors::worse));
+        let summary = Summary { steps, drift, precision, ending: ending.clone(), state: kept };
         report.begin(self, out)?;
-        for row in self.rows(&solution) {
+        for row in self.rows(&solution, errors.as_ref()) {
             row.write(report, out)?;
         }
         report.end(&summary, out)?;
@@ -70,18 +76,19 @@ impl SimulatedMotion<'_> {
         &self,
         system: &System,
         energy: Option<&Energy>,
-        mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+        mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
     ) -> (Result<Solution, IntegrationError>, [f64; 2]) {
         let start = self.beginning();
         let mut balance = energy.map(|energy| energy.balance(&self.own(&start)));
-        let follow = |step: &Step<'_>| {
+        let follow = |accepted: &AcceptedStep<'_>| {
+            let step = accepted.step();
             if let Some(balance) = &mut balance {
                 if step.start().total_cmp(&start.time).is_eq() {
                     balance.return_to_start();
                 }
                 balance.record(&self.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
             }
-            watch(step)
+            watch(accepted)
         };
         let times: Vec<f64> = self.times.iter().collect();
         let outcome = integrate_both_ways(system, &start, &times, &self.effort(), follow);

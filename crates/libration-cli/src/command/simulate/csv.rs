@@ -13,16 +13,30 @@ use std::io::{self, Write};
 pub(super) struct Csv {
     of_time: Fields<f64>,
     with_events: bool,
+    with_errors: bool,
 }
 
 impl Csv {
     pub(super) fn new() -> Self {
-        Self { of_time: fields::of_time(), with_events: false }
+        Self { of_time: fields::of_time(), with_events: false, with_errors: false }
     }
 
-    fn line(&self, time: f64, numbers: [&[f64]; 2], kind: &str, out: &mut dyn Write) -> io::Result<()> {
+    fn line(
+        &self,
+        time: f64,
+        numbers: [&[f64]; 2],
+        [time_error, error]: [Option<&[f64]>; 2],
+        kind: &str,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
         let mut cells = self.of_time.csv_cells(&time);
         cells.extend(numbers.concat().into_iter().map(number::exact));
+        // What is not determined has no error.
+        let known = |error: &f64| if error.is_nan() { String::new() } else { number::exact(*error) };
+        if self.with_errors && self.with_events {
+            cells.push(time_error.and_then(|error| error.first()).map_or(String::new(), known));
+        }
+        cells.extend(error.into_iter().flatten().map(known));
         cells.extend(self.with_events.then(|| kind.to_owned()));
         csv::line(out, &cells)
     }
@@ -31,19 +45,28 @@ impl Csv {
 impl AnswerWriter for Csv {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()> {
         self.with_events = !motion.watched.is_empty();
+        self.with_errors = motion.no_errors().is_none();
         let mut names =
             [self.of_time.csv_names(), motion.model.state_names(), motion.column_names()].concat();
+        if self.with_errors {
+            names.extend(self.with_events.then(|| fields::TIME_ERROR.0.to_owned()));
+            names.extend(motion.model.state_names().iter().map(|name| format!("{name}_error")));
+        }
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)
     }
 
-    fn sample(&mut self, Sample { moment, columns }: &Sample, out: &mut dyn Write) -> io::Result<()> {
-        self.line(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])], "", out)
+    fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()> {
+        let Sample { moment, columns, error } = sample;
+        let numbers = [&moment.state, columns.as_deref().unwrap_or(&[])];
+        self.line(moment.time, numbers, [None, error.as_deref()], "", out)
     }
 
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()> {
         let columns = happening.columns.as_deref().unwrap_or(&[]);
-        self.line(happening.time, [&happening.state, columns], &happening.kind, out)
+        let error = happening.error.as_ref();
+        let errors = [error.map(|it| std::slice::from_ref(&it.time)), error.map(|it| &*it.state)];
+        self.line(happening.time, [&happening.state, columns], errors, &happening.kind, out)
     }
 
     fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {

@@ -1,9 +1,10 @@
 //! What is looked for on the way: turning points, passages through rest, zeros of any formula.
 
+use crate::arguments::at_commas;
 use crate::failure::Failure;
 use libration::expression::{Expression, Function, Symbol};
 use libration::systems::{Coordinate, Model, NoZero};
-use libration::taylor::{Contact, Direction, Event, Occurrence};
+use libration::taylor::{Contact, Direction, Event, Moment, Occurrence};
 
 /// The events of a question, each with its name.
 #[derive(Clone, Debug, Default)]
@@ -52,13 +53,15 @@ pub(super) struct Happening {
     pub(super) state: Vec<f64>,
     /// The values of the columns that were asked for.
     pub(super) columns: Option<Vec<f64>>,
+    /// By how much time and state may be wrong, where that is estimated; not numbers where they are not determined.
+    pub(super) error: Option<Moment>,
 }
 
 impl Watched {
     /// Reads `turning`, `crossing`, or a formula of coordinates, velocities, parameters and t.
     pub(super) fn read(texts: &[String], until: &UntilOptions, model: &Model) -> Result<Self, Failure> {
         let mut kinds = vec![];
-        for text in texts {
+        for text in texts.iter().flat_map(|texts| at_commas(texts)) {
             match text.trim() {
                 "turning" => kinds.extend(of_each(model, "turning", turning)),
                 "crossing" => kinds.extend(of_each(model, "crossing", crossing)),
@@ -102,7 +105,7 @@ impl Watched {
             Contact::Grazing => format!("{name}, grazing"),
             Contact::Start => format!("{name}, at the start"),
         };
-        Happening { time: occurrence.time, kind, state: occurrence.state.clone(), columns: None }
+        Happening { time: occurrence.time, kind, state: occurrence.state.clone(), columns: None, error: None }
     }
 
     /// The coordinate on whose curve an event is marked.

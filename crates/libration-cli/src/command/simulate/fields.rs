@@ -3,11 +3,13 @@
 use super::ending::{Ending, EventEnding};
 use super::events::Happening;
 use super::motion::SimulatedMotion;
+use super::precision::Precision;
 use super::report::{Sample, Summary};
 use super::resume::State;
 use crate::output::description::{Answers, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
+use libration::taylor::Moment;
 
 pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
     type Of<'a> = Field<SimulatedMotion<'a>>;
@@ -39,6 +41,19 @@ pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
 
 pub(super) fn of_sample() -> Fields<Sample> {
     type Of = Field<Sample>;
+    of_sample_alone().and([
+        Of::present_value(
+            "error[]",
+            "",
+            "estimate of the error of each of these, null where the state is not determined; left out where none is estimated",
+            |it| it.error.as_ref().map(|error| json::numbers(error)),
+        ),
+    ])
+}
+
+/// Without errors.
+pub(super) fn of_sample_alone() -> Fields<Sample> {
+    type Of = Field<Sample>;
     Fields::from([
         Of::number("time", "s", "time of the sample", |it| it.moment.time),
         Of::value("state[]", "", "state then, in the order of the names", |it| {
@@ -54,6 +69,25 @@ pub(super) fn of_sample() -> Fields<Sample> {
 }
 
 pub(super) fn of_event() -> Fields<Happening> {
+    type Of = Field<Happening>;
+    of_event_alone().and([
+        Of::present_value(
+            "time_error",
+            "s",
+            "estimate of the error of the time, null where the motion is not determined; left out where none is estimated",
+            |it| it.error.as_ref().map(|error| json::number(error.time)),
+        ),
+        Of::present_value(
+            "error[]",
+            "",
+            "estimate of the error of each number of the state, as in samples",
+            |it| it.error.as_ref().map(|error| json::numbers(&error.state)),
+        ),
+    ])
+}
+
+/// Without errors.
+pub(super) fn of_event_alone() -> Fields<Happening> {
     type Of = Field<Happening>;
     Fields::from([
         Of::number("time", "s", "time of the event", |it| it.time),
@@ -85,8 +119,64 @@ pub(super) fn of_summary() -> Fields<Summary> {
     let state = Field::present_nested("resume.", &State::fields(), |it: &Summary| {
         it.state.as_ref().map(|state| State::fields().record(state).into())
     });
-    of_integration().and([state]).and(of_end())
+    of_integration().and(of_precision()).and([state]).and(of_end())
 }
+
+/// How far the states are determined.
+fn of_precision() -> Fields<Summary> {
+    type Of = Field<Summary>;
+    Fields::from([
+        Of::present(
+            "determined_until_s",
+            "s",
+            "time after which the error of a number of the state exceeds a tenth of the largest size that it has had; left out where \
+             none does",
+            |it| match it.precision {
+                Precision::Estimated { determined_until, .. } => determined_until,
+                Precision::NotEstimated(_) => None,
+            },
+        ),
+        Of::present_nested("half_ulp_of_start.", &of_start_effect(), |it| match &it.precision {
+            Precision::Estimated { start_effect, .. } => Some(of_start_effect().record(start_effect).into()),
+            Precision::NotEstimated(_) => None,
+        }),
+        Of::present_value(
+            "no_errors",
+            "",
+            "why no error of the states is estimated, left out where they are",
+            |it| match it.precision {
+                Precision::Estimated { .. } => None,
+                Precision::NotEstimated(reason) => Some(reason.into()),
+            },
+        ),
+    ])
+}
+
+/// What the last digit of the start decides.
+fn of_start_effect() -> Fields<Moment> {
+    type Of = Field<Moment>;
+    Fields::from([
+        Of::number("time", "s", "time of the last state that is determined", |it| it.time),
+        Of::value(
+            "effect[]",
+            "",
+            "by how much half a unit in the last place of each number of the start changes that state, which the errors leave out",
+            |it| json::numbers(&it.state),
+        ),
+    ])
+}
+
+/// The errors in CSV.
+pub(super) const TIME_ERROR: Row = (
+    "time_error",
+    "s",
+    "estimate of the error of the time of an event, empty in samples; only with --events",
+);
+const ERROR: Row = (
+    "NAME_error",
+    "",
+    "estimate of the error of the state variable of this name, empty where it is not determined; left out with --no-errors",
+);
 
 /// How well a motion is known.
 pub(super) fn of_integration() -> Fields<Summary> {
@@ -139,7 +229,9 @@ fn of_ending() -> Fields<EventEnding> {
             it.name.as_str().into()
         }),
         Of::number("time", "s", "when", |it| it.end.time),
-        Of::number("time_error", "s", "by how much that may be wrong", |it| it.error.time),
+        Of::nullable("time_error", "s", "by how much that may be wrong, null with --no-errors", |it| {
+            Some(it.error.time).filter(|error| error.is_finite())
+        }),
         Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.end.state)),
         Of::value("state_error[]", "", "by how much each of these may be wrong", |it| {
             json::numbers(&it.error.state)
@@ -156,6 +248,6 @@ pub(super) fn answers() -> Answers {
         of_event().described("events[]."),
         of_summary().described(""),
     ];
-    let csv = [of_time().described_in_csv(), descriptions("", &[NUMBER, EVENT])];
+    let csv = [of_time().described_in_csv(), descriptions("", &[NUMBER, TIME_ERROR, ERROR, EVENT])];
     Answers { command: "simulate", option: "", json: json.concat(), csv: csv.concat() }
 }

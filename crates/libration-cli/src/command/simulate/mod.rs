@@ -7,7 +7,9 @@ mod ending;
 mod events;
 mod fields;
 mod json;
+mod known_errors;
 mod motion;
+mod precision;
 mod report;
 pub(crate) mod resume;
 mod rows;
@@ -78,6 +80,8 @@ outside of the range is zero, or what is said of it: x[0] = sin(t), x[33] = x[1]
 
 Integration starts at t = 0. In the shell, quote whatever contains a prime:
 --initial \"theta=60deg,theta'=0.1\".
+States are shown to the digits that their errors leave, as far as double precision
+determines the motion; --json and --csv have the errors, and all digits.
 Ctrl-C stops a run early: what was computed is written as a complete answer, and
 --resume continues from there. The result equals that of a single run, byte for
 byte. With long.csv comes long.csv.state, which records the system and where the
@@ -97,7 +101,7 @@ pub(crate) struct Simulate {
     #[arg(long, default_value = "1e-12", value_parser = arguments::tolerances)]
     tolerance: Tolerances,
     /// Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5
-    #[arg(long, value_name = "turning|crossing|EXPR", value_delimiter = ',')]
+    #[arg(long, value_name = "turning|crossing|EXPR")]
     events: Vec<String>,
     #[command(flatten)]
     until: UntilOptions,
@@ -107,6 +111,9 @@ pub(crate) struct Simulate {
     /// How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0)
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     sensitivity: Vec<String>,
+    /// Estimate no errors of the states: saves the time for that
+    #[arg(long)]
+    no_errors: bool,
     /// Draw the coordinates and the formulas of --columns against time to FILE.svg or FILE.png instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -163,6 +170,7 @@ impl Simulate {
             observables: observables.as_ref(),
             sensitivities: sensitivities.as_ref(),
             earlier,
+            no_errors: self.reason_for_no_errors(),
         };
         let form = self.form.form_of_file(self.output.as_deref());
         let axes = self.axes.as_deref().map(|names| arguments::places_in_state(&model, "--axes", names));
@@ -207,6 +215,16 @@ impl Simulate {
         }
     }
 
+    /// Why no errors are estimated, if none are.
+    fn reason_for_no_errors(&self) -> Option<&'static str> {
+        match () {
+            () if self.each.is_some() => Some("--each"),
+            () if self.figure.is_some() => Some("--figure"),
+            () if self.no_errors => Some("--no-errors"),
+            () => None,
+        }
+    }
+
     /// What is asked of a motion that begins in this state.
     fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
         Question {
@@ -217,6 +235,7 @@ impl Simulate {
             tolerance: self.tolerance.usual,
             own_tolerances: self.tolerance.own.clone(),
             events: watched.names(),
+            errors: self.reason_for_no_errors().is_none(),
             columns: self.columns.iter().chain(&self.sensitivity).map(|it| it.trim().to_owned()).collect(),
         }
     }

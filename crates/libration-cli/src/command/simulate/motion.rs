@@ -19,6 +19,8 @@ pub(super) struct SimulatedMotion<'a> {
     /// How it changes with parameters and initial values.
     pub(super) sensitivities: Option<&'a Sensitivities>,
     pub(super) earlier: Option<Earlier>,
+    /// Why no errors of the states are wanted, if they are not.
+    pub(super) no_errors: Option<&'static str>,
 }
 
 impl SimulatedMotion<'_> {

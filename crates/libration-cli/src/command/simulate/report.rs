@@ -3,6 +3,7 @@
 use super::ending::Ending;
 use super::events::Happening;
 use super::motion::SimulatedMotion;
+use super::precision::Precision;
 use super::resume::State;
 use libration::taylor::Moment;
 use std::io::{self, Write};
@@ -20,6 +21,8 @@ pub(super) trait AnswerWriter {
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,
+    /// By how much each number may be wrong, where that is estimated; not numbers where the state is not determined.
+    pub(super) error: Option<Vec<f64>>,
 }
 
 /// What is known when the integration has ended.
@@ -27,6 +30,7 @@ pub(super) struct Summary {
     pub(super) steps: usize,
     /// The drift of the energy and its uncertainty, or why there is none.
     pub(super) drift: Result<[f64; 2], String>,
+    pub(super) precision: Precision,
     pub(super) ending: Ending,
     /// What it takes to go on, where that is kept.
     pub(super) state: Option<State>,

@@ -1,6 +1,7 @@
 //! The samples and events of a motion that is known.
 
 use super::events::Happening;
+use super::known_errors::KnownErrors;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample};
 use libration::taylor::{Moment, Solution};
@@ -23,10 +24,10 @@ impl Row {
     /// The time, state and columns, and the kind of the event, which is empty in samples.
     pub(super) fn parts(&self) -> (f64, [&[f64]; 2], &str) {
         match self {
-            Self::Sample(Sample { moment, columns }) => {
+            Self::Sample(Sample { moment, columns, .. }) => {
                 (moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])], "")
             }
-            Self::Event(Happening { time, kind, state, columns }) => {
+            Self::Event(Happening { time, kind, state, columns, .. }) => {
                 (*time, [state, columns.as_deref().unwrap_or(&[])], kind)
             }
         }
@@ -34,8 +35,12 @@ impl Row {
 }
 
 impl SimulatedMotion<'_> {
-    /// Samples and events in the order of the times.
-    pub(super) fn rows<'s>(&'s self, solution: &'s Solution) -> impl Iterator<Item = Row> + 's {
+    /// Samples and events in the order of the times, with errors where they are known.
+    pub(super) fn rows<'s>(
+        &'s self,
+        solution: &'s Solution,
+        errors: Option<&'s KnownErrors>,
+    ) -> impl Iterator<Item = Row> + 's {
         let backward = !self.goes_both_ways() && self.times.last() < 0.0;
         let is_before = move |a: f64, b: f64| if backward { a >= b } else { a <= b };
         let mut samples = solution.samples.iter().peekable();
@@ -45,12 +50,14 @@ impl SimulatedMotion<'_> {
             let sample = samples.next_if(|moment| upto.is_none_or(|time| is_before(moment.time, time)));
             if let Some(moment) = sample {
                 let columns = self.columns_at(moment);
-                return Some(Row::Sample(Sample { moment: self.own(moment), columns }));
+                let error = errors.map(|errors| errors.of_sample(moment.time));
+                return Some(Row::Sample(Sample { moment: self.own(moment), columns, error }));
             }
             let event = events.next()?;
             let moment = Moment { time: event.time, state: event.state.clone() };
             let (columns, state) = (self.columns_at(&moment), self.own(&moment).state);
-            Some(Row::Event(Happening { columns, state, ..self.watched.happening(event) }))
+            let error = errors.map(|errors| errors.of_event(event));
+            Some(Row::Event(Happening { columns, state, error, ..self.watched.happening(event) }))
         })
     }
 }

@@ -62,12 +62,20 @@ impl SimulatedMotion<'_> {
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
         let trace = figure.as_ref().map(|_| Trace::new(self.model, self.observables, self.times.last()));
-        let mut watch = Watch::new(self, &mut *report, out, balance, trace, keeper);
+        let errors = self.state_errors(&system);
+        let mut watch = Watch::new(self, &mut *report, out, balance, errors, trace, keeper);
         watch.begin()?;
         let (ending, steps) = self.follow(&system, &mut watch)?;
         let drift = energy.as_ref().map(|_| watch.drift()).map_err(ToString::to_string);
         let state = watch.state().clone();
-        watch.end(&Summary { steps, drift, ending: ending.clone(), state: Some(state.clone()) })?;
+        let precision = watch.precision();
+        watch.end(&Summary {
+            steps,
+            drift,
+            precision,
+            ending: ending.clone(),
+            state: Some(state.clone()),
+        })?;
         let drawn = match (figure, watch.trace) {
             (Some(figure), Some(trace)) => {
                 let start = &self.initial.state;
@@ -102,8 +110,11 @@ impl SimulatedMotion<'_> {
             )));
         }
         let end = solution.end.clone();
-        let error = ending_error(system, &self.beginning(), last, &self.effort(), &end);
-        let error = error.map_err(|error| Failure::NoAnswer(error.to_string()))?;
+        let error = match self.no_errors {
+            Some("--no-errors") => Moment { time: f64::NAN, state: vec![f64::NAN; end.state.len()] },
+            _ => ending_error(system, &self.beginning(), last, &self.effort(), &end)
+                .map_err(|error| Failure::NoAnswer(error.to_string()))?,
+        };
         let (end, error) = (self.own(&end), self.own(&error));
         Ok(Ending::Event(EventEnding { name, end, error }))
     }

@@ -3,10 +3,12 @@
 use super::ending::{Ending, EventEnding};
 use super::events::Happening;
 use super::motion::SimulatedMotion;
+use super::precision::Precision;
 use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use libration::systems::Model;
+use libration::taylor::Moment;
 use std::io::{self, Write};
 
 /// What was asked, a table of samples, and what is to be said of the whole.
@@ -17,6 +19,8 @@ pub(super) struct Sheet {
     /// Whether the samples are listed; a picture shows them better.
     listed: bool,
     happenings: Vec<Happening>,
+    /// How many samples and events are not determined.
+    left_out: usize,
 }
 
 impl AnswerWriter for Sheet {
@@ -38,13 +42,23 @@ impl AnswerWriter for Sheet {
         Ok(())
     }
 
-    fn sample(&mut self, Sample { moment, columns }: &Sample, out: &mut dyn Write) -> io::Result<()> {
-        let cells = cells_of(moment.time, [&moment.state, columns.as_deref().unwrap_or(&[])]);
+    fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()> {
+        let Sample { moment, columns, error } = sample;
+        if error.as_ref().is_some_and(|error| !is_determined(error)) {
+            self.left_out += 1;
+            return Ok(());
+        }
+        let numbers = [&moment.state, columns.as_deref().unwrap_or(&[])];
+        let cells = cells_of(moment.time, numbers, error.as_deref());
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
     fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {
-        self.happenings.push(happening.clone());
+        if happening.error.as_ref().is_some_and(|error| !is_determined(&error.state)) {
+            self.left_out += 1;
+        } else {
+            self.happenings.push(happening.clone());
+        }
         Ok(())
     }
 
@@ -58,6 +72,7 @@ impl AnswerWriter for Sheet {
         let drift = drift(&summary.drift);
         writeln!(out)?;
         let mut lines = vec![("energy drift", drift), ("steps", summary.steps.to_string())];
+        lines.extend(self.precision(&summary.precision));
         if let Ending::Event(event) = &summary.ending {
             lines.insert(0, ("ends at", self.end_of(event)));
         }
@@ -73,7 +88,10 @@ impl Sheet {
     /// Where an event ended the motion, each number with its error.
     fn end_of(&self, EventEnding { name, end, error }: &EventEnding) -> String {
         let number = |title: &String, value: f64, error: f64| {
-            let name = title.split(" / ").next().unwrap_or(title);
+            let name = name_in(title);
+            if error.is_nan() {
+                return format!("{name} = {}", number::rounded(value, 15));
+            }
             format!("{name} = {} ± {}", number::to_its_error(value, error, 15), number::at_most(error))
         };
         let state = self.titles[1..].iter().zip(&end.state).zip(&error.state);
@@ -83,14 +101,42 @@ impl Sheet {
         format!("{} ({name})", all.join(", "))
     }
 
+    /// How well the states are known.
+    fn precision(&self, precision: &Precision) -> Vec<(&'static str, String)> {
+        let (determined_until, Moment { time, state }) = match precision {
+            Precision::Estimated { determined_until, start_effect } => (determined_until, start_effect),
+            Precision::NotEstimated(reason) => return vec![("errors", not_estimated(reason))],
+        };
+        let lost = determined_until.map(|until| {
+            let until = number::rounded(until, 6);
+            let left_out = match self.left_out {
+                0 => String::new(),
+                1 => "; one row after it is left out here, not in --json and --csv".to_owned(),
+                rows => format!("; {rows} rows after it are left out here, not in --json and --csv"),
+            };
+            ("determined", format!("not determined in double precision after t = {until} s{left_out}"))
+        });
+        let effects = self.titles[1..].iter().zip(state);
+        let effects =
+            effects.map(|(title, effect)| format!("{} {}", name_in(title), number::at_most(*effect)));
+        let effects = effects.collect::<Vec<_>>().join(", ");
+        let time = number::rounded(*time, 6);
+        let start = format!(
+            "half a unit in the last place of the start changes the state at t = {time} s by at most {effects}"
+        );
+        lost.into_iter().chain([("start", start)]).collect()
+    }
+
     fn write_events(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
         let columns = self.titles.iter().map(Column::numbers);
         let mut table = Table::new(columns.chain([Column::words("event")]).collect());
         for event in &self.happenings {
             let columns = event.columns.as_deref().unwrap_or(&[]);
-            let mut cells = cells_of(event.time, [&event.state, columns]);
-            cells[0] = number::rounded(event.time, 12);
+            let error = event.error.as_ref();
+            let mut cells = cells_of(event.time, [&event.state, columns], error.map(|error| &*error.state));
+            let time_error = error.map_or(0.0, |error| error.time);
+            cells[0] = number::to_its_error(event.time, time_error, 12);
             cells.push(event.kind.clone());
             table.row(out, cells)?;
         }
@@ -122,10 +168,27 @@ pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
     }
 }
 
-/// A time, and the numbers of a state and the columns then.
-pub(super) fn cells_of(time: f64, numbers: [&[f64]; 2]) -> Vec<String> {
-    let state = numbers.concat().into_iter().map(|value| number::rounded(value, 12));
-    [number::short(time, 12)].into_iter().chain(state).collect()
+/// A time, and the numbers of a state and the columns then, the former to their errors.
+pub(super) fn cells_of(time: f64, [state, columns]: [&[f64]; 2], error: Option<&[f64]>) -> Vec<String> {
+    let error = |number: usize| error.map_or(0.0, |error| error[number]);
+    let state =
+        state.iter().enumerate().map(|(number, value)| number::to_its_error(*value, error(number), 12));
+    let columns = columns.iter().map(|value| number::rounded(*value, 12));
+    [number::short(time, 12)].into_iter().chain(state).chain(columns).collect()
+}
+
+/// No error is known, for a reason.
+pub(super) fn not_estimated(reason: &str) -> String {
+    format!("not estimated ({reason})")
+}
+
+fn is_determined(error: &[f64]) -> bool {
+    error.iter().all(|error| !error.is_nan())
+}
+
+/// A title without its unit.
+fn name_in(title: &str) -> &str {
+    title.split(" / ").next().unwrap_or(title)
 }
 
 /// A name with its unit: `theta' / (rad/s)`.

@@ -2,6 +2,7 @@
 
 use super::events::Happening;
 use super::motion::SimulatedMotion;
+use super::precision::Precision;
 use super::report::{AnswerWriter, Sample, Summary};
 use super::resume::{Keeper, Mark, State};
 use super::tally::Tally;
@@ -10,7 +11,7 @@ use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
 use libration::systems::EnergyBalance;
-use libration::taylor::{AcceptedStep, Moment, Step};
+use libration::taylor::{AcceptedStep, Moment, StateErrors, Step};
 use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
@@ -22,6 +23,7 @@ pub(super) struct Watch<'a> {
     report: &'a mut dyn AnswerWriter,
     out: Tally<'a>,
     balance: Option<EnergyBalance<'a>>,
+    errors: Option<StateErrors>,
     pub(super) trace: Option<Trace<'a>>,
     /// What went wrong in writing.
     pub(super) failure: Option<Failure>,
@@ -41,6 +43,7 @@ impl<'a> Watch<'a> {
         report: &'a mut dyn AnswerWriter,
         out: &'a mut dyn Write,
         balance: Option<EnergyBalance<'a>>,
+        errors: Option<StateErrors>,
         trace: Option<Trace<'a>>,
         keeper: Option<Keeper>,
     ) -> Self {
@@ -50,6 +53,7 @@ impl<'a> Watch<'a> {
             report,
             out: Tally::new(out),
             balance,
+            errors,
             trace,
             failure: None,
             times: motion.times.iter().peekable(),
@@ -72,16 +76,17 @@ impl<'a> Watch<'a> {
         }
         self.times.next();
         let moment = Moment { time: row.time, state: row.state.clone() };
+        let error = row.error.as_ref().map(|error| error.state.clone());
         if let Some(trace) = &mut self.trace {
             trace.earlier(&moment);
         }
-        Ok(self.sample(&moment)?)
+        Ok(self.sample(&moment, error)?)
     }
 
     /// Writes the samples that the start itself is.
     pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
         while let Some(time) = self.times.next_if(|time| (time - start.time).abs() <= 0.0) {
-            self.sample(&Moment { time, state: start.state.clone() })?;
+            self.determined_sample(&Moment { time, state: start.state.clone() })?;
         }
         Ok(())
     }
@@ -89,6 +94,9 @@ impl<'a> Watch<'a> {
     /// Takes a step, and says whether there should be another.
     pub(super) fn follow(&mut self, taken: &AcceptedStep<'_>) -> ControlFlow<()> {
         let step = taken.step();
+        if let Some(errors) = &mut self.errors {
+            errors.follow(taken);
+        }
         if let Some(balance) = &mut self.balance {
             balance.record(&self.motion.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
         }
@@ -110,6 +118,11 @@ impl<'a> Watch<'a> {
         self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()])
     }
 
+    /// How well the motion is known.
+    pub(super) fn precision(&self) -> Precision {
+        self.motion.precision(self.errors.as_ref())
+    }
+
     /// What it takes to go on.
     pub(super) fn state(&self) -> &State {
         &self.state
@@ -121,10 +134,16 @@ impl<'a> Watch<'a> {
         self.out.flush()
     }
 
-    fn sample(&mut self, moment: &Moment) -> io::Result<()> {
+    /// A sample with its error.
+    fn determined_sample(&mut self, moment: &Moment) -> io::Result<()> {
+        let error = self.errors.as_ref().map(|errors| self.motion.own_error(errors.at(moment)));
+        self.sample(moment, error)
+    }
+
+    fn sample(&mut self, moment: &Moment, error: Option<Vec<f64>>) -> io::Result<()> {
         self.rows[0] += 1;
         let columns = self.motion.columns_at(moment);
-        self.report.sample(&Sample { moment: self.motion.own(moment), columns }, &mut self.out)
+        self.report.sample(&Sample { moment: self.motion.own(moment), columns, error }, &mut self.out)
     }
 
     fn happening(&mut self, happening: &Happening) -> io::Result<()> {
@@ -141,7 +160,9 @@ impl<'a> Watch<'a> {
     fn rows(&mut self, taken: &AcceptedStep<'_>) -> io::Result<()> {
         for event in taken.events() {
             self.samples(taken.step(), event.time)?;
-            self.happening(&self.motion.watched.happening(event))?;
+            let errors = self.errors.as_mut();
+            let error = errors.map(|errors| self.motion.own_event_error(errors.of_event(taken, event)));
+            self.happening(&Happening { error, ..self.motion.watched.happening(event) })?;
         }
         self.samples(taken.step(), taken.ended_at().unwrap_or(taken.step().end()))
     }
@@ -151,7 +172,7 @@ impl<'a> Watch<'a> {
         let backward = step.end() < step.start();
         let inside = |time: &f64| if backward { *time >= end } else { *time <= end };
         while let Some(time) = self.times.next_if(inside) {
-            self.sample(&Moment { time, state: step.state_at(time) })?;
+            self.determined_sample(&Moment { time, state: step.state_at(time) })?;
         }
         Ok(())
     }
@@ -165,7 +186,8 @@ impl<'a> Watch<'a> {
         let [samples, events] = self.rows;
         let energy = self.balance.as_ref().map(|balance| balance.account().clone());
         let (bytes, checksum) = (self.out.bytes, self.out.checksum.value());
-        self.state.mark = Some(Mark { checkpoint, samples, events, bytes, checksum, energy });
+        let errors = self.errors.as_ref().map(StateErrors::to_numbers);
+        self.state.mark = Some(Mark { checkpoint, samples, events, bytes, checksum, energy, errors });
         if let Some(keeper) = self.keeper.as_mut().filter(|keeper| keeper.is_due()) {
             self.out.flush()?;
             keeper.keep(&self.state)?;

@@ -1,6 +1,6 @@
 //! What is said of the motions of a table.
 
-use super::super::fields::{EVENT, of_end, of_event, of_integration, of_sample, of_time};
+use super::super::fields::{EVENT, of_end, of_event_alone, of_integration, of_sample_alone, of_time};
 use super::super::report::Summary;
 use super::Answer;
 use super::list::Listed;
@@ -26,6 +26,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
             "equations of motion with names in the place of what the file gives",
             |it| it.model.equation().to_string().into(),
         ),
+        Of::value("no_errors", "", "why no error of the states is estimated", |_| "--each".into()),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::present_value(
             "columns[]",
@@ -83,8 +84,8 @@ pub(crate) fn answers() -> Answers {
         of_answer().described(""),
         of_number().described(MOTION),
         of_values().described(MOTION),
-        of_sample().described("motions[].samples[]."),
-        of_event().described("motions[].events[]."),
+        of_sample_alone().described("motions[].samples[]."),
+        of_event_alone().described("motions[].events[]."),
         of_summary().described(MOTION),
     ];
     let csv =

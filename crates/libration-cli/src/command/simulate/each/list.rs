@@ -39,6 +39,7 @@ pub(super) fn listed<'a>(
             observables: setting.observables.as_ref(),
             sensitivities: setting.sensitivities.as_ref(),
             earlier: None,
+            no_errors: question.reason_for_no_errors(),
         };
         if number == 1 {
             motion.check_times(question.figure.is_some())?;

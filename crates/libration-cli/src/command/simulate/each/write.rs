@@ -1,10 +1,11 @@
 //! The motions of a table as table, JSON and CSV.
 
 use super::super::ending::Ending;
-use super::super::fields::{EVENT, of_event, of_sample, of_time};
+use super::super::fields::{EVENT, of_event_alone, of_sample_alone, of_time};
+use super::super::precision::Precision;
 use super::super::report::Summary;
 use super::super::rows::Row;
-use super::super::sheet::{cells_of, drift, titles};
+use super::super::sheet::{cells_of, drift, not_estimated, titles};
 use super::Answer;
 use super::fields::{Numbered, of_answer, of_number, of_summary, of_values};
 use super::follow::Followed;
@@ -35,10 +36,10 @@ impl Answer<'_> {
         let motions = self.motions.iter().map(|(listed, followed)| {
             let numbered = Numbered { answer: self, listed };
             let (mut samples, mut events) = (vec![], vec![]);
-            for row in listed.motion.rows(&followed.solution) {
+            for row in listed.motion.rows(&followed.solution, None) {
                 match row {
-                    Row::Sample(sample) => samples.push(of_sample().record(&sample)),
-                    Row::Event(event) => events.push(of_event().record(&event)),
+                    Row::Sample(sample) => samples.push(of_sample_alone().record(&sample)),
+                    Row::Event(event) => events.push(of_event_alone().record(&event)),
                 }
             }
             let head = of_values().added_to(of_number().record(&numbered), &numbered);
@@ -57,7 +58,7 @@ impl Answer<'_> {
         csv::line(out, &names.chain(event).collect::<Vec<_>>())?;
         for (listed, followed) in &self.motions {
             let numbered = of_number.csv_cells(&Numbered { answer: self, listed });
-            for row in listed.motion.rows(&followed.solution) {
+            for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
                 let mut cells = numbered[..places].to_vec();
                 cells.extend(of_time.csv_cells(&time));
@@ -75,7 +76,8 @@ impl Answer<'_> {
         writeln!(out, "{}", paragraph("  equations  ", &self.model.equation().to_string(), 120))?;
         let motions = format!("{}, of {}", self.motions.len(), self.path.display());
         writeln!(out, "{}", paragraph("  motions    ", &motions, 120))?;
-        writeln!(out, "{}\n", paragraph("  tolerance  ", &self.tolerances.to_string(), 120))?;
+        writeln!(out, "{}", paragraph("  tolerance  ", &self.tolerances.to_string(), 120))?;
+        writeln!(out, "{}\n", paragraph("  errors     ", &not_estimated("--each"), 120))?;
         self.write_motions(out)?;
         if listed {
             self.write_rows(out)?;
@@ -127,10 +129,13 @@ impl Answer<'_> {
         for (listed, followed) in &self.motions {
             let name = self.has_names().then(|| listed.name(self.table).unwrap_or("").to_owned());
             let own: Vec<String> = [listed.number.to_string()].into_iter().chain(name).collect();
-            for row in listed.motion.rows(&followed.solution) {
+            for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
                 let kind = self.with_events.then(|| kind.to_owned());
-                table.row(out, own.iter().cloned().chain(cells_of(time, numbers)).chain(kind).collect())?;
+                table.row(
+                    out,
+                    own.iter().cloned().chain(cells_of(time, numbers, None)).chain(kind).collect(),
+                )?;
             }
         }
         table.finish(out)
@@ -140,7 +145,8 @@ impl Answer<'_> {
 impl Followed<'_> {
     fn summary(&self) -> Summary {
         let (drift, ending) = (self.drift.clone(), self.ending.clone());
-        Summary { steps: self.solution.steps, drift, ending, state: None }
+        let precision = Precision::NotEstimated("--each");
+        Summary { steps: self.solution.steps, drift, precision, ending, state: None }
     }
 
     fn ending_name(&self) -> String {

@@ -17,6 +17,8 @@ pub(crate) struct Mark {
     pub(crate) checksum: u64,
     /// The account of the energy, where there is one.
     pub(crate) energy: Option<EnergyAccount>,
+    /// What the errors of the states come from, where they are estimated.
+    pub(crate) errors: Option<Vec<f64>>,
 }
 
 impl Mark {
@@ -57,6 +59,12 @@ impl Mark {
             Of::value("checksum", "", "checksum of those bytes, in hexadecimal digits", |it| {
                 format!("{:016x}", it.checksum).into()
             }),
+            Of::present_value(
+                "errors[]",
+                "",
+                "what the errors of the next states come from, left out where none are estimated",
+                |it| it.errors.as_ref().map(|errors| json::numbers(errors)),
+            ),
             Of::nested("energy.", &of_energy(), |it| {
                 it.energy.as_ref().map(|account| of_energy().record(account)).into()
             }),
@@ -78,6 +86,10 @@ impl Mark {
             events: count(&value["events"])?,
             bytes: value["bytes"].as_u64()?,
             checksum: u64::from_str_radix(value["checksum"].as_str()?, 16).ok()?,
+            errors: match &value["errors"] {
+                Value::Null => None,
+                errors => Some(list(errors, Value::as_f64)?),
+            },
             energy: match &value["energy"] {
                 Value::Null => None,
                 energy => Some(energy_from_json(energy)?),

@@ -118,7 +118,7 @@ impl Earlier {
     fn of_csv(path: &Path, question: &Question, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
-        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question.columns.len())));
+        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
         if let Some((mark, rows)) = &known {
             let checksum = check_times(rows, mark, times)?;
             if checksum.value() != mark.checksum {

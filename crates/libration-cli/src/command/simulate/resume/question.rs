@@ -20,6 +20,8 @@ pub(crate) struct Question {
     pub(crate) own_tolerances: Vec<(String, f64)>,
     /// What is looked for.
     pub(crate) events: Vec<String>,
+    /// Whether errors of the states are estimated.
+    pub(crate) errors: bool,
     /// Formulas that stand beside the state.
     pub(crate) columns: Vec<String>,
 }
@@ -37,6 +39,10 @@ pub(crate) enum Difference {
     OwnTolerances,
     #[error("{}: give the same --events", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
+    #[error("it has errors of its states: leave out --no-errors")]
+    Errors,
+    #[error("it has no errors of its states: give --no-errors")]
+    NoErrors,
     #[error("its columns are {}, not {}: give the same --columns", listed(.earlier), listed(.asked))]
     Columns { earlier: Vec<String>, asked: Vec<String> },
 }
@@ -64,6 +70,9 @@ impl Question {
         }
         if earlier.events != self.events {
             return Err(Difference::Events { earlier: earlier.events.clone(), asked: self.events.clone() });
+        }
+        if earlier.errors != self.errors {
+            return Err(if earlier.errors { Difference::Errors } else { Difference::NoErrors });
         }
         if earlier.columns != self.columns {
             return Err(Difference::Columns {
@@ -98,6 +107,7 @@ impl Question {
                 },
             ),
             Of::value("events[]", "", "events that are looked for", |it| json::list(it.events.clone())),
+            Of::value("errors", "", "whether errors of the states are estimated", |it| it.errors.into()),
             Of::value("columns[]", "", "formulas beside the state", |it| json::list(it.columns.clone())),
         ])
     }
@@ -119,6 +129,7 @@ impl Question {
             tolerance: value["tolerance"].as_f64()?,
             own_tolerances,
             events: texts("events")?,
+            errors: value["errors"].as_bool().unwrap_or(false),
             columns: texts("columns").unwrap_or_default(),
         })
     }

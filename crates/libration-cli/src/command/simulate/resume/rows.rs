@@ -1,7 +1,8 @@
 //! The samples and events of an earlier answer, one after the other.
 
-use super::{Checksum, Mark, ResumeError};
+use super::{Checksum, Mark, Question, ResumeError};
 use crate::command::simulate::events::Happening;
+use libration::taylor::Moment;
 use serde_json::Value;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
@@ -13,20 +14,30 @@ pub(crate) enum Rows {
     /// In memory, in the order of time.
     List(Vec<Happening>),
     /// In the first lines of a CSV file, the first of which are names.
-    Csv {
-        path: PathBuf,
-        bytes: u64,
-        numbers: usize,
-        /// How many columns of formulas stand behind the state; they are computed again.
-        columns: usize,
-    },
+    Csv { path: PathBuf, bytes: u64, cells: Cells },
+}
+
+/// What stands in a line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cells {
+    /// The numbers of a state.
+    numbers: usize,
+    /// How many columns of formulas stand behind the state; they are computed again.
+    columns: usize,
+    with_errors: bool,
+    with_events: bool,
 }
 
 impl Rows {
     /// The rows of a CSV file that a mark counts.
-    pub(super) fn of_csv(path: &Path, mark: &Mark, columns: usize) -> Self {
-        let numbers = 1 + mark.checkpoint.state.len();
-        Self::Csv { path: path.to_owned(), bytes: mark.bytes, numbers, columns }
+    pub(super) fn of_csv(path: &Path, mark: &Mark, question: &Question) -> Self {
+        let cells = Cells {
+            numbers: mark.checkpoint.state.len(),
+            columns: question.columns.len(),
+            with_errors: question.errors,
+            with_events: !question.events.is_empty(),
+        };
+        Self::Csv { path: path.to_owned(), bytes: mark.bytes, cells }
     }
 
     /// Those of a JSON answer that a mark counts.
@@ -49,7 +60,7 @@ impl Rows {
     ) -> Result<Checksum, E> {
         match self {
             Self::List(rows) => rows.iter().try_for_each(take).map(|()| Checksum::NONE),
-            Self::Csv { path, bytes, numbers, columns } => {
+            Self::Csv { path, bytes, cells } => {
                 let shorter = || ResumeError::Shorter { bytes: *bytes };
                 let unreadable = |_| shorter();
                 let file = File::open(path).map_err(unreadable)?;
@@ -62,7 +73,7 @@ impl Rows {
                     checksum.include(&line);
                     number += 1;
                     if number > 1 {
-                        take(&of_line(&line, *numbers, *columns).ok_or(ResumeError::Unreadable(number))?)?;
+                        take(&cells.of_line(&line).ok_or(ResumeError::Unreadable(number))?)?;
                     }
                     line.clear();
                 }
@@ -75,16 +86,38 @@ impl Rows {
 fn of_record(value: &Value) -> Option<Happening> {
     let state = value["state"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     let kind = value["kind"].as_str().unwrap_or_default().to_owned();
-    Some(Happening { time: value["time"].as_f64()?, kind, state, columns: None })
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    let error = value["error"].as_array().map(|error| Moment {
+        time: number(&value["time_error"]),
+        state: error.iter().map(number).collect(),
+    });
+    Some(Happening { time: value["time"].as_f64()?, kind, state, columns: None, error })
 }
 
-/// A sample, or an event if it has a kind, the last cell, which may hold commas.
-fn of_line(line: &[u8], numbers: usize, columns: usize) -> Option<Happening> {
-    let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
-    let mut cells = line.splitn(numbers + columns + 1, ',');
-    let time = cells.next()?.parse().ok()?;
-    let state =
-        cells.by_ref().take(numbers - 1).map(|cell| cell.parse().ok()).collect::<Option<Vec<f64>>>()?;
-    let kind = cells.nth(columns).unwrap_or_default().trim_matches('"').to_owned();
-    (state.len() == numbers - 1).then_some(Happening { time, kind, state, columns: None })
+impl Cells {
+    /// A sample, or an event if it has a kind, the last cell, which may hold commas.
+    fn of_line(self, line: &[u8]) -> Option<Happening> {
+        let Self { numbers, columns, with_errors, with_events } = self;
+        let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
+        let errors = if with_errors { numbers + usize::from(with_events) } else { 0 };
+        let mut cells = line.splitn(numbers + columns + errors + 2, ',');
+        let time = cells.next()?.parse().ok()?;
+        let state: Vec<f64> =
+            cells.by_ref().take(numbers).map(|cell| cell.parse().ok()).collect::<Option<_>>()?;
+        let mut behind = cells.skip(columns);
+        // What is not determined has no error.
+        let mut error = || match behind.next()? {
+            "" => Some(f64::NAN),
+            error => error.parse().ok(),
+        };
+        let error = match with_errors {
+            true => {
+                let time = if with_events { error()? } else { f64::NAN };
+                Some(Moment { time, state: (0..numbers).map(|_| error()).collect::<Option<_>>()? })
+            }
+            false => None,
+        };
+        let kind = behind.next().unwrap_or_default().trim_matches('"').to_owned();
+        (state.len() == numbers).then_some(Happening { time, kind, state, columns: None, error })
+    }
 }

@@ -1,0 +1,137 @@
+//! How small deviations of a motion go on inside a step, by Magnus's series.
+//!
+//! Reference: S. Blanes, F. Casas, J. A. Oteo, J. Ros, Phys. Rep. 470, 151 (2009), doi:10.1016/j.physrep.2008.11.001, equation (252).
+
+use super::exponential::Exponential;
+use super::larger::larger_or_nan;
+use super::linearised::Linearised;
+use super::matrix::Matrix;
+use super::stepper::Stepper;
+use super::{Step, System};
+
+/// The linearised equations of motion along the steps of one motion.
+#[derive(Debug)]
+pub(super) struct Propagator {
+    forces: Linearised,
+    inputs: Vec<f64>,
+    /// What rounding made of the accelerations and rates of change where they were evaluated last.
+    pub(super) lost: Vec<f64>,
+    rates: [Matrix; 2],
+    commutator: Matrix,
+    exponent: Matrix,
+    exponential: Exponential,
+}
+
+impl Propagator {
+    pub(super) fn new(system: &System) -> Self {
+        let (coordinates, numbers) = (system.coordinates(), system.layout().numbers());
+        let empty = || Matrix::zero(numbers);
+        Self {
+            forces: Linearised::new(system.tape(), 0..coordinates, numbers),
+            inputs: vec![],
+            lost: vec![0.0; coordinates],
+            rates: [empty(), empty()],
+            commutator: empty(),
+            exponent: empty(),
+            exponential: Exponential::new(numbers),
+        }
+    }
+
+    /// The derivatives of the state at one time of a step by that at another, to the fourth order in the time between; what the forces lose
+    /// by rounding where they are evaluated is noted.
+    pub(super) fn between(
+        &mut self,
+        stepper: &Stepper<'_, 1>,
+        step: &Step<'_>,
+        times: [f64; 2],
+        flow: &mut Matrix,
+    ) {
+        self.lost.fill(0.0);
+        self.go(stepper, step, times, flow, 0);
+    }
+
+    /// Long ways, on which forces change much, in halves.
+    fn go(
+        &mut self,
+        stepper: &Stepper<'_, 1>,
+        step: &Step<'_>,
+        times: [f64; 2],
+        flow: &mut Matrix,
+        halvings: usize,
+    ) {
+        const MOST_HALVINGS: usize = 5;
+        /// Of the rates of change times the time: Magnus's series converges below π.
+        const LARGEST: f64 = 2.0;
+        let length = times[1] - times[0];
+        let middle = times[0] + 0.5 * length;
+        let apart = 0.5 * length / SQRT_3;
+        self.linearise(stepper, step, [middle - apart, middle + apart]);
+        let Self { rates: [first, second], commutator, exponent, exponential, .. } = self;
+        exponent.set_product(second, first);
+        let size = exponent.largest_row_sum().sqrt() * length.abs();
+        if size > LARGEST && halvings < MOST_HALVINGS && first != second {
+            let mut half = Matrix::zero(flow.size);
+            self.go(stepper, step, [times[0], middle], &mut half, halvings + 1);
+            let mut other = Matrix::zero(flow.size);
+            self.go(stepper, step, [middle, times[1]], &mut other, halvings + 1);
+            flow.set_product(&other, &half);
+            return;
+        }
+        commutator.set_product(first, second);
+        let factor = SQRT_3 / 12.0 * length * length;
+        let rates = first.entries.iter().zip(&second.entries);
+        for ((exponent, other), (a, b)) in exponent.entries.iter_mut().zip(&commutator.entries).zip(rates) {
+            *exponent = factor * (*exponent - other) + 0.5 * length * (a + b);
+        }
+        exponential.of(exponent, flow);
+    }
+
+    /// The derivatives of the rates of change of the state by the state, at two times.
+    fn linearise(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, times: [f64; 2]) {
+        let Self { forces, inputs, lost, rates, .. } = self;
+        for (time, rates) in times.into_iter().zip(rates) {
+            set_inputs(stepper, step, time, inputs);
+            forces.evaluate(inputs);
+            for (coordinate, lost) in lost.iter_mut().enumerate() {
+                let driven = step.layout.driven(coordinate);
+                rates.row_mut(driven).copy_from_slice(forces.slopes(coordinate));
+                if driven != coordinate {
+                    rates.row_mut(coordinate)[driven] = 1.0;
+                }
+                *lost = larger_or_nan(*lost, forces.error(coordinate));
+            }
+            for modulus in (0..stepper.surroundings.signs.len()).filter(|&modulus| is_stuck(stepper, modulus))
+            {
+                if let Some(number) = stepper.expander.system.driven_in_modulus(modulus) {
+                    rates.row_mut(number).fill(0.0);
+                }
+            }
+        }
+    }
+}
+
+const SQRT_3: f64 = 1.7320508075688772;
+
+/// What the tape of a system is given at a time of a step.
+fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut Vec<f64>) {
+    let h = (time - step.start) / step.unit;
+    let value = |number: usize| {
+        let terms = (0..step.terms).rev();
+        terms.fold(0.0, |sum, n| sum * h + step.coefficient(number, n))
+    };
+    inputs.clear();
+    inputs.extend((0..step.numbers()).map(value));
+    inputs.push(time);
+    inputs.extend(stepper.surroundings.parameters.iter().map(|value| value[0]));
+    inputs.extend((0..stepper.surroundings.signs.len()).map(|modulus| sign_in_step(stepper, modulus)));
+}
+
+/// The sign with which the series of the step came about.
+pub(super) fn sign_in_step(stepper: &Stepper<'_, 1>, modulus: usize) -> f64 {
+    stepper.block[stepper.expander.sign(&stepper.block, modulus)][0][0]
+}
+
+/// Whether friction keeps what stands in a |…| at zero: its sign is then between those of motions.
+fn is_stuck(stepper: &Stepper<'_, 1>, modulus: usize) -> bool {
+    sign_in_step(stepper, modulus).abs() < 1.0
+}
