@@ -75,7 +75,7 @@ test("each system to begin with has its pictures and its verdict", () =>
 /** What is found, however it is asked. */
 const verdict = (room) => room.locator("p.verdict").textContent();
 const entry = (room, label) => room.getByLabel(label, { exact: true }).inputValue();
-const QUICKLY = "points=20&intervals=100&until=5&each=5";
+const QUICKLY = "points=20&intervals=300&until=5&each=5";
 
 test("the motion stays the same when the range of its parameter is taken away", () =>
   visit(`chaos?set=c%3D1/2&value=1.2&over=A%3D1:1.5:0.1&${QUICKLY}`, async (room) => {
