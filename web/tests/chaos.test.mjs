@@ -98,11 +98,16 @@ test("the motion stays the same when the range gets another parameter", () =>
     const before = await verdict(room);
     await enter(room, "Range of a parameter", "omega=0.6:0.8:0.1");
     assert.equal(await verdict(room), before);
+    const slider = room.getByRole("slider", { name: "Value of omega in the diagram" });
+    assert.equal(await slider.getAttribute("aria-valuetext"), "omega = 0.7");
     assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
     assert.equal(await entry(room, "Its value"), "0.7");
     await enter(room, "Range of a parameter", "omega0=1:1.2:0.1");
     assert.equal(await verdict(room), before);
     assert.deepEqual(await errors(room), []);
+    assert.equal(await room.getByRole("slider", { name: "Value of omega0 in the diagram" }).getAttribute("aria-valuetext"), "no value chosen");
+    await enter(room, "Range of a parameter", "");
+    assert.equal(await room.getByRole("slider").count(), 0);
   }));
 
 test("letter by letter the range changes no more than at once", () =>

@@ -95,9 +95,9 @@ export class Form {
     return words;
   }
 
-  /** Numbers without a unit are in that of the unit switch, or in radians where there is none. */
+  /** Numbers without a unit are in that of the unit switch, or in degrees where there is none. */
   #measure(): void {
-    const unit = this.#fields.get(UNIT)?.value ?? "rad";
+    const unit = this.#fields.get(UNIT)?.value ?? "deg";
     for (const field of this.#fields.values()) if (field.isAngle) field.measure(this.#plain.includes(field.key) ? "" : unit);
   }
 

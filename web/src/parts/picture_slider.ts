@@ -35,11 +35,24 @@ export class PictureSlider {
     this.#listen();
   }
 
-  /** Puts the value, as it is said in words. */
-  put(value: number, words: string): void {
+  /** Puts the value, or none, as it is said in words; what the value is of can change. */
+  put(value: number | undefined, words: string, label?: string): void {
     this.#value = value;
     const { from, to } = this.axis;
-    for (const [name, it] of Object.entries({ valuemin: from, valuemax: to, valuenow: value, valuetext: words })) this.#slider.setAttribute(`aria-${name}`, String(it));
+    const said = { valuemin: from, valuemax: to, valuenow: value ?? from, valuetext: words, ...(label !== undefined && { label }) };
+    for (const [name, it] of Object.entries(said)) this.#slider.setAttribute(`aria-${name}`, String(it));
+    this.#offer(true);
+  }
+
+  /** There is no picture, and so nothing to move. */
+  rest(): void {
+    this.#offer(false);
+  }
+
+  #offer(is: boolean): void {
+    this.#slider.tabIndex = is ? 0 : -1;
+    if (is) this.#slider.setAttribute("role", "slider");
+    else this.#slider.removeAttribute("role");
   }
 
   /** The path of the line at the value, where it is within the axes. */

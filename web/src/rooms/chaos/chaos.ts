@@ -121,7 +121,7 @@ class ChaosRoom {
 
   #slides(picture: Picture): PictureSlider {
     const known = () => range(this.#form.value("over")) ?? { name: "", from: 0, to: 1, step: 1 };
-    return new PictureSlider(picture, words.sliderLabel(known().name), {
+    return new PictureSlider(picture, "", {
       nearest: (value) => Number(written(known(), value)),
       steps: () => ({ usual: known().step, fine: known().step / 10, coarse: known().step * 10 }),
       moved: (value) => {
@@ -135,12 +135,12 @@ class ChaosRoom {
   // Where the chosen value is in the diagram.
   #mark(): void {
     const known = range(this.#form.value("over"));
-    const value = Number(this.#form.value("value"));
+    const written = this.#form.value("value");
+    const value = written === "" || !Number.isFinite(Number(written)) ? undefined : Number(written);
     const frame = this.#pictures.diagram.axis();
-    if (known === undefined || frame === undefined) return;
-    if (this.#form.value("value") === "" || !Number.isFinite(value)) return this.#pictures.diagram.overlay([]);
+    if (known === undefined || frame === undefined) return this.#slider.rest();
     this.#slider.axis = frame;
-    this.#slider.put(value, words.sliderWords(known.name, this.#form.value("value")));
+    this.#slider.put(value, written === "" ? words.noValue : words.sliderWords(known.name, written), words.sliderLabel(known.name));
     this.#pictures.diagram.overlay(this.#slider.line());
   }
 
@@ -247,7 +247,10 @@ class ChaosRoom {
 
   #forget(part: Part): void {
     this.#pictures[part].clear();
-    if (part === "diagram") this.#drawn = "";
+    if (part === "diagram") {
+      this.#drawn = "";
+      this.#slider.rest();
+    }
     if (part !== "neighbours") this.#numbers[part].offer(undefined);
   }
 

@@ -67,6 +67,7 @@ class DerivationsRoom {
     const results = [this.#status.element, this.#stepButtons, this.#found.element, this.#saving, this.#numbers.element, this.#equivalents.element];
     this.elements = layout(words.title, words.lead, [road, own, paper], results);
     this.#offer(all, address);
+    this.#offerSaving(false, false);
   }
 
   begin(): void {
