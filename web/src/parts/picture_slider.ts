@@ -25,10 +25,11 @@ export class PictureSlider {
   readonly #picture: Picture;
   readonly #slider: HTMLElement;
   readonly #handlers: Handlers;
+  readonly #label: string;
   #value: number | undefined;
 
   constructor(picture: Picture, label: string, handlers: Handlers) {
-    [this.#picture, this.#handlers] = [picture, handlers];
+    [this.#picture, this.#label, this.#handlers] = [picture, label, handlers];
     this.#slider = element("div", { class: "picture-slider", role: "slider", tabindex: "0", "aria-label": label, "aria-valuenow": "0" });
     this.#slider.append(picture.element.firstElementChild ?? "");
     picture.element.prepend(this.#slider);
@@ -36,23 +37,16 @@ export class PictureSlider {
   }
 
   /** Puts the value, or none, as it is said in words; what the value is of can change. */
-  put(value: number | undefined, words: string, label?: string): void {
+  put(value: number | undefined, words: string, label = this.#label): void {
     this.#value = value;
     const { from, to } = this.axis;
-    const said = { valuemin: from, valuemax: to, valuenow: value ?? from, valuetext: words, ...(label !== undefined && { label }) };
-    for (const [name, it] of Object.entries(said)) this.#slider.setAttribute(`aria-${name}`, String(it));
-    this.#offer(true);
+    const said = { role: "slider", tabindex: 0, "aria-label": label, "aria-valuemin": from, "aria-valuemax": to, "aria-valuenow": value ?? from, "aria-valuetext": words };
+    for (const [name, it] of Object.entries(said)) this.#slider.setAttribute(name, String(it));
   }
 
   /** There is no picture, and so nothing to move. */
   rest(): void {
-    this.#offer(false);
-  }
-
-  #offer(is: boolean): void {
-    this.#slider.tabIndex = is ? 0 : -1;
-    if (is) this.#slider.setAttribute("role", "slider");
-    else this.#slider.removeAttribute("role");
+    for (const name of this.#slider.getAttributeNames()) if (name !== "class") this.#slider.removeAttribute(name);
   }
 
   /** The path of the line at the value, where it is within the axes. */

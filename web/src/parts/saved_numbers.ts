@@ -10,7 +10,7 @@ export class SavedNumbers {
   readonly element: HTMLElement;
   readonly #engine: Engine;
   readonly #name: string;
-  readonly #failure = element("span", { class: "error", role: "alert" });
+  readonly #failure = element("span", { class: "error", role: "alert", hidden: true });
   #command: Command | undefined;
 
   /** `name` is that of the saved file. */
@@ -23,11 +23,16 @@ export class SavedNumbers {
   offer(command: Command | undefined): void {
     this.#command = command;
     this.element.hidden = command === undefined;
-    this.#failure.textContent = "";
+    this.#fail("");
   }
 
   async #save(): Promise<void> {
     if (this.#command === undefined) return;
-    this.#failure.textContent = saveAnswer(this.#name, await ask(this.#engine, extended(this.#command, { csv: true })), "text/csv");
+    this.#fail(saveAnswer(this.#name, await ask(this.#engine, extended(this.#command, { csv: true })), "text/csv"));
+  }
+
+  #fail(reason: string): void {
+    this.#failure.textContent = reason;
+    this.#failure.hidden = reason === "";
   }
 }

@@ -89,6 +89,7 @@ class ChaosRoom {
       verdict: new Finding(words.verdict, verdict.element, this.#numbers.verdict.element),
     };
     this.#slider = this.#slides(diagram);
+    this.#slider.rest();
     this.#orbit = new OrbitFinding(engine);
     this.#further = new FurtherFindings(engine, this.#form, this.#questions);
     this.#fleet = new FleetPanel(address, engine, () => this.#equal());
