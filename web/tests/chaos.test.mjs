@@ -72,6 +72,73 @@ test("each system to begin with has its pictures and its verdict", () =>
     }
   }));
 
+/** What is found, however it is asked. */
+const verdict = (room) => room.locator("p.verdict").textContent();
+const entry = (room, label) => room.getByLabel(label, { exact: true }).inputValue();
+const QUICKLY = "points=20&intervals=300&until=5&each=5";
+
+test("the motion stays the same when the range of its parameter is taken away", () =>
+  visit(`chaos?set=c%3D1/2&value=1.2&over=A%3D1:1.5:0.1&${QUICKLY}`, async (room) => {
+    const chaotic = await verdict(room);
+    assert.match(chaotic, /^Chaotic: /);
+    await enter(room, "Range of a parameter", "");
+    assert.equal(await verdict(room), chaotic);
+    assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
+    assert.equal(await entry(room, "Its value"), "");
+    await visit(new URL(room.url()).hash.slice(1), async (again) => assert.equal(await verdict(again), chaotic));
+    await enter(room, "Range of a parameter", "A=1:1.5:0.1");
+    assert.equal(await verdict(room), chaotic);
+    assert.equal(await entry(room, "Values of parameters"), "c=1/2");
+    assert.equal(await entry(room, "Its value"), "1.2");
+    assert.ok(await part(room, "Bifurcation diagram").locator(".picture-slider").evaluate((it) => it.querySelector(".picture").shadowRoot.querySelector("svg") !== null));
+  }));
+
+test("the motion stays the same when the range gets another parameter", () =>
+  visit(`chaos?set=c%3D1/2,omega%3D0.7&value=1.2&over=A%3D1:1.5:0.1&${QUICKLY}`, async (room) => {
+    const before = await verdict(room);
+    await enter(room, "Range of a parameter", "omega=0.6:0.8:0.1");
+    assert.equal(await verdict(room), before);
+    const slider = room.getByRole("slider", { name: "Value of omega in the diagram" });
+    assert.equal(await slider.getAttribute("aria-valuetext"), "omega = 0.7");
+    assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
+    assert.equal(await entry(room, "Its value"), "0.7");
+    await enter(room, "Range of a parameter", "omega0=1:1.2:0.1");
+    assert.equal(await verdict(room), before);
+    assert.deepEqual(await errors(room), []);
+    assert.equal(await room.getByRole("slider", { name: "Value of omega0 in the diagram" }).getAttribute("aria-valuetext"), "no value chosen");
+    await enter(room, "Range of a parameter", "");
+    assert.equal(await room.getByRole("slider").count(), 0);
+  }));
+
+test("letter by letter the range changes no more than at once", () =>
+  visit(`chaos?set=c%3D1/2&value=1.2&over=A%3D1:1.5:0.1&${QUICKLY}`, async (room) => {
+    const before = await verdict(room);
+    const field = room.getByLabel("Range of a parameter", { exact: true });
+    await field.focus();
+    await room.keyboard.press("End");
+    for (let left = (await field.inputValue()).length; left > 0; left -= 1) await room.keyboard.press("Backspace", { delay: left === 5 ? 500 : 20 });
+    await settled(room);
+    assert.equal(await verdict(room), before);
+    await room.keyboard.type("omega=0.6:0.8:0.1", { delay: 60 });
+    await settled(room);
+    assert.equal(await verdict(room), before);
+    assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
+  }));
+
+test("numbers are saved where there are some, and nowhere else", () =>
+  visit(`chaos?set=c%3D1/2,A%3D0.5&value=&over=&${QUICKLY}`, async (room) => {
+    const csv = (title) => part(room, title).getByRole("button", { name: "Save the numbers as CSV" });
+    assert.equal(await csv("Bifurcation diagram").count(), 0);
+    for (const title of ["Poincaré section", "Order or chaos?", "Periodic orbit"]) assert.ok((await saved(part(room, title), "Save the numbers as CSV")).bytes.length > 20, title);
+    await enter(room, "Range of a parameter", "A=0.4:0.6:0.1");
+    const { bytes } = await saved(part(room, "Bifurcation diagram"), "Save the numbers as CSV");
+    assert.equal(bytes.toString(), command("bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=0.4:0.6:0.1", "--points", "5", "--csv").output);
+    await enter(room, "Range of a parameter", "A=0.4:0.6");
+    assert.equal(await csv("Bifurcation diagram").count(), 0);
+    await enter(room, "System or equation", "nonsense");
+    for (const title of ["Poincaré section", "Order or chaos?", "Periodic orbit", "Bifurcation diagram"]) assert.equal(await csv(title).count(), 0, title);
+  }));
+
 test("what cannot be computed is answered beside its field", () =>
   visit(SMALL, async (room) => {
     for (const [label, entry, said] of [

@@ -29,6 +29,19 @@ for (const [fragment, words] of [
     }));
 }
 
+test("an amplitude without a unit is in the degrees that the derivation shows, and plain where the variable is no angle", () =>
+  visit("derivations?road=elliptic&amplitude=45", async (room) => {
+    const unit = () => room.locator(".field", { has: room.getByLabel("Your amplitude", { exact: true }) }).locator(".unit").textContent();
+    const derived = async (...words) => assert.equal(await shown(room), await inBody(room, command("derive", ...words, "--format", "html").output));
+    assert.equal(await unit(), "°");
+    await derived("--road", "elliptic", "--amplitude", "45deg");
+    await room.getByLabel("What to follow").selectOption("perturbation");
+    await enter(room, "Oscillator or equation", "duffing");
+    await enter(room, "Your amplitude", "0.4");
+    assert.equal(await unit(), "");
+    await derived("--road", "perturbation", "duffing", "--amplitude", "0.4");
+  }));
+
 test("steps open one after the other by the keyboard, and a link leads to a formula", () =>
   visit("derivations", async (room) => {
     const open = room.locator("details.step[open]");

@@ -64,6 +64,40 @@ test("the amplitude moves by keys and by the mouse, and a link shows the same ag
     await visit(new URL(room.url()).hash.slice(1), async (again) => assert.deepEqual(await rows(again, "The chosen formulas"), shown));
   }));
 
+test("numbers without a unit have that of the switch, on the axis of the picture too", () =>
+  visit("formulas", async (room) => {
+    await enter(room, "Amplitude", "45");
+    await agrees(room, "45deg");
+    await room.getByText("Axes of the picture").click();
+    await enter(room, "to", "90");
+    const drawn = async () => (await saved(room, "Save the picture as SVG")).bytes.toString();
+    const ninety = command("figure", "errors", "--formulas", USUAL, "--to", "90deg", "--output", "-").output;
+    assert.equal(await drawn(), ninety);
+    assert.equal(await room.getByRole("slider").getAttribute("aria-valuemax"), "90");
+    await room.getByLabel("Angles in").selectOption("rad");
+    await settled(room);
+    await agrees(room, "45deg");
+    assert.equal(await drawn(), ninety);
+    await enter(room, "Amplitude", "0.75");
+    await agrees(room, "0.75rad");
+    await enter(room, "to", "1.5");
+    assert.equal(await drawn(), command("figure", "errors", "--formulas", USUAL, "--to", "1.5rad", "--output", "-").output);
+    assert.ok(Math.abs(Number(await room.getByRole("slider").getAttribute("aria-valuemax")) - (1.5 * 180) / Math.PI) < 0.05);
+    const shown = await rows(room, "The chosen formulas");
+    await visit(new URL(room.url()).hash.slice(1), async (again) => assert.deepEqual(await rows(again, "The chosen formulas"), shown));
+  }));
+
+test("nothing is saved where there is nothing to save", () =>
+  visit("formulas", async (room) => {
+    let files = 0;
+    room.on("download", () => (files += 1));
+    await enter(room, "Amplitude", "nonsense");
+    await room.getByRole("button", { name: "Save the numbers as CSV" }).click();
+    await settled(room);
+    assert.equal(files, 0);
+    assert.match((await errors(room)).join(), /nonsense/);
+  }));
+
 test("what is saved is what the command writes", () =>
   visit("formulas?formulas=molina,butikov", async (room) => {
     const { name, bytes } = await saved(room, "Save the picture as SVG");

@@ -46,6 +46,26 @@ for (const [file, question, fragment, words] of [
     }));
 }
 
+test("the report can be saved where there is one", () =>
+  visit("laboratory", async (room) => {
+    const report = room.getByRole("button", { name: "Save the report" });
+    await give(room, "lengths_synthetic.csv");
+    assert.equal(await report.count(), 0);
+    assert.equal(await room.getByRole("button", { name: "Save as text" }).count(), 1);
+    await room.getByRole("button", { name: "Remove lengths_synthetic.csv" }).click();
+    await settled(room);
+    await give(room, "swing_synthetic.csv");
+    assert.equal(await report.count(), 1);
+    await enter(room, "Damping", "honey");
+    assert.equal(await report.count(), 0);
+  }));
+
+test("an amplitude without a unit is in radians, and the field says so", () =>
+  visit("laboratory?amplitude=0.9", async (room) => {
+    await give(room, "gate_synthetic.csv");
+    assert.equal(await room.locator(".field", { has: room.getByLabel("Amplitude", { exact: true }) }).locator(".unit").textContent(), "rad");
+  }));
+
 test("a response whose frequencies increase throughout is no trace, and its choices are its own", () =>
   visit("laboratory", async (room) => {
     const rows = Array.from({ length: 12 }, (_, row) => [1 + row / 10, 1 / Math.hypot(2.56 - (1 + row / 10) ** 2, 0.3 * (1 + row / 10))]);

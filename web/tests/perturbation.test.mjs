@@ -30,6 +30,44 @@ test("terms and backbone have the command's numbers", () =>
     assert.deepEqual(backbone.map(([, orbit, , exact, series]) => [orbit, exact, series].map(read)), points.map((it) => [it.frequency, it.exact, it.series].map((value) => Number(value.toPrecision(13)))));
   }));
 
+test("amplitudes without a unit have that of the switch where the variable is an angle, and are plain where it is none", () =>
+  visit("perturbation", async (room) => {
+    const unit = (label) => room.locator(".field", { has: room.getByLabel(label, { exact: true }) }).locator(".unit").textContent();
+    const sums = async () => (await rows(room, "Term by term")).map(([, , , sum]) => read(sum));
+    const expected = (...words) => answer("expand", ...words).steps.map(({ sum }) => Number(sum.toPrecision(15)));
+    const orbits = async () => (await rows(room, "Backbone")).map(([, orbit]) => read(orbit));
+    await enter(room, "Amplitude to try it at", "60");
+    await enter(room, "Amplitudes of the backbone", "30:90:30");
+    assert.equal(await unit("Amplitude to try it at"), "°");
+    assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));
+    assert.deepEqual(await orbits(), answer("backbone", "pendulum", "--amplitudes", "30deg:90deg:30deg", "--order", "7").points.map(({ frequency }) => Number(frequency.toPrecision(13))));
+    await room.getByLabel("Angles in").selectOption("rad");
+    await settled(room);
+    assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));
+    await enter(room, "Amplitude to try it at", "0.5");
+    assert.equal(await unit("Amplitude to try it at"), "rad");
+    assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "0.5rad"));
+    await enter(room, "Oscillator or equation", "x'' + x + x^3 = 0");
+    assert.equal(await unit("Amplitude to try it at"), "");
+    assert.deepEqual(await sums(), expected("x'' + x + x^3 = 0", "--evaluate", "0.5"));
+  }));
+
+test("a built-in oscillator brings no damping of that before, and what has no series has nothing to save", () =>
+  visit("perturbation?oscillator=damped_pendulum&set=n%3D2&order=3&damping-order=2", async (room) => {
+    await room.getByLabel("Built-in oscillators").selectOption("pendulum");
+    await settled(room);
+    assert.deepEqual(await errors(room), []);
+    assert.equal(await room.getByLabel("Order in the damping", { exact: true }).inputValue(), "");
+    const csv = room.getByRole("button", { name: "Save the numbers as CSV" });
+    assert.equal(await csv.count(), 2);
+    await enter(room, "Order", "nonsense");
+    assert.equal(await csv.count(), 0);
+    assert.equal(await room.getByRole("button", { name: "Save", exact: true }).count(), 0);
+    assert.equal(await room.locator("table:visible").count(), 0);
+    await enter(room, "Order", "5");
+    assert.equal(await csv.count(), 2);
+  }));
+
 test("a slow flow is shown in the command's words", () =>
   visit("perturbation?oscillator=damped_pendulum&set=n%3D2&order=3", async (room) => {
     assert.equal(await room.locator(".series pre").textContent(), command("expand", "damped_pendulum", "--set", "n=2", "--order", "3").output);

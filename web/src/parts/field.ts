@@ -1,6 +1,7 @@
 // One value that the reader gives: its label, where it is entered, what it may be, and what is wrong with it, beside it.
 
 import { element, identifier } from "./element.ts";
+import { isBare, unitName, withUnit } from "./units.ts";
 
 /** A field of a form. */
 export interface Field {
@@ -10,7 +11,14 @@ export interface Field {
   readonly option: string | undefined;
   readonly element: HTMLElement;
   readonly initial: string;
+  /** `true` if numbers are angles, in the unit that the reader has chosen. */
+  readonly isAngle: boolean;
+  /** As it is entered. */
   value: string;
+  /** The value with the unit that stands in the field, where it is entered without one. */
+  readonly measured: string;
+  /** Sets the unit of numbers without one; what was entered keeps its meaning. */
+  measure(unit: string): void;
   /** Says what is wrong with the value; nothing is wrong where the reason is empty. */
   refuse(reason: string): void;
   /** Calls when the reader has changed the value. */
@@ -28,6 +36,8 @@ interface Description {
   readonly option?: string;
   readonly words: FieldWords;
   readonly initial?: string;
+  /** Of numbers without one: `angle` is that which the reader has chosen for angles. */
+  readonly unit?: string;
 }
 
 type Control = HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
@@ -38,6 +48,33 @@ export function textField(description: Description, suggestions: readonly string
   const list = element("datalist", { id: identifier() }, ...suggestions.map((value) => element("option", { value })));
   if (suggestions.length > 0) input.setAttribute("list", list.id);
   return controlled(description, input, "input", suggestions.length > 0 ? [list] : []);
+}
+
+/** The unit of numbers without one, within the field while there are no others. */
+class ShownUnit {
+  readonly element = element("span", { class: "unit", id: identifier() });
+  readonly #control: Control;
+  #unit = "";
+
+  constructor(control: Control) {
+    this.#control = control;
+    control.addEventListener("input", () => this.show());
+  }
+
+  get measured(): string {
+    return withUnit(this.#control.value.trim(), this.#unit);
+  }
+
+  set(unit: string): void {
+    if (unit !== this.#unit && unit !== "") this.#control.value = this.measured;
+    this.#unit = unit;
+    this.show();
+  }
+
+  show(): void {
+    const entry = this.#control.value.trim();
+    this.element.textContent = entry === "" || isBare(entry) ? unitName(this.#unit) : "";
+  }
 }
 
 /** One of several values, each with a name. */
@@ -55,6 +92,7 @@ export function tickField(description: Description): Field {
     key,
     option: description.option,
     initial,
+    isAngle: false,
     element: element("div", { class: "field tick" }, element("label", {}, input, ` ${words.label}`), hint(words, identifier()), error),
     get value() {
       return input.checked ? "yes" : "";
@@ -62,6 +100,10 @@ export function tickField(description: Description): Field {
     set value(value) {
       input.checked = value !== "";
     },
+    get measured() {
+      return this.value;
+    },
+    measure: () => {},
     refuse: (reason) => say(error, input, reason),
     onChange: (changed) => input.addEventListener("change", changed),
   };
@@ -74,18 +116,28 @@ function controlled(description: Description, control: Control, event: string, b
   control.value = initial;
   const described = identifier();
   const error = element("p", { class: "error", id: identifier(), hidden: true });
-  control.setAttribute("aria-describedby", `${described} ${error.id}`);
+  const unit = new ShownUnit(control);
+  control.setAttribute("aria-describedby", `${unit.element.id} ${described} ${error.id}`);
+  const isAngle = description.unit === "angle";
+  if (!isAngle) unit.set(description.unit ?? "");
+  const entry = description.unit === undefined ? control : element("div", { class: "entry" }, control, unit.element);
   return {
     key,
     option,
     initial,
-    element: element("div", { class: "field" }, element("label", { for: control.id }, words.label), control, ...beside, hint(words, described), error),
+    isAngle,
+    element: element("div", { class: "field" }, element("label", { for: control.id }, words.label), entry, ...beside, hint(words, described), error),
     get value() {
       return control.value.trim();
     },
     set value(value) {
       control.value = value;
+      unit.show();
     },
+    get measured() {
+      return unit.measured;
+    },
+    measure: (its) => unit.set(its),
     refuse: (reason) => say(error, control, reason),
     onChange: (changed) => control.addEventListener(event, changed),
   };

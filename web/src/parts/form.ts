@@ -5,6 +5,7 @@ import type { Answer } from "../engine/engine.ts";
 import { reason } from "./command.ts";
 import { element } from "./element.ts";
 import type { Field } from "./field.ts";
+import { UNIT } from "./unit_switch.ts";
 
 /** How long the reader may pause between two letters, in milliseconds. */
 const PAUSE = 300;
@@ -17,6 +18,8 @@ export class Form {
   readonly #fields = new Map<string, Field>();
   readonly #address: Address;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** The fields of angles whose variable is no angle now. */
+  #plain: readonly string[] = [];
 
   constructor(address: Address, fields: readonly Field[], changed: () => void) {
     this.#address = address;
@@ -24,16 +27,30 @@ export class Form {
       this.#fields.set(field.key, field);
       field.value = address.get(field.key) ?? field.initial;
       field.onChange(() => {
+        if (field.key === UNIT) this.#measure();
         this.keep();
         clearTimeout(this.#timer);
         this.#timer = setTimeout(changed, PAUSE);
       });
     }
+    this.#measure();
   }
 
-  /** What is entered. */
+  /** What is entered, with the unit that stands in the field where it has none. */
   value(key: string): string {
-    return this.#field(key).value;
+    return this.#field(key).measured;
+  }
+
+  /** The same, but nothing where it is as at the beginning. */
+  chosen(key: string): string | undefined {
+    const field = this.#field(key);
+    return field.value === field.initial ? undefined : field.measured;
+  }
+
+  /** Says which fields of angles hold plain numbers, because the variable is no angle. */
+  plain(keys: readonly string[]): void {
+    this.#plain = keys;
+    this.#measure();
   }
 
   /** Enters a value as the reader would, without asking anything; a field that was folded away is shown where it is not as at the beginning. */
@@ -76,6 +93,12 @@ export class Form {
       }
     }
     return words;
+  }
+
+  /** Numbers without a unit are in that of the unit switch, or in degrees where there is none. */
+  #measure(): void {
+    const unit = this.#fields.get(UNIT)?.value ?? "deg";
+    for (const field of this.#fields.values()) if (field.isAngle) field.measure(this.#plain.includes(field.key) ? "" : unit);
   }
 
   #field(key: string): Field {

@@ -80,14 +80,16 @@ export class Picture {
     return { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
   }
 
-  /** The values at both ends of the horizontal axis, from two of its ticks. */
+  /** The values at both ends of the horizontal axis, from two of its ticks, to a thousandth of its length: places are rounded. */
   axis(): { from: number; to: number } | undefined {
     const frame = this.frame();
     const ticks = [...(this.svg?.querySelectorAll("text.x-tick") ?? [])].map((tick) => [Number(tick.getAttribute("x")), Number(tick.textContent?.replace("−", "-"))] as const);
     const [[x1, value1] = [0, 0], [x2, value2] = [0, 0]] = [ticks[0], ticks.at(-1)];
     if (frame === undefined || x1 === x2 || !Number.isFinite(value1 + value2)) return undefined;
     const valueAt = (x: number) => value1 + ((x - x1) / (x2 - x1)) * (value2 - value1);
-    return { from: valueAt(frame.left), to: valueAt(frame.right) };
+    const [from, to] = [valueAt(frame.left), valueAt(frame.right)];
+    const decimals = Math.min(100, Math.max(0, Math.ceil(3 - Math.log10(Math.abs(to - from)))));
+    return { from: Number(from.toFixed(decimals)), to: Number(to.toFixed(decimals)) };
   }
 
   /** Where the pointer is, in the units of the picture. */

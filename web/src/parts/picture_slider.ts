@@ -25,21 +25,28 @@ export class PictureSlider {
   readonly #picture: Picture;
   readonly #slider: HTMLElement;
   readonly #handlers: Handlers;
+  readonly #label: string;
   #value: number | undefined;
 
   constructor(picture: Picture, label: string, handlers: Handlers) {
-    [this.#picture, this.#handlers] = [picture, handlers];
+    [this.#picture, this.#label, this.#handlers] = [picture, label, handlers];
     this.#slider = element("div", { class: "picture-slider", role: "slider", tabindex: "0", "aria-label": label, "aria-valuenow": "0" });
     this.#slider.append(picture.element.firstElementChild ?? "");
     picture.element.prepend(this.#slider);
     this.#listen();
   }
 
-  /** Puts the value, as it is said in words. */
-  put(value: number, words: string): void {
+  /** Puts the value, or none, as it is said in words; what the value is of can change. */
+  put(value: number | undefined, words: string, label = this.#label): void {
     this.#value = value;
     const { from, to } = this.axis;
-    for (const [name, it] of Object.entries({ valuemin: from, valuemax: to, valuenow: value, valuetext: words })) this.#slider.setAttribute(`aria-${name}`, String(it));
+    const said = { role: "slider", tabindex: 0, "aria-label": label, "aria-valuemin": from, "aria-valuemax": to, "aria-valuenow": value ?? from, "aria-valuetext": words };
+    for (const [name, it] of Object.entries(said)) this.#slider.setAttribute(name, String(it));
+  }
+
+  /** There is no picture, and so nothing to move. */
+  rest(): void {
+    for (const name of this.#slider.getAttributeNames()) if (name !== "class") this.#slider.removeAttribute(name);
   }
 
   /** The path of the line at the value, where it is within the axes. */

@@ -1,5 +1,9 @@
 // Files that the page gives to the reader.
 
+import type { Answer } from "../engine/engine.ts";
+import { text } from "../texts/en.ts";
+import { reason } from "./command.ts";
+
 /** Offers bytes or text as a file with this name. */
 export function save(name: string, content: Uint8Array | string, type: string): void {
   const place = URL.createObjectURL(new Blob([content as BlobPart], { type }));
@@ -8,4 +12,11 @@ export function save(name: string, content: Uint8Array | string, type: string): 
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(place), 10_000);
+}
+
+/** Offers an answer as a file; the result is why there is none, where there is nothing in it or it failed. */
+export function saveAnswer(name: string, answer: Answer, type: string): string {
+  if (answer.status !== 0 || answer.output.length === 0) return reason(answer) || text.parts.nothingToSave;
+  save(name, answer.output, type);
+  return "";
 }

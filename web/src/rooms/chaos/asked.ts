@@ -1,13 +1,13 @@
 // A finding that only a field of its own asks for: numbers in words with a picture, not asked for again while the question stays the same.
 
 import type { Answer, Engine } from "../../engine/engine.ts";
-import { ask, type Command, extended, reason } from "../../parts/command.ts";
-import { button, element } from "../../parts/element.ts";
+import { type Command, reason } from "../../parts/command.ts";
+import { element } from "../../parts/element.ts";
 import type { Form } from "../../parts/form.ts";
 import { isWanted } from "../../parts/latest.ts";
 import { Finding } from "../../parts/layout.ts";
 import { Picture } from "../../parts/picture.ts";
-import { save } from "../../parts/save.ts";
+import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.chaos;
@@ -32,20 +32,20 @@ export interface Further {
 
 export class Asked<T> implements Further {
   readonly element: HTMLElement;
-  readonly #engine: Engine;
   readonly #form: Form;
   readonly #asking: Asking<T>;
   readonly #picture: Picture;
   readonly #finding: Finding;
-  readonly #save = button(text.parts.saveData, () => void this.#saveCsv(), { hidden: true });
+  readonly #numbers: SavedNumbers;
   /** The question whose answer is shown, whole or as far as it came. */
   #shown: Command | undefined;
   #isWhole = false;
 
   constructor(engine: Engine, form: Form, asking: Asking<T>) {
-    [this.#engine, this.#form, this.#asking] = [engine, form, asking];
+    [this.#form, this.#asking] = [form, asking];
     this.#picture = new Picture(engine, asking.name);
-    this.#finding = new Finding(asking.title, this.#picture.element, element("p", { class: "buttons screen-only" }, this.#save));
+    this.#numbers = new SavedNumbers(engine, asking.name);
+    this.#finding = new Finding(asking.title, this.#picture.element, this.#numbers.element);
     this.element = this.#finding.element;
     this.element.hidden = true;
   }
@@ -64,7 +64,7 @@ export class Asked<T> implements Further {
     if (!isWanted(signal)) return;
     if (value === undefined) return this.#refuse(answer);
     [this.#shown, this.#isWhole] = [command, !signal.aborted];
-    this.#save.hidden = false;
+    this.#numbers.offer(command);
     this.#finding.show(...this.#asking.said(value).map((it) => (typeof it === "string" ? element("p", {}, it) : it)));
   }
 
@@ -85,12 +85,7 @@ export class Asked<T> implements Further {
   #forget(): void {
     this.#picture.clear();
     [this.#shown, this.#isWhole] = [undefined, false];
-    this.#save.hidden = true;
-  }
-
-  async #saveCsv(): Promise<void> {
-    if (this.#shown === undefined) return;
-    save(`${this.#asking.name}.csv`, (await ask(this.#engine, extended(this.#shown, { csv: true }))).output, "text/csv");
+    this.#numbers.offer(undefined);
   }
 }
 

@@ -3,8 +3,8 @@
 import type { Address } from "../../address.ts";
 import type { Answer, Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { ask, type Command, extended, reason } from "../../parts/command.ts";
-import { button, element } from "../../parts/element.ts";
+import { type Command, reason } from "../../parts/command.ts";
+import { element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
 import { ladder } from "../../parts/ladder.ts";
@@ -13,7 +13,7 @@ import { Finding, layout } from "../../parts/layout.ts";
 import { digits } from "../../parts/numbers.ts";
 import { Picture } from "../../parts/picture.ts";
 import { PictureSlider } from "../../parts/picture_slider.ts";
-import { save } from "../../parts/save.ts";
+import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
@@ -24,6 +24,7 @@ import { FurtherFindings } from "./further.ts";
 import { OrbitFinding } from "./orbit.ts";
 import { Questions } from "./questions.ts";
 import { range, stages, written } from "./range.ts";
+import { ValueKeeper } from "./value_keeper.ts";
 
 const words = text.chaos;
 /** A section begins with so many points and grows from there. */
@@ -39,6 +40,8 @@ interface Exponent {
 
 /** What is found, each with a picture. */
 type Part = "diagram" | "section" | "neighbours" | "verdict";
+/** Those with numbers to save. */
+type Numbered = Exclude<Part, "neighbours">;
 
 export const chaos: Room = {
   name: "chaos",
@@ -58,12 +61,14 @@ class ChaosRoom {
   readonly #status = new Status(() => this.#latest.stop());
   readonly #pictures: Readonly<Record<Part, Picture>>;
   readonly #findings: Readonly<Record<Part, Finding>>;
+  readonly #numbers: Readonly<Record<Numbered, SavedNumbers>>;
   readonly #slider: PictureSlider;
   readonly #equivalents = new Equivalents();
   readonly #preset = element("select", { id: "chaos-preset" });
   readonly #fleet: FleetPanel;
   readonly #orbit: OrbitFinding;
   readonly #questions: Questions;
+  readonly #value: ValueKeeper;
   readonly #further: FurtherFindings;
   #drawn = "";
 
@@ -72,17 +77,19 @@ class ChaosRoom {
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.update());
     this.#questions = new Questions(this.#form);
+    this.#value = new ValueKeeper(this.#form);
     const picture = (name: string, option: "figure" | "output" = "figure") => new Picture(engine, name, option);
     this.#pictures = { diagram: picture("bifurcation"), section: picture("section"), neighbours: picture("neighbours", "output"), verdict: picture("lyapunov") };
-    const csv = (name: string, command: () => Command) => element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void this.#saveCsv(name, command())));
+    this.#numbers = { diagram: new SavedNumbers(engine, "bifurcation"), section: new SavedNumbers(engine, "section"), verdict: new SavedNumbers(engine, "lyapunov") };
     const { diagram, section, neighbours, verdict } = this.#pictures;
     this.#findings = {
-      diagram: new Finding(words.diagram, diagram.element, csv("bifurcation", () => this.#questions.diagram())),
-      section: new Finding(words.section, section.element, csv("section", () => this.#questions.section())),
+      diagram: new Finding(words.diagram, diagram.element, this.#numbers.diagram.element),
+      section: new Finding(words.section, section.element, this.#numbers.section.element),
       neighbours: new Finding(words.neighbours, neighbours.element),
-      verdict: new Finding(words.verdict, verdict.element, csv("lyapunov", () => this.#questions.lyapunov())),
+      verdict: new Finding(words.verdict, verdict.element, this.#numbers.verdict.element),
     };
     this.#slider = this.#slides(diagram);
+    this.#slider.rest();
     this.#orbit = new OrbitFinding(engine);
     this.#further = new FurtherFindings(engine, this.#form, this.#questions);
     this.#fleet = new FleetPanel(address, engine, () => this.#equal());
@@ -93,6 +100,7 @@ class ChaosRoom {
   }
 
   update(): void {
+    this.#value.keep();
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
@@ -106,6 +114,7 @@ class ChaosRoom {
     this.#preset.append(element("option", { value: "" }, words.preset.own), ...options);
     this.#preset.addEventListener("change", () => {
       for (const [key, value] of Object.entries(preset(this.#preset.value) ?? {})) this.#form.put(key, value);
+      this.#value.forget();
       this.update();
     });
     return element("div", { class: "field" }, element("label", { for: "chaos-preset" }, words.preset.label), this.#preset);
@@ -113,7 +122,7 @@ class ChaosRoom {
 
   #slides(picture: Picture): PictureSlider {
     const known = () => range(this.#form.value("over")) ?? { name: "", from: 0, to: 1, step: 1 };
-    return new PictureSlider(picture, words.sliderLabel(known().name), {
+    return new PictureSlider(picture, "", {
       nearest: (value) => Number(written(known(), value)),
       steps: () => ({ usual: known().step, fine: known().step / 10, coarse: known().step * 10 }),
       moved: (value) => {
@@ -127,11 +136,12 @@ class ChaosRoom {
   // Where the chosen value is in the diagram.
   #mark(): void {
     const known = range(this.#form.value("over"));
-    const value = Number(this.#form.value("value"));
+    const written = this.#form.value("value");
+    const value = written === "" || !Number.isFinite(Number(written)) ? undefined : Number(written);
     const frame = this.#pictures.diagram.axis();
-    if (known === undefined || frame === undefined || this.#form.value("value") === "") return;
+    if (known === undefined || frame === undefined) return this.#slider.rest();
     this.#slider.axis = frame;
-    this.#slider.put(value, words.sliderWords(known.name, this.#form.value("value")));
+    this.#slider.put(value, written === "" ? words.noValue : words.sliderWords(known.name, written), words.sliderLabel(known.name));
     this.#pictures.diagram.overlay(this.#slider.line());
   }
 
@@ -171,6 +181,7 @@ class ChaosRoom {
     for (const asked of [...earlier.map(String), this.#form.value("points")]) {
       if (earlier.length > 0) this.#status.say(words.growing(Number(asked), last));
       const answer = await this.#pictures.section.draw(this.#questions.section(asked), signal);
+      this.#offer("section", this.#questions.section());
       if (signal.aborted) return true;
       this.#findings.section.fail("");
       if (answer.status === 0) continue;
@@ -184,6 +195,7 @@ class ChaosRoom {
     const { answer, value } = await read<Exponent>(this.#engine, this.#questions.lyapunov(), signal);
     if (!isWanted(signal) || (signal.aborted && value === undefined)) return;
     if (value === undefined) return this.#fail("verdict", answer, ["intervals"]);
+    this.#numbers.verdict.offer(this.#questions.lyapunov());
     const { verdict } = value;
     this.#findings.verdict.show(
       element("p", { class: "verdict" }, words.because(words[verdict], value.reason)),
@@ -203,13 +215,14 @@ class ChaosRoom {
   async #draw(signal: AbortSignal): Promise<void> {
     const over = this.#form.value("over");
     if (over === "") {
-      this.#pictures.diagram.clear();
+      this.#forget("diagram");
       return this.#findings.diagram.show(element("p", { class: "quiet" }, words.noDiagram));
     }
     const command = JSON.stringify(this.#questions.diagram());
     if (command === this.#drawn) return this.#mark();
     for (const stage of stages(over)) {
       const answer = await this.#pictures.diagram.draw(this.#questions.diagram(stage), signal);
+      this.#offer("diagram", this.#questions.diagram());
       if (signal.aborted) return;
       this.#findings.diagram.show();
       if (answer.status !== 0) return this.#fail("diagram", answer, ["over", "each", "sweep"]);
@@ -235,10 +248,15 @@ class ChaosRoom {
 
   #forget(part: Part): void {
     this.#pictures[part].clear();
-    if (part === "diagram") this.#drawn = "";
+    if (part === "diagram") {
+      this.#drawn = "";
+      this.#slider.rest();
+    }
+    if (part !== "neighbours") this.#numbers[part].offer(undefined);
   }
 
-  async #saveCsv(name: string, command: Command): Promise<void> {
-    save(`${name}.csv`, (await ask(this.#engine, extended(command, { csv: true }))).output, "text/csv");
+  // The numbers of a picture, where it is shown.
+  #offer(part: Numbered, command: Command): void {
+    this.#numbers[part].offer(this.#pictures[part].svg === undefined ? undefined : command);
   }
 }

@@ -2,12 +2,12 @@
 
 import type { Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
-import { ask, type Command, extended, reason } from "../../parts/command.ts";
-import { button, element } from "../../parts/element.ts";
+import { type Command, reason } from "../../parts/command.ts";
+import { element } from "../../parts/element.ts";
 import { Finding } from "../../parts/layout.ts";
 import { digits } from "../../parts/numbers.ts";
 import { Picture } from "../../parts/picture.ts";
-import { save } from "../../parts/save.ts";
+import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.chaos;
@@ -25,24 +25,24 @@ export class OrbitFinding {
   readonly #engine: Engine;
   readonly #picture: Picture;
   readonly #finding: Finding;
-  #asked: Command | undefined;
+  readonly #numbers: SavedNumbers;
 
   constructor(engine: Engine) {
     this.#engine = engine;
     this.#picture = new Picture(engine, "orbit");
-    const csv = button(text.parts.saveData, () => void this.#saveCsv());
-    this.#finding = new Finding(words.orbit, this.#picture.element, element("p", { class: "buttons screen-only" }, csv));
+    this.#numbers = new SavedNumbers(engine, "orbit");
+    this.#finding = new Finding(words.orbit, this.#picture.element, this.#numbers.element);
     this.element = this.#finding.element;
   }
 
   async find(command: Command, signal: AbortSignal): Promise<void> {
     const { answer, value } = await read<Orbit>(this.#engine, command, signal);
     if (signal.aborted) return;
+    this.#numbers.offer(value === undefined ? undefined : command);
     if (value === undefined) {
       this.#picture.clear();
       return this.#finding.show(element("p", { class: "quiet" }, reason(answer)));
     }
-    this.#asked = command;
     this.#finding.show(element("p", {}, said(value)));
     await this.#picture.draw(command, signal);
   }
@@ -50,10 +50,7 @@ export class OrbitFinding {
   clear(): void {
     this.#finding.show();
     this.#picture.clear();
-  }
-
-  async #saveCsv(): Promise<void> {
-    if (this.#asked !== undefined) save("orbit.csv", (await ask(this.#engine, extended(this.#asked, { csv: true }))).output, "text/csv");
+    this.#numbers.offer(undefined);
   }
 }
 

@@ -83,6 +83,7 @@ export class Questions {
   }
 }
 
-function nameOf(given: string): string {
+/** The name in `NAME=…`. */
+export function nameOf(given: string): string {
   return given.split("=")[0]?.trim() ?? "";
 }

@@ -9,9 +9,11 @@ import { Equivalents } from "../../parts/equivalents.ts";
 import { Form } from "../../parts/form.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
-import { save } from "../../parts/save.ts";
+import { saveAnswer } from "../../parts/save.ts";
+import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
+import { isOfAngle } from "../../parts/units.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import { fields, OWN_KEYS, PAPER_KEYS, SERIES_KEYS, taken } from "./fields.ts";
@@ -41,7 +43,7 @@ class DerivationsRoom {
   readonly #found: Finding;
   readonly #stepButtons: HTMLElement;
   readonly #saving: HTMLElement;
-  readonly #savingTable: HTMLElement;
+  readonly #numbers: SavedNumbers;
   readonly #equivalents = new Equivalents();
   readonly #parts: readonly (readonly [HTMLElement, readonly string[]])[];
 
@@ -57,14 +59,15 @@ class DerivationsRoom {
     this.#stepButtons = element("p", { class: "buttons screen-only sticky" }, button(words.next, next, { class: "main" }), button(words.all, () => this.#steps.setAll(true)), button(words.fold, () => this.#steps.setAll(false)), ended);
     const kinds = Object.keys(ENDINGS) as (keyof typeof ENDINGS)[];
     this.#saving = element("p", { class: "buttons screen-only" }, `${words.save} `, ...kinds.map((kind) => button(words.kinds[kind], () => void this.#save(kind))));
-    this.#savingTable = element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void this.#saveTable()));
+    this.#numbers = new SavedNumbers(engine, "statements");
     const road = this.#form.part(words.question, ["road", ...SERIES_KEYS], { open: true });
     const own = this.#form.part(words.own, OWN_KEYS);
     const paper = this.#form.part(words.statements, PAPER_KEYS);
     this.#parts = [[road, SERIES_KEYS], [own, OWN_KEYS], [paper, PAPER_KEYS]];
-    const results = [this.#status.element, this.#stepButtons, this.#found.element, this.#saving, this.#savingTable, this.#equivalents.element];
+    const results = [this.#status.element, this.#stepButtons, this.#found.element, this.#saving, this.#numbers.element, this.#equivalents.element];
     this.elements = layout(words.title, words.lead, [road, own, paper], results);
     this.#offer(all, address);
+    this.#offerSaving(false, false);
   }
 
   begin(): void {
@@ -96,9 +99,16 @@ class DerivationsRoom {
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
     const isPaper = this.#form.value("road") === "paper";
+    this.#form.plain(this.#isOfAngle() ? [] : ["amplitude"]);
     this.#equivalents.show([this.#command()]);
     if (isPaper) await this.#check(signal);
     else await this.#derive(signal);
+  }
+
+  /** `true` if the amplitude is an angle: of the pendulum, and of equations in one. */
+  #isOfAngle(): boolean {
+    const oscillator = taken(this.#form.value("road")).includes("oscillator") ? this.#form.value("oscillator") : "";
+    return oscillator === "" || oscillator === "pendulum" || isOfAngle(oscillator);
   }
 
   #command(): Command {
@@ -130,15 +140,12 @@ class DerivationsRoom {
 
   #offerSaving(derivation: boolean, table: boolean): void {
     this.#stepButtons.hidden = this.#saving.hidden = !derivation;
-    this.#savingTable.hidden = !table;
+    this.#numbers.offer(table ? this.#command() : undefined);
   }
 
   async #save(kind: keyof typeof ENDINGS): Promise<void> {
-    const { output } = await ask(this.#engine, extended(this.#command(), { format: kind }));
-    save(`derivation.${ENDINGS[kind]}`, output, kind === "html" ? "text/html" : "text/plain");
-  }
-
-  async #saveTable(): Promise<void> {
-    save("statements.csv", (await ask(this.#engine, extended(this.#command(), { csv: true }))).output, "text/csv");
+    const answer = await ask(this.#engine, extended(this.#command(), { format: kind }));
+    const failure = saveAnswer(`derivation.${ENDINGS[kind]}`, answer, kind === "html" ? "text/html" : "text/plain");
+    if (failure !== "") this.#found.fail(failure);
   }
 }

@@ -37,7 +37,7 @@ export function fields(): Field[] {
     textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
     textField({ key: "set", option: "--set", words: words.set }),
     textField({ key: "about", option: "--about", words: words.about }),
-    textField({ key: "amplitude", option: "--amplitude", words: words.amplitude }),
+    textField({ key: "amplitude", option: "--amplitude", words: words.amplitude, unit: "angle" }),
     textField({ key: "length", option: "--length", words: words.length }),
     textField({ key: "gravity", option: "--gravity", words: words.gravity }),
     tickField({ key: "exercises", option: "--exercises", words: words.exercises }),

@@ -3,13 +3,13 @@
 import type { Engine } from "../../engine/engine.ts";
 import { type Command, given } from "../../parts/command.ts";
 import { Picture } from "../../parts/picture.ts";
-import { PictureSlider } from "../../parts/picture_slider.ts";
+import { type Axis, PictureSlider } from "../../parts/picture_slider.ts";
 import { text } from "../../texts/en.ts";
 
-/** The axes, amplitudes in degrees. */
+/** The axes as they are entered. */
 export interface Axes {
-  readonly from: number;
-  readonly to: number;
+  readonly from: string | undefined;
+  readonly to: string | undefined;
   readonly lowest: number;
 }
 
@@ -32,15 +32,15 @@ export class ErrorPicture {
   }
 
   command(keys: readonly string[], axes: Axes): Command {
-    const unlessUsual = (value: number, usual: number) => (value === usual ? undefined : `${value}deg`);
-    [this.#lowest, this.#slider.axis] = [axes.lowest, axes];
+    this.#lowest = axes.lowest;
     const lowest = axes.lowest === 1e-8 ? undefined : axes.lowest.toExponential(0);
-    return { question: "figure errors", options: given({ formulas: keys.join(","), from: unlessUsual(axes.from, 0), to: unlessUsual(axes.to, 180), lowest }) };
+    return { question: "figure errors", options: given({ formulas: keys.join(","), from: axes.from, to: axes.to, lowest }) };
   }
 
   /** Where the amplitude, in degrees, and the tolerance are, and the amplitude in words. */
   mark(amplitude: number, tolerance: number, words: string): void {
     this.#tolerance = tolerance;
+    this.#slider.axis = this.#axis();
     this.#slider.put(amplitude, words);
     this.lines();
   }
@@ -49,8 +49,14 @@ export class ErrorPicture {
   lines(): void {
     const frame = this.picture.frame();
     if (frame === undefined) return;
+    this.#slider.axis = this.#axis();
     const y = frame.bottom - (Math.log(this.#tolerance / this.#lowest) / Math.log(HIGHEST / this.#lowest)) * (frame.bottom - frame.top);
     const limit: [string, string][] = y >= frame.top && y <= frame.bottom ? [["limit", `M${frame.left} ${y}H${frame.right}`]] : [];
     this.picture.overlay([...this.#slider.line(), ...limit]);
+  }
+
+  /** The amplitudes at both ends, in degrees: those of the picture, once there is one. */
+  #axis(): Axis {
+    return this.picture.axis() ?? { from: 0, to: 180 };
   }
 }

@@ -10,7 +10,7 @@ import { choiceField, textField } from "../../parts/field.ts";
 import { Form } from "../../parts/form.ts";
 import { Latest } from "../../parts/latest.ts";
 import { angle, angleEntry, digits } from "../../parts/numbers.ts";
-import { save } from "../../parts/save.ts";
+import { saveAnswer } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
 import { unitSwitch } from "../../parts/unit_switch.ts";
@@ -119,8 +119,8 @@ class FormulasRoom {
   }
 
   #figure(keys: readonly string[]): Command {
-    const [from, to, lowest] = ["from", "to", "lowest"].map((key) => Number(this.#form.value(key))) as [number, number, number];
-    return this.#picture.command(keys, { from, to, lowest });
+    const [from, to] = [this.#form.chosen("from"), this.#form.chosen("to")];
+    return this.#picture.command(keys, { from, to, lowest: Number(this.#form.value("lowest")) });
   }
 
   async #draw(keys: readonly string[], signal: AbortSignal): Promise<void> {
@@ -187,8 +187,11 @@ class FormulasRoom {
   }
 
   async #saveValues(): Promise<void> {
-    const { output } = await ask(this.#engine, extended(this.#period(this.#selection.keys), { csv: true }));
-    save("formulas.csv", output, "text/csv");
+    const keys = this.#selection.keys;
+    if (keys.length === 0) return this.#fail(words.noneChosen);
+    const answer = await ask(this.#engine, extended(this.#period(keys), { csv: true }));
+    const failure = saveAnswer("formulas.csv", answer, "text/csv");
+    if (failure !== "") this.#fail(this.#form.blame(answer));
   }
 
   #fail(reason: string): void {
@@ -199,11 +202,11 @@ class FormulasRoom {
 
 function fields() {
   return [
-    textField({ key: "amplitude", option: "AMPLITUDE", words: words.amplitude, initial: "60deg" }),
+    textField({ key: "amplitude", option: "AMPLITUDE", words: words.amplitude, initial: "60deg", unit: "angle" }),
     textField({ key: "tolerance", option: "--tolerance", words: words.tolerance, initial: "1e-3" }),
     unitSwitch(),
-    textField({ key: "from", option: "--from", words: words.from, initial: "0" }),
-    textField({ key: "to", option: "--to", words: words.to, initial: "180" }),
+    textField({ key: "from", option: "--from", words: words.from, initial: "0deg", unit: "angle" }),
+    textField({ key: "to", option: "--to", words: words.to, initial: "180deg", unit: "angle" }),
     choiceField({ key: "lowest", option: "--lowest", words: words.lowest, initial: "1e-8" }, LOWEST.map((value) => [value, value])),
   ];
 }

@@ -56,6 +56,7 @@ function field(key: Key): Field {
   if (key === "frequency-unit") return choiceField(description, units("Hz", "kHz", "rad/s", "deg/s"));
   if (key === "response-unit") return choiceField(description, units("rad", "deg", "m", "cm", "mm", "in", "counts"));
   if (key === "amplitude-unit" || key === "phase-unit") return choiceField(description, units("rad", "deg"));
+  if (key === "amplitude") return textField({ ...description, unit: "rad" });
   return key === "length-unit" ? choiceField(description, units("m", "cm", "mm", "in")) : textField(description);
 }
 

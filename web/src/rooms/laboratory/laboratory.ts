@@ -11,7 +11,7 @@ import { Form } from "../../parts/form.ts";
 import { Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { Picture } from "../../parts/picture.ts";
-import { save } from "../../parts/save.ts";
+import { save, saveAnswer } from "../../parts/save.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
 import type { Room } from "../../room.ts";
@@ -50,6 +50,7 @@ class LaboratoryRoom {
   readonly #fit: Finding;
   readonly #picture: Picture;
   readonly #buttons: HTMLElement;
+  readonly #saveReport = button(words.saveReport, () => this.#report !== undefined && save(REPORT, this.#report, "text/html"));
   readonly #equivalents = new Equivalents();
   #kind: Kind | undefined;
   #report: Uint8Array | undefined;
@@ -152,6 +153,7 @@ class LaboratoryRoom {
     const answered = element("pre", { tabindex: "0" }, decoded(answer));
     this.#buttons.hidden = false;
     this.#report = answer.files.get(REPORT);
+    this.#saveReport.hidden = this.#report === undefined;
     if (this.#report !== undefined) {
       const inWords = element("details", {}, element("summary", {}, words.answer), answered);
       return this.#fit.show(report(new TextDecoder().decode(this.#report)), inWords);
@@ -212,14 +214,14 @@ class LaboratoryRoom {
   #saving(): HTMLElement {
     const numbers = button(text.parts.saveData, () => void this.#save("csv", "fit.csv"));
     const answer = button(words.saveText, () => void this.#save(undefined, "fit.txt"));
-    const page = button(words.saveReport, () => this.#report !== undefined && save(REPORT, this.#report, "text/html"));
-    return element("p", { class: "buttons screen-only", hidden: true }, page, numbers, answer, button(words.print, () => print()));
+    return element("p", { class: "buttons screen-only", hidden: true }, this.#saveReport, numbers, answer, button(words.print, () => print()));
   }
 
   async #save(form: "csv" | undefined, name: string): Promise<void> {
     if (this.#kind === undefined) return;
     const asked = form === undefined ? this.#command(this.#kind) : extended(this.#command(this.#kind), { [form]: true });
     const answer = await ask(this.#engine, asked, { files: this.#files.all });
-    save(name, answer.output, form === "csv" ? "text/csv" : "text/plain");
+    const failure = saveAnswer(name, answer, form === "csv" ? "text/csv" : "text/plain");
+    if (failure !== "") this.#fit.fail(failure);
   }
 }

@@ -10,7 +10,7 @@ import { APPROXIMATIONS } from "./ghosts.ts";
 
 const words = text.pendulum.fields;
 
-export const START = { angle: "150deg", velocity: "0", length: "1m", gravity: "9.80665m/s^2", damping: "0", drive: "0", driveFrequency: "2/3" } as const;
+const START = { angle: "150deg", velocity: "0", length: "1m", gravity: "9.80665m/s^2", damping: "0", drive: "0", driveFrequency: "2/3" } as const;
 
 export class Controls {
   readonly elements: readonly HTMLElement[];
@@ -18,17 +18,19 @@ export class Controls {
   readonly slider = element("input", { type: "range", min: "0", max: "180", step: "0.1", "aria-label": words.slider });
   readonly #formula: Field;
   readonly #fields = new Map<string, Field>();
+  readonly #planet = choiceField({ key: "planet", words: words.planet }, text.pendulum.planets.map(([value = "", name = ""]) => [value, name] as const));
+  /** The side of the start, which the slider keeps: it sets how far the start is from rest. */
+  #side = 1;
 
   constructor(address: Address, changed: () => void, formulasWanted: () => void) {
-    const line = (key: keyof typeof START, option: string) => textField({ key, option, words: words[key], initial: START[key] });
+    const line = (key: keyof typeof START, option: string, unit?: string) => textField({ key, option, words: words[key], initial: START[key], ...(unit !== undefined && { unit }) });
     const chosen = address.get("formula") ?? "";
     this.#formula = choiceField({ key: "formula", words: words.formula }, [["", words.noFormula], ...(chosen === "" ? [] : [[chosen, chosen] as const])]);
-    const planet = choiceField({ key: "planet", words: words.planet }, text.pendulum.planets.map(([value = "", name = ""]) => [value, name] as const));
     const fields = [
-      line("angle", "<ANGLE>"),
-      line("velocity", "--velocity"),
-      line("length", "--length"),
-      line("gravity", "--gravity"),
+      line("angle", "<ANGLE>", "angle"),
+      line("velocity", "--velocity", "rad/s"),
+      line("length", "--length", "m"),
+      line("gravity", "--gravity", "m/s^2"),
       line("damping", "c"),
       line("drive", "A"),
       line("driveFrequency", "omega"),
@@ -38,15 +40,27 @@ export class Controls {
     ];
     for (const field of fields) this.#fields.set(field.key, field);
     this.form = new Form(address, fields, changed);
-    this.#listen(planet, changed, formulasWanted);
+    this.#listen(changed, formulasWanted);
     const start = this.form.part(words.start, ["angle", "velocity", "length", "gravity"]);
-    start.append(planet.element);
+    start.append(this.#planet.element);
     const forces = this.form.part(words.forces, ["damping", "drive", "driveFrequency"], { folded: true });
     this.elements = [
       this.#presets(changed),
       start,
       element("div", {}, this.form.part(words.ghosts, [...APPROXIMATIONS, "formula"]), forces, this.#field("unit").element),
     ];
+  }
+
+  /** Shows the angle of release, in degrees within [−180, 180], and its words, on the slider. */
+  slide(degrees: number, words: string): void {
+    if (degrees !== 0) this.#side = Math.sign(degrees);
+    this.slider.value = String(Math.abs(degrees));
+    this.slider.setAttribute("aria-valuetext", words);
+  }
+
+  /** Names the planet of this gravity in m/s², where it is one of them. */
+  name(gravity: number | undefined, read: (entry: string) => number | undefined): void {
+    this.#planet.value = text.pendulum.planets.find(([value = ""]) => value !== "" && read(value) === gravity)?.[0] ?? "";
   }
 
   refuse(key: string, reason: string): void {
@@ -67,15 +81,13 @@ export class Controls {
     return field;
   }
 
-  #listen(planet: Field, changed: () => void, formulasWanted: () => void): void {
-    planet.value = text.pendulum.planets.some(([value]) => value === this.form.value("gravity")) ? this.form.value("gravity") : "";
-    planet.onChange(() => {
-      if (planet.value === "") return;
-      this.form.put("gravity", planet.value);
+  #listen(changed: () => void, formulasWanted: () => void): void {
+    this.#planet.onChange(() => {
+      if (this.#planet.value !== "") this.form.put("gravity", this.#planet.value);
       changed();
     });
     this.slider.addEventListener("input", () => {
-      this.form.put("angle", `${this.slider.value}deg`);
+      this.form.put("angle", `${this.#side * Number(this.slider.value)}deg`);
       changed();
     });
     this.#formula.element.addEventListener("focusin", formulasWanted, { once: true });
@@ -84,10 +96,8 @@ export class Controls {
   #presets(changed: () => void): HTMLElement {
     const buttons = text.pendulum.presets.map((preset) =>
       button(preset.name, () => {
-        this.form.put("angle", preset.angle);
-        this.form.put("velocity", preset.velocity === "" ? START.velocity : preset.velocity);
-        this.form.put("gravity", preset.gravity ?? START.gravity);
-        this.form.put("length", START.length);
+        const { name: _, ...its } = preset;
+        for (const [key, value] of Object.entries({ ...START, ...its })) this.form.put(key, value);
         changed();
       }),
     );

@@ -1,7 +1,7 @@
 // The linked graphs: angle, velocity, phase plane, energy, harmonics, epicycles.
 
 import type { Harmonics, Motion } from "../../engine/mathematics.ts";
-import { angle as angleInWords, digits } from "../../parts/numbers.ts";
+import { angle as angleInWords, digits, short } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import type { Course, Place, Samples } from "./course.ts";
 import type { Ghost } from "./ghosts.ts";
@@ -14,6 +14,8 @@ const POINTS = 1200;
 export interface Scene {
   readonly course: Course;
   readonly motion: Motion;
+  /** `false` for damped and driven motions, of which `motion` is the start alone. */
+  readonly isExact: boolean;
   /** Integrated motions have no harmonics. */
   readonly harmonics: Harmonics | undefined;
   readonly ghosts: readonly Ghost[];
@@ -86,28 +88,30 @@ export class Graphs {
     for (const plot of this.#all) plot.close();
   }
 
-  #showAngle({ ghosts, motion, unit, window }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
+  #showAngle({ ghosts, motion, isExact, unit, window }: Scene, times: Float64Array, { angles }: Samples, step: number): void {
     const curves = ghosts.map((ghost) => ({ ghost, angles: ghost.angles(window[0], step, POINTS) }));
     const range = padded(extent([angles, ...curves.map((curve) => curve.angles)], Math.PI * 4));
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.angle.axis(unit), ...angleTicks("y", range, unit) };
-    this.#angle.show(axes, words.angle.words(seconds(motion.period), angleInWords(Math.max(...range), unit, 4)), (pen) => {
+    const said = angleExtent(isExact, motion, angles).map((it) => angleInWords(it, unit, 4)) as [string, string];
+    this.#angle.show(axes, words.angle.words(isExact ? seconds(motion.period) : words.none, ...said), (pen) => {
       for (const curve of curves) pen.line(times, curve.angles, curve.ghost.colour, 1.25, [5, 3]);
       pen.line(times, angles, "curve-1", 2);
     });
   }
 
-  #showVelocity({ window }: Scene, times: Float64Array, { velocities }: Samples): void {
+  #showVelocity({ window, motion, isExact }: Scene, times: Float64Array, { velocities }: Samples): void {
     const range = padded(extent([velocities]));
+    const said = velocityExtent(isExact, motion, velocities).map((it) => short(it, 4)) as [string, string];
     const axes = { x: window, y: range, xLabel: words.time, yLabel: words.velocity.axis };
-    this.#velocity.show(axes, words.velocity.words(digits(range[1] / 1.08, 4)), (pen) => pen.line(times, velocities, "curve-1", 2));
+    this.#velocity.show(axes, words.velocity.words(...said), (pen) => pen.line(times, velocities, "curve-1", 2));
   }
 
-  #showPhase({ motion, unit, harmonics }: Scene, samples: Samples): void {
+  #showPhase({ motion, isExact, unit, harmonics }: Scene, samples: Samples): void {
     const frequency = 2 * motion.angularFrequency;
     const fastest = Math.max(frequency, ...samples.velocities.map(Math.abs).filter(Number.isFinite));
     const x: Range = [-Math.PI, Math.PI];
     const axes: Axes = { x, y: [-1.12 * fastest, 1.12 * fastest], xLabel: words.phase.x(unit), yLabel: words.velocity.axis, ...angleTicks("x", x, unit) };
-    this.#phase.show(axes, words.phase.words(text.pendulum.regimes[motion.regime]), (pen) => {
+    this.#phase.show(axes, words.phase.words(isExact ? text.pendulum.regimes[motion.regime] : text.pendulum.forced), (pen) => {
       const angles = Array.from({ length: 201 }, (_, n) => ((n - 100) * Math.PI) / 100);
       for (const side of [1, -1]) pen.line(angles, angles.map((it) => side * frequency * Math.cos(it / 2)), "quiet", 1.25, [5, 3]);
       const [xs, ys] = harmonics === undefined ? segments(samples) : orbit(motion, samples);
@@ -115,13 +119,13 @@ export class Graphs {
     });
   }
 
-  #showEnergy({ motion, window }: Scene, times: Float64Array, { angles, velocities }: Samples): void {
+  #showEnergy({ motion, isExact, window }: Scene, times: Float64Array, { angles, velocities }: Samples): void {
     const frequency = 2 * motion.angularFrequency;
     const both = Array.from(angles, (angle, n) => energies(angle, velocities[n] ?? NaN, frequency));
     const all = both.map(([kinetic, potential]) => kinetic + potential);
     const top = 1.22 * Math.max(...all.filter(Number.isFinite), 1e-300);
     const axes = { x: window, y: [0, top] as const, xLabel: words.time, yLabel: words.energy.axis };
-    this.#energy.show(axes, words.energy.words(digits(motion.energyRatio, 6)), (pen) => {
+    this.#energy.show(axes, words.energy.words(digits(motion.energyRatio, 6), isExact), (pen) => {
       pen.line(window, [1, 1], "quiet", 1.25, [5, 3]);
       pen.line(times, both.map(([kinetic]) => kinetic), "curve-2");
       pen.line(times, both.map(([, potential]) => potential), "curve-3");
@@ -213,6 +217,19 @@ function extent(curves: readonly Float64Array[], most = Infinity): Range {
     }
   }
   return Number.isFinite(low) && Number.isFinite(high) ? [low, high] : [-1, 1];
+}
+
+/** The smallest and the largest angle: of swings by the amplitude, of others as far as they are shown. */
+function angleExtent(isExact: boolean, { regime, amplitude }: Motion, angles: Float64Array): Range {
+  return isExact && regime === "libration" ? [-amplitude, amplitude] : extent([angles]);
+}
+
+/** The smallest and the largest velocity: by the energy, of damped and driven motions as far as they are shown. */
+function velocityExtent(isExact: boolean, { regime, energyRatio, energyExcess, angularFrequency }: Motion, velocities: Float64Array): Range {
+  if (!isExact || !["libration", "rotation"].includes(regime)) return extent([velocities]);
+  const [most, least] = [2 * angularFrequency * Math.sqrt(energyRatio), 2 * angularFrequency * Math.sqrt(Math.max(0, energyExcess))];
+  if (regime === "libration") return [-most, most];
+  return (velocities[0] ?? 0) < 0 ? [-most, -least] : [least, most];
 }
 
 function padded([low, high]: Range): Range {

@@ -5,7 +5,7 @@ import { ask, type Command, extended, reason } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
 import { Equivalents } from "../../parts/equivalents.ts";
 import { Picture } from "../../parts/picture.ts";
-import { save } from "../../parts/save.ts";
+import { saveAnswer } from "../../parts/save.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.pendulum.keep;
@@ -53,7 +53,6 @@ export class Keep {
   async #save(): Promise<void> {
     if (this.#command === undefined) return;
     const answer = await ask(this.#engine, extended(this.#command, { csv: true }));
-    this.#failure.textContent = reason(answer);
-    if (answer.status === 0) save("motion.csv", answer.output, "text/csv");
+    this.#failure.textContent = saveAnswer("motion.csv", answer, "text/csv");
   }
 }

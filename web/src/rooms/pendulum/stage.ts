@@ -13,6 +13,8 @@ export interface Hands {
   held(angle: number): void;
   /** It is let go with this velocity in rad/s. */
   letGo(angle: number, velocity: number): void;
+  /** It is taken away, as by a gesture of the system: neither let go nor thrown. */
+  taken(): void;
   /** Keys turn the angle of release by so many degrees. */
   turned(degrees: number): void;
 }
@@ -110,6 +112,12 @@ export class Stage {
   #listen(hands: Hands): void {
     /** The last movements, to tell how fast it is thrown. */
     let moves: { angle: number; at: number }[] = [];
+    /** The pointer that holds the bob. */
+    let holder: number | undefined;
+    const taken = () => {
+      if (holder !== undefined) hands.taken();
+      holder = undefined;
+    };
     const held = (event: PointerEvent) => {
       const last = moves.at(-1)?.angle;
       const angle = this.#angleOf(event);
@@ -118,21 +126,25 @@ export class Stage {
       hands.held(angle);
     };
     this.canvas.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
+      if (event.button !== 0 || holder !== undefined) return;
+      holder = event.pointerId;
       this.canvas.setPointerCapture(event.pointerId);
       moves = [];
       held(event);
     });
     this.canvas.addEventListener("pointermove", (event) => {
-      if (this.canvas.hasPointerCapture(event.pointerId)) held(event);
+      if (event.pointerId === holder) held(event);
     });
     this.canvas.addEventListener("pointerup", (event) => {
-      if (!this.canvas.hasPointerCapture(event.pointerId)) return;
+      if (event.pointerId !== holder) return;
+      holder = undefined;
       const recent = moves.filter(({ at }) => event.timeStamp - at < 100);
       const [first, last] = [recent[0], recent.at(-1)];
       const velocity = first !== undefined && last !== undefined && last.at > first.at ? (1000 * (last.angle - first.angle)) / (last.at - first.at) : 0;
       hands.letGo(this.#angleOf(event), Math.abs(velocity) < STILL ? 0 : velocity);
     });
+    this.canvas.addEventListener("pointercancel", taken);
+    this.canvas.addEventListener("lostpointercapture", (event) => event.pointerId === holder && taken());
     this.canvas.addEventListener("keydown", (event) => {
       const steps: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 };
       const step = steps[event.key];

@@ -2,15 +2,15 @@
 
 import type { Address } from "../../address.ts";
 import type { Engine } from "../../engine/engine.ts";
-import type { Mathematics, Motion } from "../../engine/mathematics.ts";
+import type { Mathematics, Motion, Reading } from "../../engine/mathematics.ts";
 import { read } from "../../parts/answers.ts";
 import { type Command, given } from "../../parts/command.ts";
 import { button, element } from "../../parts/element.ts";
-import { digits } from "../../parts/numbers.ts";
+import { angle as angleInWords, digits } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
 import { Clock } from "../../parts/clock.ts";
 import { onColours } from "../../parts/colours.ts";
-import { Controls, START } from "./controls.ts";
+import { Controls } from "./controls.ts";
 import { type Course, ExactCourse, type IntegratedCourse } from "./course.ts";
 import { Facts } from "./facts.ts";
 import { APPROXIMATIONS, approximate, type Ghost, withPeriod } from "./ghosts.ts";
@@ -56,7 +56,7 @@ export class Swing {
   constructor(place: HTMLElement, address: Address, engine: Engine, mathematics: Mathematics) {
     [this.#address, this.#engine, this.#mathematics] = [address, engine, mathematics];
     this.#controls = new Controls(address, () => this.#start(), () => void this.#offerFormulas());
-    this.#stage = new Stage(words.stage, { held: (angle) => this.#held(angle), letGo: (angle, velocity) => this.#letGo(angle, velocity), turned: (by) => this.#turned(by) });
+    this.#stage = new Stage(words.stage, { held: (angle) => this.#held(angle), letGo: (angle, velocity) => this.#letGo(angle, velocity), taken: () => this.#taken(), turned: (by) => this.#turned(by) });
     this.#transport = new Transport(this.#clock, address.get("speed") ?? "1", () => this.#moved());
     this.#listen = button(words.listen, () => this.#sound(), { title: words.listenHint, "aria-pressed": "false" });
     this.#keep = new Keep(engine);
@@ -118,17 +118,17 @@ export class Swing {
 
   #launched(): Motion | undefined {
     const { form } = this.#controls;
-    const quantity = (key: string, reading: { value: number } | { error: string }) => {
-      if ("value" in reading) return reading.value;
-      this.#controls.refuse(key, reading.error);
-      return undefined;
+    const quantity = (key: string, reading: Reading) => {
+      if ("error" in reading) this.#controls.refuse(key, reading.error);
+      return valueOf(reading);
     };
     const angle = this.#mathematics.angle(form.value("angle"));
     if ("error" in angle) this.#controls.refuse("angle", angle.error);
-    else this.#controls.slider.value = String(Math.min(180, Math.abs((180 / Math.PI) * angle.inTurn)));
+    else this.#controls.slide((180 / Math.PI) * angle.inTurn, angleInWords(angle.inTurn, form.value("unit")));
     const velocity = quantity("velocity", this.#mathematics.angularVelocity(form.value("velocity") || "0"));
     const length = quantity("length", this.#mathematics.length(form.value("length")));
     const gravity = quantity("gravity", this.#mathematics.acceleration(form.value("gravity")));
+    this.#controls.name(gravity, (entry) => valueOf(this.#mathematics.acceleration(entry)));
     if ("error" in angle || velocity === undefined || length === undefined || gravity === undefined) return undefined;
     const motion = this.#mathematics.launch(form.value("angle"), velocity, length, gravity);
     if (!("error" in motion)) return motion;
@@ -190,13 +190,15 @@ export class Swing {
   #describe(motion: Motion, forces: Forces | undefined): void {
     const unit = this.#value("unit");
     const period = Number.isFinite(motion.period) && motion.period > 0 ? `${digits(motion.period, 6)} s` : words.graphs.none;
-    const degrees = Number(this.#controls.slider.value);
+    const regime = forces === undefined ? words.regimes[motion.regime] : words.forced;
+    const start = this.#mathematics.angle(this.#value("angle"));
+    const degrees = "error" in start ? 0 : (180 / Math.PI) * start.inTurn;
     this.#facts.show(motion, forces === undefined, unit);
-    this.#stage.describe(degrees, `${this.#value("angle")}: ${words.regimes[motion.regime]}`);
-    if (forces === undefined) this.#said.textContent = words.announce(words.regimes[motion.regime], period);
-    const pendulum = { length: unless(this.#value("length"), START.length), gravity: unless(this.#value("gravity"), START.gravity) };
-    const velocity = unless(this.#value("velocity"), START.velocity);
-    const exact: Command = { question: "motion", arguments: [this.#value("angle")], options: given({ velocity, ...pendulum }) };
+    this.#stage.describe(Number(degrees.toFixed(4)), `${this.#value("angle").replaceAll("deg", "°")}: ${regime}`);
+    if (forces === undefined) this.#said.textContent = words.announce(regime, period);
+    const { form } = this.#controls;
+    const chosen = { velocity: form.chosen("velocity"), length: form.chosen("length"), gravity: form.chosen("gravity") };
+    const exact: Command = { question: "motion", arguments: [this.#value("angle")], options: given(chosen) };
     const compared = APPROXIMATIONS.filter((key) => this.#value(key) === "yes" && this.#ghosts.some((ghost) => ghost.key === key));
     this.#keep.show(forces === undefined ? exact : forced(forces, 20), forces === undefined ? compared : [], forces === undefined ? shownTimes(motion) : undefined);
     this.#listen.disabled = forces !== undefined || motion.regime !== "libration";
@@ -240,7 +242,7 @@ export class Swing {
     this.#window = [first, first + length];
     const isExact = course instanceof ExactCourse;
     const harmonics = isExact && ["libration", "rotation"].includes(motion.regime) ? this.#mathematics.harmonics(1e-12, 60) : undefined;
-    this.#graphs.show({ course, motion, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit") });
+    this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit") });
   }
 
   /** The time was changed by hand, or has begun or ceased to run: the address says so. */
@@ -263,7 +265,14 @@ export class Swing {
     const degrees = (180 / Math.PI) * angle;
     const top = Math.abs(Math.abs(degrees) - 180) < 0.5 && velocity === 0;
     this.#controls.form.put("angle", top ? "180deg" : `${degrees.toFixed(1)}deg`);
-    this.#controls.form.put("velocity", velocity === 0 ? START.velocity : `${velocity.toFixed(2)}rad/s`);
+    this.#controls.form.put("velocity", velocity === 0 ? "0" : `${velocity.toFixed(2)}rad/s`);
+    this.#start();
+    this.#resume();
+  }
+
+  /** The bob was taken out of the hand: the motion goes on as if it had not been touched. */
+  #taken(): void {
+    this.#picture();
     this.#resume();
   }
 
@@ -276,7 +285,6 @@ export class Swing {
   }
 
   #resume(): void {
-    this.#start();
     if (this.#wasRunning) this.#clock.run();
     this.#wasRunning = false;
     this.#transport.show();
@@ -289,6 +297,10 @@ export class Swing {
     this.#listen.textContent = this.#tone.sounds ? words.silent : words.listen;
     this.#listen.setAttribute("aria-pressed", String(this.#tone.sounds));
   }
+}
+
+function valueOf(reading: Reading): number | undefined {
+  return "value" in reading ? reading.value : undefined;
 }
 
 /** What is as usual need not be said. */

@@ -23,13 +23,13 @@ export function fields(): Field[] {
     textField({ key: "gauge", option: "--gauge", words: words.gauge }, ["fundamental", "x_max", "half_swing", "energy", "nome", "A1=1,A3=-1"]),
     textField({ key: "damping-order", option: "--damping-order", words: words.dampingOrder }),
     textField({ key: "small", option: "--small", words: words.small }),
-    textField({ key: "evaluate", option: "--evaluate", words: words.evaluate, initial: ANGLES.evaluate }),
+    textField({ key: "evaluate", option: "--evaluate", words: words.evaluate, initial: ANGLES.evaluate, unit: "angle" }),
     choiceField({ key: "quantity", option: "--quantity", words: { label: quantity.label }, initial: "period" }, [
       ["period", quantity.period],
       ["frequency", quantity.frequency],
       ...harmonics,
     ]),
-    textField({ key: "amplitudes", option: "--amplitudes", words: words.amplitudes, initial: ANGLES.amplitudes }),
+    textField({ key: "amplitudes", option: "--amplitudes", words: words.amplitudes, initial: ANGLES.amplitudes, unit: "angle" }),
     unitSwitch(),
   ];
 }

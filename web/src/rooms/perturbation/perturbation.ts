@@ -13,9 +13,11 @@ import { isWanted, Latest } from "../../parts/latest.ts";
 import { Finding, layout } from "../../parts/layout.ts";
 import { fromHtml } from "../../parts/markup.ts";
 import { Picture } from "../../parts/picture.ts";
-import { save } from "../../parts/save.ts";
+import { saveAnswer } from "../../parts/save.ts";
+import { SavedNumbers } from "../../parts/saved_numbers.ts";
 import { Status } from "../../parts/status.ts";
 import { telling } from "../../parts/telling.ts";
+import { isOfAngle } from "../../parts/units.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
@@ -49,18 +51,25 @@ class PerturbationRoom {
   readonly #backbone: Finding;
   readonly #seriesPicture: Picture;
   readonly #backbonePicture: Picture;
+  readonly #numbers: Readonly<Record<"series" | "backbone", SavedNumbers>>;
+  /** What can be saved of a series. */
+  readonly #saving: HTMLElement;
   readonly #equivalents = new Equivalents();
   #latex = "";
+  /** The keys of built-in oscillators whose variable is an angle. */
+  #angles: ReadonlySet<string> = new Set(["pendulum"]);
 
   constructor(address: Address, given: Engine) {
     const engine = telling(given, this.#status);
     this.#engine = engine;
     this.#form = new Form(address, fields(), () => this.#update());
+    this.#numbers = { series: new SavedNumbers(engine, "series"), backbone: new SavedNumbers(engine, "backbone") };
     this.#seriesPicture = new Picture(engine, "series", "output");
     this.#backbonePicture = new Picture(engine, "backbone");
-    this.#series = new Finding(words.series, this.#saving());
+    this.#saving = this.#savings();
+    this.#series = new Finding(words.series, this.#saving);
     this.#limits = new Finding(words.limits, this.#seriesPicture.element);
-    this.#backbone = new Finding(words.backbone, this.#backbonePicture.element, this.#csv("backbone", () => this.#backboneCommand()));
+    this.#backbone = new Finding(words.backbone, this.#backbonePicture.element, this.#numbers.backbone.element);
     const chooser = element("div", { class: "field" }, element("label", {}, words.choose.label, this.#builtIn));
     const question = this.#form.part(words.question, ["oscillator", "set"], { open: true });
     question.firstElementChild?.after(chooser);
@@ -90,11 +99,11 @@ class PerturbationRoom {
     const options = oscillators.map(({ key, title, equation }) => element("option", { value: key }, `${title}: ${equation}`));
     this.#builtIn.append(element("option", { value: "" }, words.choose.own), ...options);
     this.#builtIn.value = this.#form.value("oscillator");
+    this.#angles = new Set(oscillators.filter(({ equation }) => equation.includes("theta")).map(({ key }) => key));
     this.#builtIn.addEventListener("change", () => {
       const key = this.#builtIn.value;
       if (key === "") return;
-      const isAngle = oscillators.some((it) => it.key === key && it.equation.includes("theta"));
-      this.#put({ oscillator: key, set: "", letters: "", about: "", gauge: "", ...(isAngle ? ANGLES : PLAIN) });
+      this.#put({ oscillator: key, set: "", letters: "", about: "", gauge: "", "damping-order": "", small: "", ...(this.#angles.has(key) ? ANGLES : PLAIN) });
       this.#update();
     });
   }
@@ -112,18 +121,36 @@ class PerturbationRoom {
   // An equation without an angle is not tried at angles that nobody has entered.
   #fit(): void {
     const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
+    if (this.#form.value("oscillator").includes("=") && !this.#isOfAngle() && isUntouched) this.#put(PLAIN);
+    this.#form.plain(this.#isOfAngle() ? [] : Object.keys(ANGLES));
+  }
+
+  /** `true` if the variable is an angle. */
+  #isOfAngle(): boolean {
     const oscillator = this.#form.value("oscillator");
-    if (oscillator.includes("=") && !/theta|phi|angle/.test(oscillator) && isUntouched) this.#put(PLAIN);
+    return oscillator.includes("=") ? isOfAngle(oscillator) : this.#angles.has(oscillator);
   }
 
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
     this.#fit();
-    if (this.#form.value("oscillator") === "") return this.#series.fail(words.none);
+    if (this.#form.value("oscillator") === "") return this.#nothing(words.none);
     this.#equivalents.show([this.#expansion(), this.#evaluation(), this.#seriesPicture.command(this.#figure()), this.#backboneCommand()]);
     if (!(await this.#expand(signal)) || signal.aborted) return;
     await this.#evaluate(signal);
     if (!signal.aborted) await this.#compare(signal);
+  }
+
+  /** There is no series, for this reason, which may stand beside its field, and nothing to compare with it. */
+  #nothing(why: string): void {
+    this.#series.show();
+    this.#series.fail(why);
+    this.#offerSaving(false);
+    this.#limits.show();
+    this.#seriesPicture.clear();
+    this.#backbone.show();
+    this.#backbonePicture.clear();
+    this.#numbers.backbone.offer(undefined);
   }
 
   #about(): Command {
@@ -166,9 +193,10 @@ class PerturbationRoom {
       // What is stopped is as good as it is long.
       if (signal.aborted && (!isWanted(signal) || answer.output.length === 0)) return false;
       if (answer.status !== 0 && !signal.aborted) {
-        this.#series.fail(this.#form.blame(answer));
+        this.#nothing(this.#form.blame(answer));
         return false;
       }
+      this.#offerSaving(true);
       this.#latex = "";
       const written = decoded(answer);
       const shown = isPlain ? [element("pre", { tabindex: "0" }, written)] : grouped(fromHtml(written));
@@ -194,12 +222,12 @@ class PerturbationRoom {
     const asked = this.#backboneCommand();
     const { answer, value } = await read<Backbone>(this.#engine, asked, signal);
     if (signal.aborted) return;
+    this.#numbers.backbone.offer(value === undefined ? undefined : asked);
     if (value === undefined || answer.status !== 0) {
       this.#backbonePicture.clear();
       return this.#backbone.fail(this.#onTrial(answer));
     }
-    const isAngle = /°|deg|rad/.test(this.#form.value("amplitudes"));
-    this.#backbone.show(backbone(value, isAngle, this.#form.value("unit")));
+    this.#backbone.show(backbone(value, this.#isOfAngle(), this.#form.value("unit")));
     await this.#backbonePicture.draw(asked, signal);
   }
 
@@ -209,7 +237,12 @@ class PerturbationRoom {
     return reason(answer);
   }
 
-  #saving(): HTMLElement {
+  #offerSaving(is: boolean): void {
+    this.#saving.hidden = !is;
+    this.#numbers.series.offer(is ? this.#expansion() : undefined);
+  }
+
+  #savings(): HTMLElement {
     const language = choiceField({ key: "language", words: { label: words.code.label } }, LANGUAGES.map(([format, name]) => [format, name]));
     language.value = "python";
     const saved = button(words.code.save, () => void this.#saveCode(language.value));
@@ -217,12 +250,7 @@ class PerturbationRoom {
     // The LaTeX is asked for when the button is reached, so that copying follows the press at once.
     for (const event of ["pointerenter", "focus"]) copy.addEventListener(event, () => void this.#readLatex());
     const latex = element("span", {}, `${words.copyLatex}: `, copy);
-    return element("div", { class: "screen-only" }, element("p", { class: "buttons" }, latex), this.#csv("series", () => this.#expansion()), element("div", { class: "code-choice" }, language.element, saved));
-  }
-
-  #csv(name: string, command: () => Command): HTMLElement {
-    const pressed = async () => save(`${name}.csv`, (await ask(this.#engine, extended(command(), { csv: true }))).output, "text/csv");
-    return element("p", { class: "buttons screen-only" }, button(text.parts.saveData, () => void pressed()));
+    return element("div", { class: "screen-only", hidden: true }, element("p", { class: "buttons" }, latex), this.#numbers.series.element, element("div", { class: "code-choice" }, language.element, saved));
   }
 
   async #readLatex(): Promise<void> {
@@ -231,8 +259,8 @@ class PerturbationRoom {
 
   async #saveCode(format: string): Promise<void> {
     const answer = await ask(this.#engine, extended(this.#expansion(), { format }));
-    if (answer.status !== 0) return this.#series.fail(reason(answer));
     const ending = LANGUAGES.find(([it]) => it === format)?.[2] ?? "txt";
-    save(`series.${ending}`, answer.output, "text/plain");
+    const failure = saveAnswer(`series.${ending}`, answer, "text/plain");
+    if (failure !== "") this.#series.fail(failure);
   }
 }

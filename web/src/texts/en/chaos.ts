@@ -78,6 +78,7 @@ export const chaos = {
     saveStates: "Save the states as CSV",
   },
   sliderLabel: (name: string) => `Value of ${name} in the diagram; the arrow keys move it`,
+  noValue: "no value chosen",
   sliderWords: (name: string, value: string) => `${name} = ${value}`,
   section: "Poincaré section",
   growing: (points: number, last: number) => `${points} of ${last} points`,

@@ -20,7 +20,7 @@ export const derivations = {
   gauge: { label: "Gauge", hint: "what ε means, such as energy or A1=1,A3=-1" },
   set: { label: "Values of parameters", hint: "such as n=2" },
   about: { label: "About which equilibrium", hint: "where there are several" },
-  amplitude: { label: "Your amplitude", hint: "such as 40deg: each step then shows its numbers; for other oscillators a plain number" },
+  amplitude: { label: "Your amplitude", hint: "such as 40deg: each step then shows its numbers; a number alone has the unit shown in the field, and none for other oscillators" },
   length: { label: "Length of your pendulum", hint: "with an amplitude, such as 57cm" },
   gravity: { label: "Gravity", hint: "with an amplitude, such as 9.81m/s^2" },
   exercises: { label: "As exercises: results left out, answers at the end" },

@@ -4,7 +4,7 @@ export const formulas = {
   title: "How good is each formula?",
   lead:
     "For the period of a pendulum at large amplitude many formulas have been published. Here each one is compared with the exact period: choose formulas, move the amplitude along the picture, and set the error you can live with.",
-  amplitude: { label: "Amplitude", hint: "such as 60deg, 1.2rad or pi-1e-6" },
+  amplitude: { label: "Amplitude", hint: "such as 60deg, 1.2rad or pi-1e-6; a number alone has the unit shown in the field" },
   tolerance: { label: "Largest error you accept", hint: "a fraction of the period, such as 1e-3" },
   from: { label: "Picture from" },
   to: { label: "to" },

@@ -12,5 +12,6 @@ export const parts = {
   inPython: "In Python",
   savePicture: (kind: string) => `Save the picture as ${kind}`,
   saveData: "Save the numbers as CSV",
+  nothingToSave: "There is nothing to save.",
   unit: { label: "Angles in", degrees: "degrees", radians: "radians" },
 } as const;

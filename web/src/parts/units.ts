@@ -1,0 +1,24 @@
+// Entries without a unit: they are in the unit that stands in their field.
+
+/** A decimal without a unit. Multiples of π are no such numbers: they are radians. */
+const NUMBER = /^\s*[+\u2212-]?(?:\d+\.?\d*|\.\d+)(?:e[+\u2212-]?\d+)?\s*$/i;
+
+/** `true` if no number of the entry has a unit; lists and ranges have several. */
+export function isBare(entry: string): boolean {
+  return entry.split(/[:,]/).every((number) => NUMBER.test(number));
+}
+
+/** The entry with a unit at each number, where none has one. */
+export function withUnit(entry: string, unit: string): string {
+  return unit !== "" && isBare(entry) ? entry.replace(/[^:,]+/g, (number) => `${number.trim()}${unit}`) : entry;
+}
+
+/** The unit as readers write it. */
+export function unitName(unit: string): string {
+  return unit === "deg" ? "°" : unit.replace("^2", "²");
+}
+
+/** `true` if the variable of the equation is an angle, by its name. */
+export function isOfAngle(equation: string): boolean {
+  return /theta|phi|angle|[θφϑϕ]/.test(equation);
+}
