@@ -112,7 +112,7 @@ impl fmt::Display for Advice {
             ),
             Self::MeasureLengthBetter { relative_uncertainty, share } => write!(
                 f,
-                "The length is known to {} %, which makes {} % of the variance of gravity: measure it better, {WHERE}.",
+                "The length is known to {} %, which makes {} % of the variance of gravity. Measure the length better, {WHERE}.",
                 rounded(100.0 * relative_uncertainty, 2),
                 rounded((100.0 * share).min(100.0), 3)
             ),
