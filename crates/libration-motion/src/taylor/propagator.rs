@@ -1,6 +1,6 @@
 //! How small deviations of a motion go on inside a step, by Magnus's series.
 //!
-//! Reference: S. Blanes, F. Casas, J. A. Oteo, J. Ros, Phys. Rep. 470, 151 (2009), doi:10.1016/j.physrep.2008.11.001, equation (252).
+//! Reference: S. Blanes, F. Casas, J. A. Oteo, J. Ros, Phys. Rep. 470, 151 (2009), doi:10.1016/j.physrep.2008.11.001, equation (253).
 
 use super::exponential::Exponential;
 use super::larger::larger_or_nan;
@@ -16,8 +16,12 @@ pub(super) struct Propagator {
     inputs: Vec<f64>,
     /// What rounding made of the accelerations and rates of change where they were evaluated last.
     pub(super) lost: Vec<f64>,
-    rates: [Matrix; 2],
-    commutator: Matrix,
+    rates: [Matrix; 3],
+    /// Of the polynomial of the second degree that the rates are, the coefficients times the time, and what commutes with them.
+    slope: Matrix,
+    bend: Matrix,
+    commutators: [Matrix; 2],
+    product: Matrix,
     exponent: Matrix,
     exponential: Exponential,
 }
@@ -30,14 +34,17 @@ impl Propagator {
             forces: Linearised::new(system.tape(), 0..coordinates, numbers),
             inputs: vec![],
             lost: vec![0.0; coordinates],
-            rates: [empty(), empty()],
-            commutator: empty(),
+            rates: [empty(), empty(), empty()],
+            slope: empty(),
+            bend: empty(),
+            commutators: [empty(), empty()],
+            product: empty(),
             exponent: empty(),
             exponential: Exponential::new(numbers),
         }
     }
 
-    /// The derivatives of the state at one time of a step by that at another, to the fourth order in the time between; what the forces lose
+    /// The derivatives of the state at one time of a step by that at another, to the sixth order in the time between; what the forces lose
     /// by rounding where they are evaluated is noted.
     pub(super) fn between(
         &mut self,
@@ -64,12 +71,12 @@ impl Propagator {
         const LARGEST: f64 = 2.0;
         let length = times[1] - times[0];
         let middle = times[0] + 0.5 * length;
-        let apart = 0.5 * length / SQRT_3;
-        self.linearise(stepper, step, [middle - apart, middle + apart]);
-        let Self { rates: [first, second], commutator, exponent, exponential, .. } = self;
-        exponent.set_product(second, first);
+        let apart = 0.1 * SQRT_15 * length;
+        self.linearise(stepper, step, [middle - apart, middle, middle + apart]);
+        let Self { rates: [first, second, third], exponent, .. } = self;
+        exponent.set_product(third, first);
         let size = exponent.largest_row_sum().sqrt() * length.abs();
-        if size > LARGEST && halvings < MOST_HALVINGS && first != second {
+        if size > LARGEST && halvings < MOST_HALVINGS && first != third {
             let mut half = Matrix::zero(flow.size);
             self.go(stepper, step, [times[0], middle], &mut half, halvings + 1);
             let mut other = Matrix::zero(flow.size);
@@ -77,17 +84,39 @@ impl Propagator {
             flow.set_product(&other, &half);
             return;
         }
-        commutator.set_product(first, second);
-        let factor = SQRT_3 / 12.0 * length * length;
-        let rates = first.entries.iter().zip(&second.entries);
-        for ((exponent, other), (a, b)) in exponent.entries.iter_mut().zip(&commutator.entries).zip(rates) {
-            *exponent = factor * (*exponent - other) + 0.5 * length * (a + b);
+        for (n, (a, (b, c))) in
+            first.entries.iter().zip(second.entries.iter().zip(&third.entries)).enumerate()
+        {
+            self.slope.entries[n] = SQRT_15 / 3.0 * length * (c - a);
+            self.bend.entries[n] = 10.0 / 3.0 * length * (c - 2.0 * b + a);
         }
-        exponential.of(exponent, flow);
+        second.entries.iter_mut().for_each(|entry| *entry *= length);
+        self.set_exponent();
+        self.exponential.of(&mut self.exponent, flow);
     }
 
-    /// The derivatives of the rates of change of the state by the state, at two times.
-    fn linearise(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, times: [f64; 2]) {
+    /// Ω = α₁ + α₃/12 + [−20α₁ − α₃ + C₁, α₂ + C₂]/240 with C₁ = [α₁, α₂] and C₂ = −[α₁, 2α₃ + C₁]/60.
+    fn set_exponent(&mut self) {
+        let Self {
+            rates: [left, mean, right], slope, bend, commutators: [one, two], product, exponent, ..
+        } = self;
+        commutator(mean, slope, one, product);
+        right.entries.clone_from(&one.entries);
+        right.add(2.0, bend);
+        commutator(mean, right, two, product);
+        let sums = left.entries.iter_mut().zip(&mut right.entries);
+        for (n, (left, right)) in sums.enumerate() {
+            *left = one.entries[n] - 20.0 * mean.entries[n] - bend.entries[n];
+            *right = slope.entries[n] - two.entries[n] / 60.0;
+        }
+        commutator(left, right, exponent, product);
+        for (n, exponent) in exponent.entries.iter_mut().enumerate() {
+            *exponent = *exponent / 240.0 + mean.entries[n] + bend.entries[n] / 12.0;
+        }
+    }
+
+    /// The derivatives of the rates of change of the state by the state, at three times.
+    fn linearise(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, times: [f64; 3]) {
         let Self { forces, inputs, lost, rates, .. } = self;
         for (time, rates) in times.into_iter().zip(rates) {
             set_inputs(stepper, step, time, inputs);
@@ -96,6 +125,7 @@ impl Propagator {
                 let driven = step.layout.driven(coordinate);
                 rates.row_mut(driven).copy_from_slice(forces.slopes(coordinate));
                 if driven != coordinate {
+                    rates.row_mut(coordinate).fill(0.0);
                     rates.row_mut(coordinate)[driven] = 1.0;
                 }
                 *lost = larger_or_nan(*lost, forces.error(coordinate));
@@ -110,7 +140,14 @@ impl Propagator {
     }
 }
 
-const SQRT_3: f64 = 1.7320508075688772;
+const SQRT_15: f64 = 3.872983346207417;
+
+/// a·b − b·a.
+fn commutator(a: &Matrix, b: &Matrix, commutator: &mut Matrix, product: &mut Matrix) {
+    commutator.set_product(a, b);
+    product.set_product(b, a);
+    commutator.add(-1.0, product);
+}
 
 /// What the tape of a system is given at a time of a step.
 fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut Vec<f64>) {

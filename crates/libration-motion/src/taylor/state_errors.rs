@@ -20,8 +20,8 @@ use super::{AcceptedStep, Contact, Effort, Moment, Occurrence, StateLayout, Step
 /// rounding takes, bounded from the terms and from each operation of the forces. Small deviations carry them on, by the linearised equations
 /// of motion, or beside jumps and bends of a force by motions that begin a little apart. The sum is that of errors of the same sign: by the
 /// inequality of Cauchy and Schwarz the root of the number of steps times the sum of squares. Of 60 chaotic and regular motions every
-/// sample is inside its error, which is some hundred times the actual one in the median. Motions that pass next to a saddle again and again
-/// have larger ones: that deviations shrink after it as they grew before is known as well as the flow of a step is, to 1e-5.
+/// sample is inside its error, which is some hundred times the actual one in the median. Motions that pass next
+/// to a saddle again and again have larger ones, since errors of the same sign are never taken to cancel there.
 ///
 /// Where the error of a number exceeds a tenth of the largest size that it has had, the motion is not determined any more, and no errors
 /// are given from there on.
