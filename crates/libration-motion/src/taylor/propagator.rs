@@ -76,7 +76,10 @@ impl Propagator {
         let Self { rates: [first, second, third], exponent, .. } = self;
         exponent.set_product(third, first);
         let size = exponent.largest_row_sum().sqrt() * length.abs();
-        if size > LARGEST && halvings < MOST_HALVINGS && first != third {
+        if size > LARGEST
+            && halvings < MOST_HALVINGS
+            && (changes_much(first, second) || changes_much(second, third))
+        {
             let mut half = Matrix::zero(flow.size);
             self.go(stepper, step, [times[0], middle], &mut half, halvings + 1);
             let mut other = Matrix::zero(flow.size);
@@ -141,6 +144,14 @@ impl Propagator {
 }
 
 const SQRT_15: f64 = 3.872983346207417;
+
+/// Whether the sum of the changes of all entries is more than a part of that of their sizes.
+fn changes_much(before: &Matrix, after: &Matrix) -> bool {
+    const PART: f64 = 0.25;
+    let pairs = || before.entries.iter().zip(&after.entries);
+    let change: f64 = pairs().map(|(a, b)| (b - a).abs()).sum();
+    change > PART * pairs().map(|(a, b)| a.abs().max(b.abs())).sum::<f64>()
+}
 
 /// a·b − b·a.
 fn commutator(a: &Matrix, b: &Matrix, commutator: &mut Matrix, product: &mut Matrix) {
