@@ -33,6 +33,7 @@ def expand(
 
     Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′, how the phase
     runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero, sign(x').
+    Where a limit cycle has no expansion in an open strength, the slow flow is the answer without being asked for.
 
     Parameters
     ----------

@@ -14,6 +14,7 @@ def fit_gates(
     *,
     signals: Literal["edges", "passages"] | None = None,
     diameter: Given | None = None,
+    shape: Literal["ball", "flag"] | None = None,
     gate_distance: Given | None = None,
     amplitude: Given | None = None,
     figure: Path | None = None,
@@ -64,6 +65,8 @@ def fit_gates(
         What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern].
     diameter : number or text, optional
         Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is].
+    shape : {"ball", "flag"}, optional
+        Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod [default: ball].
     gate_distance : number or text, optional
         Distance of the gate from the pivot [default: the length of the pendulum].
     amplitude : number or text, optional

@@ -45,8 +45,8 @@ def fit_periods(
     file : str or path or columns
         A table of amplitudes and periods, optionally with uncertainties; - for standard input.
     columns : number or text, or several, optional
-        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
-        or 1,2,3,4].
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of
+        values, with the uncertainties that the header names].
     amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool

@@ -16,6 +16,7 @@ def fit_response(
     frequency_unit: Literal["Hz", "kHz", "rad/s", "deg/s"] | None = None,
     amplitude_unit: Literal["rad", "deg", "m", "cm", "mm", "in", "counts"] | None = None,
     phase_unit: Literal["rad", "deg"] | None = None,
+    errors: Literal["absolute", "relative"] | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     header: Literal["detect", "present", "absent"] | None = None,
     model: Literal["linear", "pendulum", "duffing"] | None = None,
@@ -33,14 +34,16 @@ def fit_response(
     file : str or path or columns
         A table of drive frequencies and amplitudes, optionally with phases and with uncertainties; - for standard input.
     columns : number or text, or several, optional
-        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: by the header, else 1,2
-        or 1,2,3,4].
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of
+        values, with the uncertainties that the header names].
     frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     phase_unit : {"rad", "deg"}, optional
         Unit of the phases and of their uncertainties [default: that of the header, else rad].
+    errors : {"absolute", "relative"}, optional
+        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude [default: absolute].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
     header : {"detect", "present", "absent"}, optional

@@ -25,6 +25,7 @@ def simulate(
     count: Given | None = None,
     columns: Values | Sequence[str] | None = None,
     sensitivity: Given | None = None,
+    no_errors: bool = False,
     figure: Path | None = None,
     axes: Given | None = None,
     animate: bool = False,
@@ -69,6 +70,8 @@ def simulate(
         Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'".
     sensitivity : number or text, or several, optional
         How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0).
+    no_errors : bool
+        Estimate no errors of the states: saves the time for that.
     figure : str or path, optional
         Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png instead of listing the samples.
     axes : number or text, or several, optional

@@ -254,6 +254,7 @@ const FURTHER: [&str; 53] = [
     "fit|response|examples/response_synthetic.csv|--model|duffing|--amplitude-unit|counts|--columns|1,2",
     "fit|response|examples/response_synthetic.csv|--columns|1,2,-,3",
     "fit|trace|examples/swing_synthetic.csv|LATER|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
+    "response|x'' + 0.05*x' + 3*max(x - 0.2,0) - 3*max(-x - 0.2,0) = 0.2*cos(w*t)|--over|w=0.5:2",
     "fields",
     "sweep|join|SWEEP",
     "sweep|status|SWEEP",

@@ -6,7 +6,7 @@ import { ask, given } from "../../parts/command.ts";
 const QUESTION = {
   question: "simulate",
   arguments: ["damped_pendulum"],
-  options: given({ set: "omega0=4.2,c1=0.03", initial: "theta=60deg", times: "0:20:0.04", csv: true }),
+  options: given({ set: "omega0=4.2,c1=0.03", initial: "theta=60deg", times: "0:20:0.04", csv: true, "no-errors": true }),
 };
 
 /** The file. */

@@ -32,7 +32,7 @@ export function command({ angle, velocity, angularFrequency, damping, drive, dri
 
 /** The motion until a time in seconds, or why there is none. */
 export async function integrated(engine: Engine, forces: Forces, until: number, signal: AbortSignal): Promise<IntegratedCourse | { readonly error: string }> {
-  const answer = await ask(engine, extended(command(forces, until), { csv: true }), { signal });
+  const answer = await ask(engine, extended(command(forces, until), { csv: true, "no-errors": true }), { signal });
   if (answer.status !== 0) return { error: reason(answer) };
   const rows = decoded(answer).trim().split("\n").slice(1);
   const [angles, velocities] = [new Float64Array(rows.length), new Float64Array(rows.length)];

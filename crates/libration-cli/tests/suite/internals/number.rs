@@ -16,7 +16,7 @@ fn digits_end_where_the_error_begins() {
     assert_eq!(shown, expected);
     let shown = [(-6e-16, 2e-15), (2e-5, 1e-9), (12345.0, 300.0), (-0.04, 0.3), (0.0, 1e-9), (9.99, 0.3)];
     let shown = shown.map(|(value, error)| to_its_error(value, error, 12));
-    assert_eq!(shown, ["0", "0.000020000", "12300", "0", "0.00000000000", "10"]);
+    assert_eq!(shown, ["-1e-15", "0.000020000", "12300", "0", "0.000000000", "10"]);
 }
 
 #[test]
