@@ -320,7 +320,8 @@ fn a_long_search_for_an_orbit_tells_its_steps_and_can_be_ended() {
         }
     }
     let host = Arc::new(Watcher::default());
-    let question = ["orbit", "van_der_pol", "--set", "mu=1000", "--initial", "x=0.5", "--json"].map(OsString::from);
+    let question =
+        ["orbit", "van_der_pol", "--set", "mu=1000", "--initial", "x=0.5", "--json"].map(OsString::from);
     let ended = ask(question, host.clone()).unwrap_err();
     assert!(matches!(ended, Failure::Interrupted(_)), "{ended}");
     let steps = host.0.lock().unwrap();
