@@ -241,7 +241,8 @@ fn residuals_are_the_root_mean_square_over_the_period() {
                 }
                 let zero = Complex::default();
                 let restoring = force.iter().rev().fold(zero, |sum, c| (sum + Complex::from(c.to_f64())) * x);
-                (solution.frequency_ratio_squared * acceleration + restoring).abs().powi(2)
+                let left = (solution.frequency_ratio_squared * acceleration + restoring).abs();
+                left * left
             };
             let expected = ((0..1000).map(square).sum::<f64>() / 1000.0).sqrt();
             let difference = (solution.residual - expected).abs();
