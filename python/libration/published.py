@@ -2,7 +2,7 @@
 
 >>> import libration as lb
 >>> paper = lb.paper("black-vel")
->>> paper.wrong.label.tolist()[4:6]
+>>> paper.wrong.label.tolist()[5:7]
 ['(25)', '(27)']
 """
 
@@ -50,6 +50,6 @@ def paper(document: Literal["black-vel", "cote"] | None = None, *, only: Given |
     --------
     >>> import libration as lb
     >>> len(lb.paper().equations)
-    136
+    139
     """
     return answer(Paper, "paper", locals())

@@ -22,9 +22,18 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let key = |i: usize| (frequencies[i].to_bits(), Start::new(from[i], with[i]).key());
         for run in runs(times.len(), key) {
             let found = (&mut angles[run.clone()], &mut velocities[run.clone()]);
-            let (times, frequency) = (&times[run.clone()], frequencies[run.start]);
+            let (all, times, frequency) = (&times, &times[run.clone()], frequencies[run.start]);
             match Start::new(from[run.start], with[run.start]) {
-                Start::Released => released(times, &from[run], frequency, found)?,
+                Start::Released => {
+                    released(times, &from[run.clone()], frequency, found)?;
+                    for i in run {
+                        // A prepared motion knows its phase for longer.
+                        if angles[i].is_nan() {
+                            let found = (&mut angles[i..=i], &mut velocities[i..=i]);
+                            launched(&all[i..=i], frequency, (from[i], 0.0), found)?;
+                        }
+                    }
+                }
                 Start::Launched { angle, velocity } => launched(times, frequency, (angle, velocity), found)?,
             }
         }
