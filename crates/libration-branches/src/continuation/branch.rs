@@ -21,9 +21,9 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// In the same order.
     pub special: Vec<SpecialPoint>,
-    /// Why it does not go on before the first point.
+    /// The reason for which the branch does not go on before the first point.
     pub beginning: Ending,
-    /// Why it does not go on after the last point.
+    /// The reason for which the branch does not go on after the last point.
     pub ending: Ending,
     /// Ranges of the parameter in which the absence of further special points is not established by the shortest steps.
     pub unresolved: Vec<[f64; 2]>,
@@ -119,7 +119,7 @@ pub(super) struct Walk<'a> {
 pub(super) struct Walked {
     pub(super) branch: Branch,
     pub(super) specials: Vec<(SpecialPoint, Node)>,
-    /// Where it meets the branches it is a side of, at either end.
+    /// The points at either end where the branch meets one that it is a side of.
     pub(super) meetings: Vec<Meeting>,
 }
 

@@ -1,4 +1,4 @@
-//! What there is to say about a motion that was found: its range, its multipliers and their errors, and whether it closes.
+//! The description of a motion that was found: its range, its multipliers and their errors, and a check that it closes.
 
 use super::corrector::{Corrected, Corrector, bordered, norm};
 use super::family::{Family, Image, TOLERANCES};
@@ -40,9 +40,9 @@ impl Corrector<'_> {
 /// A motion over its whole period, by integration of the equation alone.
 struct Whole {
     steps: Vec<OwnedStep>,
-    /// What the end of the time of its space misses.
+    /// The distance of the end of the time of its space from the start.
     defect: Vec<f64>,
-    /// What the end of the whole period misses of the start; that of a mirrored motion comes after twice the time of its space.
+    /// The distance of the end of the whole period from the start; that of a mirrored motion comes after twice the time of its space.
     closing: Vec<f64>,
 }
 

@@ -23,7 +23,9 @@ pub struct Response {
     pub orders: Vec<OrderAnswers>,
     /// The jumps of slow sweeps, branch by branch.
     pub jumps: Vec<Jump>,
-    /// Whether a drive sets the periods; else the motions are limit cycles.
+    /// The values of the parameter at which no motion to begin with is found, with the reasons.
+    pub missing: Vec<(f64, NoBranch)>,
+    /// `true` if a drive sets the periods; else the motions are limit cycles.
     pub driven: bool,
     /// Whether the watch ended it before all was followed.
     pub interrupted: bool,
@@ -130,7 +132,7 @@ struct Found {
 impl Search<'_> {
     fn response(&self) -> Result<Response, NoBranch> {
         let mut found = Found::default();
-        let mut missing = None;
+        let mut missing: Vec<(f64, NoBranch)> = vec![];
         let [low, high] = self.range;
         let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
         for (value, into) in places {
@@ -140,7 +142,7 @@ impl Search<'_> {
                     return Err(interrupted.into());
                 }
                 Err(error) => {
-                    missing = Some(error);
+                    missing.push((value, error));
                     continue;
                 }
             };
@@ -150,7 +152,7 @@ impl Search<'_> {
                 }
                 match self.through(value, &start, into) {
                     Ok(walked) => walked.into_iter().for_each(|walked| self.keep(&mut found, walked, 0)),
-                    Err(error) => missing = Some(error),
+                    Err(error) => missing.push((value, error)),
                 }
             }
         }
@@ -160,14 +162,16 @@ impl Search<'_> {
                 found.leaving.extend(self.leaving(walked, 0));
             })?);
         }
-        if let (true, Some(error)) = (found.branches.is_empty(), missing) {
+        if found.branches.is_empty()
+            && let Some((_, error)) = missing.pop()
+        {
             return Err(error);
         }
         while !self.family.watch.is_stopped() && self.follow_next(&mut found) {}
         let branches = found.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());
         let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
-        Ok(Response { branches, orders, jumps, driven, interrupted })
+        Ok(Response { branches, orders, jumps, missing, driven, interrupted })
     }
 
     /// Takes a branch in, with what leaves it and what it ends in.

@@ -105,3 +105,14 @@ fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     values.sort_by(f64::total_cmp);
     assert!(values.windows(2).all(|pair| pair[1] - pair[0] > 1e-9), "{values:?}");
 }
+
+/// At half its frequency an undamped oscillator has a family of motions with the drive's period, and none that is isolated.
+#[test]
+fn an_end_of_the_range_without_a_motion_is_named() {
+    let response = over("x'' + x = cos(w*t)", "w", [0.5, 0.9], ResponseOptions::default());
+    let [(value, reason)] = &response.missing[..] else { panic!("{:?}", response.missing) };
+    assert!(*value == 0.5 && matches!(reason, NoBranch::NoStart(_)), "{reason}");
+    assert_eq!(response.branches.len(), 1);
+    let everywhere = over("x'' + x = cos(w*t)", "w", [0.55, 0.9], ResponseOptions::default());
+    assert_eq!(everywhere.missing, vec![]);
+}

@@ -200,7 +200,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 54] = [
+const FURTHER: [&str; 55] = [
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",
@@ -255,6 +255,7 @@ const FURTHER: [&str; 54] = [
     "fit|response|examples/response_synthetic.csv|--columns|1,2,-,3",
     "fit|trace|examples/swing_synthetic.csv|LATER|--model|linear|--length|0.56m±0.002m|--bob-radius|20mm±1mm|--correlation|length,bob-radius=0.5",
     "response|x'' + 0.05*x' + 3*max(x - 0.2,0) - 3*max(-x - 0.2,0) = 0.2*cos(w*t)|--over|w=0.5:2",
+    "response|x'' + x = cos(w*t)|--over|w=0.5:0.9",
     "fields",
     "sweep|join|SWEEP",
     "sweep|status|SWEEP",

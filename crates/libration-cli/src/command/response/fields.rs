@@ -7,7 +7,7 @@ use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::number::short;
-use libration::continuation::{BranchPoint, OrderAnswers, OrderFinding};
+use libration::continuation::{BranchPoint, NoBranch, OrderAnswers, OrderFinding};
 use serde_json::Value;
 
 /// A line of CSV.
@@ -73,6 +73,9 @@ pub(super) fn of_answer() -> Fields<Answer> {
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.response.interrupted.into()),
+        Of::nested("missing[].", &of_missing(), |it| {
+            json::records(it.response.missing.iter().map(|missing| of_missing().record(missing)))
+        }),
         Of::nested("orders[].", &of_order(), |it| {
             json::records(it.response.orders.iter().map(|order| of_order().record(order)))
         }),
@@ -82,6 +85,20 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::nested("sweeps[].", &of_swept(), |it| {
             json::records(it.swept().map(|swept| of_swept().record(&swept)))
         }),
+    ])
+}
+
+/// A value of the parameter at which no motion to begin with is found.
+fn of_missing() -> Fields<(f64, NoBranch)> {
+    type Of = Field<(f64, NoBranch)>;
+    Fields::from([
+        Of::number(
+            "parameter",
+            "",
+            "value of the parameter at which no motion to begin with is found",
+            |it| it.0,
+        ),
+        Of::value("reason", "", "reason, as a sentence", |it| it.1.to_string().into()),
     ])
 }
 

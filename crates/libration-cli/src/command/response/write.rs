@@ -51,6 +51,10 @@ impl Answer {
                 paragraph(&format!("branch {:<3}", branch.number), &summary(&branch), COLUMNS)
             )?;
         }
+        for (value, reason) in &self.response.missing {
+            let text = format!("{}: {reason}", self.value_text(*value));
+            writeln!(out, "{}", paragraph("no start  ", &text, COLUMNS))?;
+        }
         for order in &self.response.orders {
             writeln!(out, "{}", paragraph("order     ", &sought(order), COLUMNS))?;
         }
@@ -188,11 +192,11 @@ fn summary(branch: &Numbered<'_>) -> String {
             let low = ranges.iter().map(|it| it[0]).fold(f64::INFINITY, f64::min);
             let high = ranges.iter().map(|it| it[1]).fold(f64::NEG_INFINITY, f64::max);
             let width: f64 = ranges.iter().map(|[low, high]| high - low).sum();
+            let (from, to) = (answer.value_text(low), answer.value_text(high));
+            let place = if from == to { format!("near {from}") } else { format!("between {from} and {to}") };
+            let (name, width) = (&answer.parameter, at_most(width));
             format!(
-                "; further special points cannot be excluded in {} of the range, between {} and {}",
-                at_most(width),
-                answer.value_text(low),
-                answer.value_text(high),
+                "; further special points cannot be excluded {place}, in all on a width of {width} in {name}"
             )
         }
     };
