@@ -4,7 +4,6 @@ What is given goes down as text, in the notation of the command; what it means, 
 """
 
 import os
-import re
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -204,14 +203,8 @@ def answered(question: Asked, form: Iterable[str], progress: Say = False) -> tup
     for note in notes:
         warnings.warn(note, stacklevel=4)
     if error is not None and not isinstance(error, KeyboardInterrupt):
-        error.args = tuple(_in_python(str(it)) for it in error.args)
         raise error
     return answer, error
-
-
-def _in_python(message: str) -> str:
-    """The message with options as Python writes them."""
-    return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", lambda option: option[1].replace("-", "_"), message)
 
 
 def text(words: str, given: Mapping[str, Any], progress: Say = False) -> str:

@@ -1,5 +1,6 @@
 """Exceptions, with the library's messages: what was got, why it cannot be, and what would do."""
 
+from collections.abc import Sequence
 from typing import Any
 
 __all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "MissingFile", "NoAnswer", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError", "UsageError"]
@@ -7,6 +8,20 @@ __all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "M
 
 class LibrationError(ValueError):
     """Any refusal of this package."""
+
+    parameters: Sequence[str] = ()
+    """The arguments that the error is about, by their names in Python; empty where it is about none."""
+    item: str | None = None
+    """The name of the value that it is about, in an argument that has several, such as ``set={"c": ...}``; else None."""
+    hint: str | None = None
+    """A call that has a result in place of this one; None where none is known."""
+    suggestion: str | None = None
+    """A value of the argument that would do; None where none is known."""
+
+    @property
+    def parameter(self) -> str | None:
+        """The first of the `parameters`, or None."""
+        return self.parameters[0] if self.parameters else None
 
 
 class ExpansionError(LibrationError):
@@ -48,6 +63,13 @@ class UnknownKeyError(LibrationError, KeyError):
 
 class UsageError(LibrationError):
     """A question that is not understood."""
+
+    @classmethod
+    def about(cls, parameter: str, reason: str) -> "UsageError":
+        """The error in an argument."""
+        error = cls(f"{parameter}: {reason}")
+        error.parameters = (parameter,)
+        return error
 
 
 class Interrupted(KeyboardInterrupt):

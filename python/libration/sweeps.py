@@ -95,9 +95,9 @@ def sweep(
     (('A', 'omega_number'), (2, 3))
     """
     if not over:
-        raise UsageError('over: there is no axis: give one by its name, such as {"amplitude": ["10deg", "20deg"]}')
+        raise UsageError.about("over", 'there is no axis: give one by its name, such as {"amplitude": ["10deg", "20deg"]}')
     if chunk is not None and chunk < 1:
-        raise UsageError(f"chunk: got {chunk}: give how many points a chunk has at most, 1 or more")
+        raise UsageError.about("chunk", f"got {chunk}: give how many points a chunk has at most, 1 or more")
     words = _words(question, given)
     axes = [(str(name), _values(values)) for name, values in over.items()]
     kept = _kept(keep)
@@ -120,7 +120,7 @@ def _kept(keep: str | Iterable[str] | Mapping[str, str]) -> list[str]:
         return [keep] if isinstance(keep, str) else list(keep)
     for name in keep:
         if "/" in name:
-            raise UsageError(f"keep: got the name `{name}`: a name in a store has no `/`")
+            raise UsageError.about("keep", f"got the name `{name}`: a name in a store has no `/`")
     return [f"{name}={way}" for name, way in keep.items()]
 
 

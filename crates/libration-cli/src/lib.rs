@@ -6,7 +6,6 @@ mod arguments;
 mod call;
 mod command;
 mod document;
-mod failure;
 mod figure;
 mod host;
 mod interrupt;
@@ -14,13 +13,16 @@ mod output;
 mod parallel;
 #[cfg(not(target_family = "wasm"))]
 mod program;
+mod query_error;
 mod questions;
 mod sweep;
 
-pub use failure::Failure;
 pub use host::{Host, InputFile};
 #[cfg(not(target_family = "wasm"))]
 pub use program::program;
+pub use query_error::parameter::Parameter as QueryParameter;
+pub use query_error::text::Words;
+pub use query_error::{Kind, QueryError};
 pub use questions::{Parameter, ParameterKind, Question, questions};
 pub use sweep::{AxisValues, SweepChunk, SweepPlan};
 
@@ -41,14 +43,15 @@ use std::sync::Arc;
 ///
 /// # Examples
 /// See [`Host`].
-pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -> Result<(), Failure> {
+pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -> Result<(), QueryError> {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let call = Call::new(arguments.clone(), Arc::clone(&host));
-    call::within(&call, || match command::question(arguments) {
+    let answered = call::within(&call, || match command::question(arguments.clone()) {
         Ok(question) => answer(&question),
         Err(help) if !help.use_stderr() => Ok(host.write(help.render().to_string().as_bytes())?),
-        Err(error) => Err(Failure::refused(&error)),
-    })
+        Err(error) => Err(QueryError::refused(&error)),
+    });
+    answered.map_err(|error| error.named(&arguments))
 }
 
 /// The motions that `simulate … --each FILE` asks for, at their start, with their system: to be asked for their states at one time after the
@@ -81,19 +84,21 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
 /// assert_eq!((model.state_names()[1].as_str(), ensemble.len()), ("theta2", 2));
 /// let states = ensemble.states_at(0.5);
 /// assert!((states[1] - states[5]).abs() < 1e-3);
-/// # Ok::<(), libration_cli::Failure>(())
+/// # Ok::<(), libration_cli::QueryError>(())
 /// ```
 pub fn ensemble(
     arguments: impl IntoIterator<Item = OsString>,
     host: Arc<dyn Host>,
-) -> Result<(Model, Ensemble), Failure> {
+) -> Result<(Model, Ensemble), QueryError> {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let call = Call::new(arguments.clone(), host);
-    call::within(&call, || command::question(arguments).map_err(|error| Failure::refused(&error))?.ensemble())
+    call::within(&call, || {
+        command::question(arguments).map_err(|error| QueryError::refused(&error))?.ensemble()
+    })
 }
 
 /// Writes the answer to the host of the call.
-fn answer(question: &command::Libration) -> Result<(), Failure> {
+fn answer(question: &command::Libration) -> Result<(), QueryError> {
     let mut out = output::standard::StandardOutput::new();
     question.answer(&mut out)?;
     Ok(out.flush()?)
@@ -123,8 +128,11 @@ pub mod internals {
     pub mod document {
         pub use crate::document::{Block, Document, DocumentFigure, DocumentTable, Section};
     }
+    pub mod query_error {
+        pub use crate::query_error::parameter::option;
+    }
     pub mod echo {
-        pub use crate::failure::echo::{LONGEST_LINE, excerpt, shortened};
+        pub use crate::query_error::echo::{LONGEST_LINE, excerpt, shortened};
     }
     pub mod field {
         pub use crate::output::description::Description;

@@ -1,8 +1,8 @@
 //! The command as a program: the standard streams, Ctrl-C, a sign of life of long work, the exit status.
 
 use crate::call::{self, Call};
-use crate::failure::{self, Failure};
 use crate::host::Host;
+use crate::query_error::{self, QueryError};
 use crate::{answer, command};
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Read, Write, stderr, stdin, stdout};
@@ -32,7 +32,7 @@ pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// Ends a command whose arguments are not understood, or whose help is asked for, as clap has it.
 fn refuse(error: &clap::Error) -> u8 {
-    let shown = failure::refusal(error);
+    let shown = query_error::refusal(error);
     // Nothing is left to be done when a stream is closed.
     let _ = match !error.use_stderr() || shown == error.render().to_string() {
         true => error.print(),
@@ -42,7 +42,7 @@ fn refuse(error: &clap::Error) -> u8 {
 }
 
 /// Writes the message to the error stream and gives the exit status.
-fn report(failure: &Failure) -> u8 {
+fn report(failure: &QueryError) -> u8 {
     if !failure.is_closed_pipe() {
         // Nothing is left to be done when even the error stream is closed.
         let _ = writeln!(stderr(), "error: {failure}");
@@ -128,7 +128,7 @@ impl Host for Terminal {
     fn listen(&self) -> io::Result<()> {
         let heard = || {
             if INTERRUPTED.swap(true, Ordering::Relaxed) {
-                std::process::exit(i32::from(Failure::INTERRUPTED));
+                std::process::exit(i32::from(QueryError::INTERRUPTED));
             }
         };
         ctrlc::set_handler(heard).map_err(io::Error::other)

@@ -2,6 +2,7 @@
 
 use crate::command::Libration;
 use clap::{Arg, ArgAction, Command, CommandFactory};
+use std::ffi::OsString;
 
 /// A question of the command.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,6 +61,13 @@ pub fn questions() -> Vec<Question> {
     let mut command = Libration::command();
     command.build();
     leaves(&command, "")
+}
+
+/// The question that the words of a command line ask.
+pub(crate) fn of(words: &[OsString]) -> Option<Question> {
+    let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
+    let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
+    questions().into_iter().filter(|it| it.words == one || it.words == two).max_by_key(|it| it.words.len())
 }
 
 /// The commands below this one that can be asked by themselves.

@@ -2,8 +2,8 @@
 
 use crate::call::{self, Call};
 use crate::command::{self, SweepAsked, SweepAxis, SweepPlanned};
-use crate::failure::Failure;
 use crate::host::Host;
+use crate::query_error::{QueryError, option};
 use std::fmt::Display;
 use std::sync::Arc;
 
@@ -67,7 +67,7 @@ impl SweepPlan {
         keep: &[String],
         chunk: Option<usize>,
         host: Arc<dyn Host>,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, QueryError> {
         call::within(&Call::new(vec![], host), || {
             let axes = axes.iter().map(|(name, values)| axis(name, values)).collect::<Result<_, _>>()?;
             command::sweep_plan(SweepAsked { question, axes, keep, chunk }).map(Self)
@@ -78,8 +78,8 @@ impl SweepPlan {
     ///
     /// # Errors
     /// Where it has another format, or is none.
-    pub fn from_json(text: &str) -> Result<Self, Failure> {
-        let refused = |reason: &dyn Display| Failure::NoAnswer(format!("the plan of the sweep: {reason}"));
+    pub fn from_json(text: &str) -> Result<Self, QueryError> {
+        let refused = |reason: &dyn Display| QueryError::failed(format!("the plan of the sweep: {reason}"));
         let json = serde_json::from_str(text).map_err(|error| refused(&error))?;
         SweepPlanned::read(&json).map(Self).map_err(|reason| refused(&reason))
     }
@@ -93,15 +93,15 @@ impl SweepPlan {
     /// What is kept of the answers at the points of a chunk, one after the other on this thread.
     ///
     /// # Errors
-    /// Where there is no such chunk, and [`Failure::Interrupted`] where the host has ended it early.
-    pub fn answers(&self, chunk: usize, host: Arc<dyn Host>) -> Result<SweepChunk, Failure> {
+    /// Where there is no such chunk, and an error that is cancelled where the host has ended the work early.
+    pub fn answers(&self, chunk: usize, host: Arc<dyn Host>) -> Result<SweepChunk, QueryError> {
         let plan = &self.0;
         if chunk >= plan.grid.chunks() {
             let reason = format!("there is no chunk {chunk}: the sweep has {}", plan.grid.chunks());
-            return Err(Failure::Usage(reason));
+            return Err(QueryError::misuse(reason));
         }
         let outcomes = call::within(&Call::new(vec![], host), || command::sweep_outcomes(plan, chunk));
-        let outcomes = outcomes.ok_or_else(|| Failure::Interrupted("interrupted".to_owned()))?;
+        let outcomes = outcomes.ok_or_else(|| QueryError::cancelled("interrupted".to_owned()))?;
         let (columns, mut answers) = (plan.columns().len(), SweepChunk::default());
         for outcome in outcomes {
             let (numbers, (status, message)) = match outcome {
@@ -116,10 +116,10 @@ impl SweepPlan {
     }
 }
 
-fn axis(name: &str, values: &AxisValues) -> Result<SweepAxis, Failure> {
+fn axis(name: &str, values: &AxisValues) -> Result<SweepAxis, QueryError> {
     let axis = match values {
         AxisValues::Text(text) => command::sweep_axis(&format!("{name}={text}")),
         AxisValues::List(values) => SweepAxis::of_words(name, values.clone()),
     };
-    axis.map_err(|reason| Failure::usage("--over", reason))
+    axis.map_err(|reason| QueryError::usage(option("over"), reason))
 }

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::io::{self, Read};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use libration_cli::{Failure, Host, Parameter, ParameterKind};
+use libration_cli::{Host, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
@@ -69,16 +69,40 @@ pub(crate) fn ask(
     let answer = answer.map_err(|error| PyUnicodeDecodeError::new_err(error.to_string()))?;
     let notes = std::mem::take(&mut *conversation.notes.lock().unwrap_or_else(PoisonError::into_inner));
     let stopped_by = conversation.patience.stopped_by();
-    Ok((answer, notes, stopped_by.or(answered.err().map(|failure| raised(&failure)))))
+    Ok((answer, notes, stopped_by.or(answered.err().map(|error| raised(py, &error)))))
 }
 
-pub(crate) fn raised(failure: &Failure) -> PyErr {
-    match failure {
-        Failure::Usage(_) => refusal::<UsageError>(failure),
-        Failure::NoAnswer(_) | Failure::Interrupted(_) => refusal::<NoAnswer>(failure),
-        Failure::MissingFile(_) => refusal::<MissingFile>(failure),
-        Failure::Output(_) => PyOSError::new_err(failure.to_string()),
+/// The names of parameters and queries in the package.
+struct PythonWords;
+
+impl Words for PythonWords {
+    fn parameter(&self, parameter: &QueryParameter) -> String {
+        let name = parameter.name().replace('-', "_");
+        if matches!(name.as_str(), "from" | "lambda") { name + "_" } else { name }
     }
+
+    fn query(&self, words: &str) -> String {
+        format!("questions.{}", words.replace(' ', "_"))
+    }
+}
+
+/// The error as an exception, with `parameters`, `item`, `hint` and `suggestion` as attributes.
+pub(crate) fn raised(py: Python<'_>, error: &QueryError) -> PyErr {
+    let message = error.in_words(&PythonWords);
+    let exception = match error.kind() {
+        Kind::Usage => refusal::<UsageError>(message),
+        Kind::NoResult | Kind::Cancelled => refusal::<NoAnswer>(message),
+        Kind::MissingFile => refusal::<MissingFile>(message),
+        Kind::Output(_) => return PyOSError::new_err(message),
+    };
+    let parameters: Vec<_> = error.parameters().iter().map(|it| PythonWords.parameter(it)).collect();
+    let value = exception.value(py);
+    let set = value
+        .setattr("parameters", parameters)
+        .and_then(|()| value.setattr("hint", error.hint(&PythonWords)))
+        .and_then(|()| value.setattr("item", error.item()))
+        .and_then(|()| value.setattr("suggestion", error.suggestion()));
+    set.err().unwrap_or(exception)
 }
 
 /// The command on the standard streams of the process; its exit status.

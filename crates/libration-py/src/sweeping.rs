@@ -62,7 +62,7 @@ pub(crate) fn sweep_plan(
         axes.into_iter().map(|(name, values)| (name, values.into())).collect();
     let watcher = Watcher::new(None);
     let plan = py.detach(|| SweepPlan::new(&question, &axes, &keep, chunk, watcher.clone()));
-    let plan = plan.map_err(|failure| raised(&failure));
+    let plan = plan.map_err(|failure| raised(py, &failure));
     if plan.is_err()
         && let Some(stopped) = watcher.patience.stopped_by()
     {
@@ -88,7 +88,7 @@ pub(crate) fn sweep_chunk<'py>(
     let answers = match (answers, watcher.patience.stopped_by()) {
         (Ok(answers), _) => answers,
         (Err(_), Some(stopped)) => return Err(stopped),
-        (Err(failure), None) => return Err(raised(&failure)),
+        (Err(failure), None) => return Err(raised(py, &failure)),
     };
     let points = answers.status.len();
     let columns = answers.numbers.len().checked_div(points).unwrap_or_default();

@@ -36,9 +36,9 @@ pub extern "C" fn ensemble() -> u8 {
             begin(&model, ensemble);
             0
         }
-        Err(failure) => {
-            page::error(&failure.to_string());
-            failure.status()
+        Err(error) => {
+            page::error(&error.to_json());
+            error.status()
         }
     }
 }

@@ -46,9 +46,9 @@ pub extern "C" fn ask() -> u8 {
     let Given { words, files } = take_given();
     match libration_cli::ask(words, Arc::new(PageHost::new(files))) {
         Ok(()) => 0,
-        Err(failure) => {
-            page::error(&failure.to_string());
-            failure.status()
+        Err(error) => {
+            page::error(&error.to_json());
+            error.status()
         }
     }
 }

@@ -39,10 +39,10 @@ pub(crate) fn progress(how_far: &str) {
     unsafe { page_progress(how_far.as_ptr(), how_far.len()) }
 }
 
-/// Why there is no answer.
-pub(crate) fn error(reason: &str) {
+/// The reason why there is no result, as JSON.
+pub(crate) fn error(json: &str) {
     // SAFETY: as above.
-    unsafe { page_error(reason.as_ptr(), reason.len()) }
+    unsafe { page_error(json.as_ptr(), json.len()) }
 }
 
 /// What a panic says, which ends the module.

@@ -1,7 +1,7 @@
 //! The motion that the page shows, and approximate ones beside it.
 
 use crate::exchange::exchange;
-use libration::pendulum::{ApproximateMotion, Motion, Pendulum, Regime};
+use libration::pendulum::{ApproximateMotion, Motion, Pendulum, PendulumError, Regime};
 use libration::quantity::Angle;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -28,11 +28,14 @@ fn answer(of: impl FnOnce(&Shown) -> Result<Vec<f64>, String>) -> bool {
 /// Takes the motion of a pendulum of this length in m, under this gravity in m/s², that passes the angle of the text with this velocity
 /// in rad/s at t = 0. Of the motion: regime (0 rest, 1 upright rest, 2 libration, 3 separatrix, 4 rotation), period and small-angle period
 /// in s, amplitude and its complement in rad, energy over 2mgl, the same less 1, energy over ml² in rad²/s², angular frequency of small swings in rad/s.
+/// Where there is none, the text is the quantity that is wrong (angle, length, gravity, velocity) and, on the lines after it, the reason.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn launch(length: f64, gravity: f64, velocity: f64) -> bool {
     let text = exchange().take_text();
+    let text = text.map_err(|reason| ("angle", reason));
     let launched = text.and_then(|text| launched(&text, length, gravity, velocity));
+    let launched = launched.map_err(|(quantity, reason)| format!("{quantity}\n{reason}"));
     exchange().answer(launched.map(|launched| {
         let facts = launched.facts();
         *shown() = Some(launched);
@@ -40,10 +43,11 @@ pub extern "C" fn launch(length: f64, gravity: f64, velocity: f64) -> bool {
     }))
 }
 
-fn launched(angle: &str, length: f64, gravity: f64, velocity: f64) -> Result<Shown, String> {
-    let angle: Angle = angle.parse().map_err(reason)?;
-    let pendulum = Pendulum::new(length, gravity).map_err(reason)?;
-    let motion = pendulum.launched(angle, velocity).map_err(reason)?;
+/// The motion, or the quantity that is wrong and why.
+fn launched(angle: &str, length: f64, gravity: f64, velocity: f64) -> Result<Shown, (&'static str, String)> {
+    let angle: Angle = angle.parse().map_err(|error| ("angle", reason(error)))?;
+    let pendulum = Pendulum::new(length, gravity).map_err(|error| (quantity(&error), reason(error)))?;
+    let motion = pendulum.launched(angle, velocity).map_err(|error| ("velocity", reason(error)))?;
     Ok(Shown {
         pendulum,
         motion,
@@ -65,6 +69,14 @@ impl Shown {
             self.motion.specific_energy(),
             self.pendulum.angular_frequency(),
         ]
+    }
+}
+
+/// The quantity that an error of a pendulum is about.
+fn quantity(error: &PendulumError) -> &'static str {
+    match error {
+        PendulumError::NotPositive { name: "gravity", .. } => "gravity",
+        _ => "length",
     }
 }
 

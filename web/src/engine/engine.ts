@@ -1,13 +1,36 @@
 // Questions of the command, asked in the page: the same words, and the same bytes as answers.
 
+/** A text, or the mark of a parameter or a query of the command, which has other names on the page. */
+export type Part = string | { readonly parameter: string } | { readonly query: string };
+
+/** Why a query has no result; what does not exist is empty. */
+export interface QueryError {
+  /** In the words of the command; empty where nothing is wrong. */
+  readonly text: string;
+  /** The parameters that it is about, as `--order` or `OSCILLATOR|EQUATION`. */
+  readonly parameters: readonly string[];
+  /** The name of the value that it is about, in a parameter that has several. */
+  readonly item: string;
+  readonly message: readonly Part[];
+  readonly hint: readonly Part[];
+  /** A value of the parameter that would do. */
+  readonly suggestion: string;
+}
+
+export const NO_ERROR: QueryError = { text: "", parameters: [], item: "", message: [], hint: [], suggestion: "" };
+
+/** An error of the page itself. */
+export function plainError(text: string): QueryError {
+  return { ...NO_ERROR, text, message: [text] };
+}
+
 /** What the command answers. */
 export interface Answer {
   /** As the command's exit status: 0 success, 1 no answer, 2 usage error, 130 ended early. */
   readonly status: number;
   /** What the command writes to its output. */
   readonly output: Uint8Array;
-  /** What the command says behind `error:`; empty where nothing is wrong. */
-  readonly error: string;
+  readonly error: QueryError;
   /** Files that were written, by the names in the question. */
   readonly files: ReadonlyMap<string, Uint8Array>;
 }

@@ -1,5 +1,6 @@
 // Motions that go on together in a worker of their own, from one time to the next.
 
+import { plainError, type QueryError } from "./engine.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 
 /** The question `simulate … --each`, with the file of starts that it names. */
@@ -41,11 +42,11 @@ export class Ensemble {
   }
 
   /** Begins the motions in a worker, which it owns from then on; or says why not. */
-  static async begin(worker: Worker, { words, files }: Starts): Promise<Ensemble | { readonly error: string }> {
+  static async begin(worker: Worker, { words, files }: Starts): Promise<Ensemble | { readonly error: QueryError }> {
     const reply = await replied(worker, { kind: "ensemble", words, files });
     if (reply.kind === "begun" && reply.status === 0) return new Ensemble(worker, facts(reply.numbers, reply.text));
     worker.terminate();
-    return { error: reply.kind === "begun" ? reply.error : reply.kind === "fault" ? reply.reason : "" };
+    return { error: reply.kind === "begun" ? reply.error : plainError(reply.kind === "fault" ? reply.reason : "") };
   }
 
   /** The motions at a time, not before one that was asked for already. */

@@ -110,9 +110,12 @@ export class Mathematics {
   }
 
   /** The motion that passes this angle with this velocity in rad/s at t = 0; length in m, gravity in m/s². */
-  launch(angle: string, velocity: number, length: number, gravity: number): Motion | { readonly error: string } {
+  launch(angle: string, velocity: number, length: number, gravity: number): Motion | { readonly quantity: string; readonly error: string } {
     this.#give(angle);
-    if (!this.#module.launch(length, gravity, velocity)) return { error: this.#text() };
+    if (!this.#module.launch(length, gravity, velocity)) {
+      const [quantity = "angle", ...lines] = this.#text().split("\n");
+      return { quantity, error: lines.join("\n") };
+    }
     const [regime = 0, period = NaN, smallAnglePeriod = NaN, amplitude = NaN, complement = NaN, energyRatio = NaN, energyExcess = NaN, specificEnergy = NaN, angularFrequency = NaN] =
       this.#numbers();
     return { regime: REGIMES[regime] ?? "rest", period, smallAnglePeriod, amplitude, complement, energyRatio, energyExcess, specificEnergy, angularFrequency };

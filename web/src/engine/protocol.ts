@@ -1,5 +1,7 @@
 // What the page and its workers say to each other.
 
+import type { QueryError } from "./engine.ts";
+
 /** To a worker: first the module, as text or as a worker before has compiled it, then questions, which may be stopped, or motions and how far
     they are wanted. */
 export type ToWorker =
@@ -19,9 +21,9 @@ export type FromWorker =
   | {
       readonly kind: "end";
       readonly status: number;
-      readonly error: string;
+      readonly error: QueryError;
       readonly files: ReadonlyMap<string, Uint8Array>;
     }
-  | { readonly kind: "begun"; readonly status: number; readonly error: string; readonly numbers: Float64Array; readonly text: string }
+  | { readonly kind: "begun"; readonly status: number; readonly error: QueryError; readonly numbers: Float64Array; readonly text: string }
   | { readonly kind: "states"; readonly states: Float64Array; readonly bodies: Float64Array; readonly ended: number; readonly cause: string }
   | { readonly kind: "fault"; readonly reason: string };

@@ -1,5 +1,6 @@
 // The worker: holds the whole module, and answers one question after the other or follows motions from one time to the next.
 
+import { NO_ERROR, type QueryError } from "./engine.ts";
 import { instantiated } from "./fused.ts";
 import { compiled } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
@@ -34,7 +35,7 @@ const decoder = new TextDecoder();
 const say = (message: FromWorker, transferred: ArrayBuffer[] = []) => postMessage(message, { transfer: transferred });
 
 let exports: Promise<Exports>;
-let error = "";
+let error: QueryError = NO_ERROR;
 let panic = "";
 /** Whether the question was told to stop. */
 let isStopped = false;
@@ -85,7 +86,7 @@ function left(module: Exports): string {
 }
 
 function give(module: Exports, words: readonly string[], given: ReadonlyMap<string, Uint8Array>): void {
-  error = "";
+  error = NO_ERROR;
   isStopped = false;
   for (const word of words) {
     put(module, encoder.encode(word));
@@ -125,7 +126,7 @@ async function begun(module: WebAssembly.Module): Promise<Exports> {
     progress: (at: number, length: number) =>
       say({ kind: "progress", howFar: length > 0 ? read(at, length) : undefined }),
     error: (at: number, length: number) => {
-      error = read(at, length);
+      error = JSON.parse(read(at, length)) as QueryError;
     },
     fault: (at: number, length: number) => {
       panic = read(at, length);

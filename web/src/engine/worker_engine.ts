@@ -1,7 +1,7 @@
 // The engine that asks in a worker, so that nothing freezes: made when the first question comes, and afresh after a fault or an early end.
 
 import { text as texts } from "../texts/en.ts";
-import type { Answer, Engine, Question } from "./engine.ts";
+import { type Answer, type Engine, plainError, type Question } from "./engine.ts";
 import { text as moduleText } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { canWait } from "./suspension.ts";
@@ -93,8 +93,8 @@ function begun(first: ToWorker): Worker {
   return worker;
 }
 
-function ended(status: number, chunks: readonly Uint8Array[], error: string): Answer {
-  return { status, output: joined(chunks), error, files: new Map() };
+function ended(status: number, chunks: readonly Uint8Array[], reason: string): Answer {
+  return { status, output: joined(chunks), error: plainError(reason), files: new Map() };
 }
 
 function joined(chunks: readonly Uint8Array[]): Uint8Array {

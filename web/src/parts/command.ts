@@ -1,6 +1,6 @@
 // A question as data, from which follow the words that are asked, the line for a shell and the line for Python.
 
-import type { Answer, Engine, Question } from "../engine/engine.ts";
+import type { Answer, Engine, Part, QueryError, Question } from "../engine/engine.ts";
 
 /** A question of the command with its arguments and options; flags have the value `true`. */
 export interface Command {
@@ -75,8 +75,24 @@ function pythonText(text: string): string {
   return JSON.stringify(text);
 }
 
-/** The reason of a failure, as `--option: what is wrong`, without what belongs to a terminal. */
-export function reason(answer: Answer): string {
-  const words = answer.error.replace(/^error: /, "").replace(/\n+For more information, try '--help'\.\s*$/, "").replace(/\n+Usage:[^]*$/, "").trim();
-  return words.replace(/^invalid value '[^]*?' for '\[?([^\s'\]]+)[^']*':/, "$1:");
+/** The names of parameters and queries in messages: those of the command, unless the page has a name of its own. */
+export type Names = (option: string) => string | undefined;
+
+/** A message or a hint as text. */
+export function sentence(parts: readonly Part[], name: Names = () => undefined): string {
+  const written = parts.map((part) => {
+    if (typeof part === "string") return part;
+    return "query" in part ? `libration ${part.query}` : (name(part.parameter) ?? part.parameter);
+  });
+  return written.join("");
+}
+
+/** The message with its hint, without the parameters that it is about. */
+export function explained({ message, hint }: QueryError, name?: Names): string {
+  return [message, hint].filter((parts) => parts.length > 0).map((parts) => sentence(parts, name)).join("\n");
+}
+
+/** The reason of a failure, as `--option: what is wrong`. */
+export function reason({ error }: Answer): string {
+  return error.text;
 }

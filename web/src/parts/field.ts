@@ -9,6 +9,7 @@ export interface Field {
   readonly key: string;
   /** As the command's errors name it, such as `--order` or `OSCILLATOR|EQUATION`. */
   readonly option: string | undefined;
+  readonly label: string;
   readonly element: HTMLElement;
   readonly initial: string;
   /** `true` if numbers are angles, in the unit that the reader has chosen. */
@@ -91,6 +92,7 @@ export function tickField(description: Description): Field {
   return {
     key,
     option: description.option,
+    label: words.label,
     initial,
     isAngle: false,
     element: element("div", { class: "field tick" }, element("label", {}, input, ` ${words.label}`), hint(words, identifier()), error),
@@ -124,6 +126,7 @@ function controlled(description: Description, control: Control, event: string, b
   return {
     key,
     option,
+    label: words.label,
     initial,
     isAngle,
     element: element("div", { class: "field" }, element("label", { for: control.id }, words.label), entry, ...beside, hint(words, described), error),

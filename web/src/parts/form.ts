@@ -2,7 +2,7 @@
 
 import type { Address } from "../address.ts";
 import type { Answer } from "../engine/engine.ts";
-import { reason } from "./command.ts";
+import { explained, reason } from "./command.ts";
 import { element } from "./element.ts";
 import type { Field } from "./field.ts";
 import { UNIT } from "./unit_switch.ts";
@@ -83,16 +83,18 @@ export class Form {
 
   /** Puts the failure beside the field that it is about, of these or of all; the result is what is about none. */
   blame(answer: Answer, keys: readonly string[] = [...this.#fields.keys()]): string {
-    const words = reason(answer);
-    for (const field of keys.map((key) => this.#field(key))) {
-      const rest = field.option === undefined ? undefined : about(words, field.option);
-      if (rest !== undefined) {
-        field.refuse(rest);
-        field.element.closest("details")?.setAttribute("open", "");
-        return "";
-      }
-    }
-    return words;
+    const { error } = answer;
+    const field = keys.map((key) => this.#field(key)).find(({ option }) => option !== undefined && error.parameters.includes(option));
+    if (field === undefined) return reason(answer);
+    field.refuse(explained(error, (option) => this.#labelOf(option)));
+    field.element.closest("details")?.setAttribute("open", "");
+    return "";
+  }
+
+  /** The label of the field of an option, in the quotation marks of the page. */
+  #labelOf(option: string): string | undefined {
+    const field = [...this.#fields.values()].find((it) => it.option === option);
+    return field === undefined ? undefined : `“${field.label}”`;
   }
 
   /** Numbers without a unit are in that of the unit switch, or in degrees where there is none. */
@@ -106,11 +108,4 @@ export class Form {
     if (field === undefined) throw new Error(`no field ${key}`);
     return field;
   }
-}
-
-/** What is said of this option, if it is about it. */
-function about(words: string, option: string): string | undefined {
-  const named = /^((?:--[\w-]+|[A-Z|]+)(?:(?:, | and )(?:--[\w-]+|[A-Z|]+))*): /.exec(words);
-  if (named === null) return undefined;
-  return named[1]?.split(/, | and /).includes(option) === true ? words.slice(named[0].length) : undefined;
 }

@@ -1,6 +1,6 @@
 // Pictures that the command draws: shown, described in words, and saved.
 
-import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
+import { type Answer, type Engine, NO_ERROR, text as decoded } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
 import { parsed, type Read } from "./answers.ts";
 import { ask, type Command, extended } from "./command.ts";
@@ -120,13 +120,13 @@ export class Picture {
   // The column is too narrow for what is in some pictures.
   async #fitted(command: Command, signal: AbortSignal, of: (asked: Command) => Promise<Answer>): Promise<Answer> {
     const answer = await of(this.command(command));
-    const least = /--width: [^]*give at least (\d+mm)/.exec(answer.error)?.[1];
-    if (least === undefined || signal.aborted) return answer;
+    const { parameters, suggestion: least } = answer.error;
+    if (!parameters.includes("--width") || least === "" || signal.aborted) return answer;
     return of(extended(command, { width: least, [this.#option]: `${this.#name}.svg` }));
   }
 
   #show(bytes: Uint8Array): void {
-    const read = fromSvg(decoded({ status: 0, output: bytes, error: "", files: new Map() }));
+    const read = fromSvg(decoded({ status: 0, output: bytes, error: NO_ERROR, files: new Map() }));
     const root = this.#place.shadowRoot;
     if (read === undefined || root === null) return;
     const sheet = new CSSStyleSheet();

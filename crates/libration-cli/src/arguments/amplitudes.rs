@@ -1,7 +1,7 @@
 //! The amplitudes a question is about: angles, lists and ranges of angles, or a file of them.
 
 use super::{bare, lines};
-use crate::failure::Failure;
+use crate::query_error::{QueryError, argument};
 use libration::pendulum::Amplitude;
 use libration::quantity::{Angle, AngleRange, BareRadians, RangeError, angles};
 use std::path::{Path, PathBuf};
@@ -30,14 +30,14 @@ enum AngleSet {
 pub(crate) struct Amplitudes(Vec<AngleSet>);
 
 impl AmplitudeOptions {
-    pub(crate) fn read(&self) -> Result<Amplitudes, Failure> {
+    pub(crate) fn read(&self) -> Result<Amplitudes, QueryError> {
         let sets = match &self.from_file {
             Some(path) => vec![AngleSet::List(angles_in_file(path)?)],
             None => self.amplitudes.clone(),
         };
         let is_amplitude = |angle| Amplitude::new(angle).map(|_| ());
         let checked = sets.iter().flat_map(AngleSet::widest).try_for_each(is_amplitude);
-        checked.map_err(|error| Failure::no_answer("AMPLITUDE", error))?;
+        checked.map_err(|error| QueryError::no_result(argument("AMPLITUDE"), error))?;
         Ok(Amplitudes(sets))
     }
 }
@@ -104,7 +104,7 @@ fn angle_set(text: &str) -> Result<AngleSet, RangeError> {
 }
 
 /// Reads the angles of a file, and says of the first one that may have been meant in degrees how it is taken.
-fn angles_in_file(path: &Path) -> Result<Vec<Angle>, Failure> {
+fn angles_in_file(path: &Path) -> Result<Vec<Angle>, QueryError> {
     let text = lines::text(path)?;
     let read = |line: &str| line.parse().map(|angle: Angle| (angle, BareRadians::in_text(line).is_some()));
     let angles = lines::values(path, &text, read)?;

@@ -132,7 +132,7 @@ impl Wanted {
                 if self.role == Role::Frequencies && self.uncertainties_of.is_none() =>
             {
                 return Err(format!(
-                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: say which with --frequency-unit"
+                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: say which with <--frequency-unit>"
                 ));
             }
             (None, WrittenUnit::Nothing) => (usual, None),
@@ -195,7 +195,7 @@ impl<const N: usize> ColumnUnits<N> {
 
 fn refusal(error: MeasurementError) -> String {
     match error {
-        MeasurementError::HoldsOther { .. } => format!("{error} (--columns)"),
+        MeasurementError::HoldsOther { .. } => format!("{error} (<--columns>)"),
         _ => error.to_string(),
     }
 }

@@ -1,13 +1,13 @@
 //! Formulas with names, `energy = x'^2/2 - cos(x), p = 2*x'`.
 
 use super::commas::at_commas;
-use crate::failure::Failure;
+use crate::query_error::{Parameter, QueryError};
 use libration::expression::Expression;
 use libration::systems::{Model, Observables};
 
 /// The formulas of an option; those without a name are called as they are written.
-pub(crate) fn columns(argument: &'static str, text: &str, model: &Model) -> Result<Observables, Failure> {
-    let usage = |reason: String| Failure::usage(argument, reason);
+pub(crate) fn columns(argument: &Parameter, text: &str, model: &Model) -> Result<Observables, QueryError> {
+    let usage = |reason: String| QueryError::usage(argument, reason);
     let mut formulas: Vec<(&str, Expression)> = vec![];
     for item in at_commas(text) {
         let (name, formula) = item.split_once('=').unwrap_or((item, item));

@@ -49,8 +49,8 @@ impl CountedOptions {
             (None, CountedPeriods::Nothing) => (usual, sentence(usual)),
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
-                    "{place} may hold times of several periods or of parts of one: say how many with --periods-per-row, or \
-                     --half-periods"
+                    "{place} may hold times of several periods or of parts of one: say how many with <--periods-per-row>, or \
+                     <--half-periods>"
                 ));
             }
         })

@@ -1,12 +1,16 @@
 //! Amplitudes of any coordinate: `0.1:3:0.1` or `0.5,1`, and with units where the coordinate is an angle.
 
-use crate::failure::Failure;
 use crate::output::number;
+use crate::query_error::{Parameter, QueryError};
 use libration::quantity::{Displacement, RangeError, exact_angles, exact_numbers};
 
 /// Reads a list or a range of amplitudes above zero.
-pub fn displacements(argument: &str, text: &str, is_angle: bool) -> Result<Vec<Displacement>, Failure> {
-    let refusal = |reason: String| Failure::usage(argument, reason);
+pub fn displacements(
+    argument: &Parameter,
+    text: &str,
+    is_angle: bool,
+) -> Result<Vec<Displacement>, QueryError> {
+    let refusal = |reason: String| QueryError::usage(argument, reason);
     if !is_angle
         && text.contains(|letter: char| letter.is_alphabetic() && !"eE".contains(letter) || letter == '°')
     {

@@ -2,7 +2,7 @@
 
 use super::commas::at_commas;
 use super::{coordinate, say_radians};
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::expression::Expression;
 use libration::quantity::Angle;
 use libration::systems::{Coordinate, Model};
@@ -16,25 +16,25 @@ pub(crate) struct EquilibriumOptions {
 
 impl EquilibriumOptions {
     /// The coordinates that are given, the others where they are at rest.
-    pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn guess(&self, model: &Model) -> Result<Vec<f64>, QueryError> {
         let mut guess: Vec<f64> = model.coordinates().iter().map(|coordinate| coordinate.at_rest).collect();
         let about = self.about.as_deref().unwrap_or_default();
         for item in at_commas(about).into_iter().filter(|item| !item.trim().is_empty()) {
             let (name, value) = item.split_once('=').ok_or_else(|| {
                 refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
             })?;
-            let place = coordinate(model, "--about", name)?;
+            let place = coordinate(model, &option("about"), name)?;
             guess[place] = number(&model.coordinates()[place], value.trim())?;
         }
         Ok(guess)
     }
 }
 
-fn refusal(reason: String) -> Failure {
-    Failure::usage("--about", reason)
+fn refusal(reason: String) -> QueryError {
+    QueryError::usage(option("about"), reason)
 }
 
-fn number(coordinate: &Coordinate, text: &str) -> Result<f64, Failure> {
+fn number(coordinate: &Coordinate, text: &str) -> Result<f64, QueryError> {
     let formula = || text.parse::<Expression>().ok()?.to_f64().filter(|value| value.is_finite());
     let angle = || text.parse::<Angle>().ok().filter(|_| coordinate.is_angle()).map(|angle| angle.radians());
     if coordinate.is_angle() {

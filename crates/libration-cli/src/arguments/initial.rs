@@ -2,7 +2,7 @@
 
 use super::commas::at_commas;
 use crate::call;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::quantity::RoundedComplement;
 use libration::systems::{InitialState, Model};
 
@@ -40,13 +40,13 @@ impl InitialOptions {
     }
 
     /// The state of the model that a motion begins in.
-    pub(crate) fn read(&self, model: &Model) -> Result<Initial, Failure> {
+    pub(crate) fn read(&self, model: &Model) -> Result<Initial, QueryError> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
         Initial::read(text, model, Meant::Motion)
     }
 
     /// The state of the model that is asked about, perhaps a state of rest.
-    pub(crate) fn read_at_rest(&self, model: &Model) -> Result<Initial, Failure> {
+    pub(crate) fn read_at_rest(&self, model: &Model) -> Result<Initial, QueryError> {
         let text = self.initial.as_deref().ok_or_else(|| missing(model))?;
         Initial::read(text, model, Meant::Rest)
     }
@@ -56,7 +56,7 @@ impl InitialOptions {
         &self,
         values: &[(&str, &str)],
         model: &Model,
-    ) -> Result<Result<Initial, String>, Failure> {
+    ) -> Result<Result<Initial, String>, QueryError> {
         let own = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
         say_of_angles(&own, model, Meant::Motion);
         // What is wrong with the option is not the fault of the others.
@@ -79,7 +79,7 @@ pub(crate) struct SeveralInitialOptions {
 
 impl SeveralInitialOptions {
     /// The states that are meant; at least one.
-    pub(crate) fn read(&self, model: &Model) -> Result<Vec<Initial>, Failure> {
+    pub(crate) fn read(&self, model: &Model) -> Result<Vec<Initial>, QueryError> {
         if self.initial.is_empty() {
             return Err(missing(model));
         }
@@ -88,7 +88,7 @@ impl SeveralInitialOptions {
 }
 
 impl Initial {
-    fn read(text: &str, model: &Model, meant: Meant) -> Result<Self, Failure> {
+    fn read(text: &str, model: &Model, meant: Meant) -> Result<Self, QueryError> {
         let items = items(text, model)?;
         say_of_angles(&items, model, meant);
         Self::of_values(&items, model).map_err(usage)
@@ -102,7 +102,7 @@ impl Initial {
 }
 
 /// The names and values in a text.
-fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, Failure> {
+fn items<'a>(text: &'a str, model: &Model) -> Result<Vec<(&'a str, &'a str)>, QueryError> {
     let item = |item: &'a str| {
         item.split_once('=').ok_or_else(|| {
             let example = &model.state_names()[0];
@@ -124,18 +124,18 @@ fn say_of_angles(items: &[(&str, &str)], model: &Model, meant: Meant) {
     }
 }
 
-fn usage(reason: impl std::fmt::Display) -> Failure {
-    Failure::usage("--initial", reason)
+fn usage(reason: impl std::fmt::Display) -> QueryError {
+    QueryError::usage(option("initial"), reason)
 }
 
-fn missing(model: &Model) -> Failure {
+fn missing(model: &Model) -> QueryError {
     let example = |coordinate: &libration::systems::Coordinate| match coordinate.is_angle() {
         true => format!("{}=60deg", coordinate.name),
         false => format!("{}=0.5", coordinate.name),
     };
     let examples: Vec<String> = model.coordinates().iter().map(example).collect();
     usage(format!(
-        "the initial state is missing: give it, such as --initial \"{}\"; the state variables are {}",
+        "the initial state is missing: give it, such as <--initial> \"{}\"; the state variables are {}",
         examples.join(","),
         model.state_names().join(", ")
     ))

@@ -1,25 +1,25 @@
 //! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
 
 use crate::call;
-use crate::failure::Failure;
 use crate::host::InputFile;
+use crate::query_error::QueryError;
 use libration_lab::measurement::ReadOptions;
 use std::io::{self, Read};
 use std::path::Path;
 
 /// The bytes of a file or, for `-`, of the input, as many as a table may have.
-pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, QueryError> {
     read_at_most(path, ReadOptions::DEFAULT_SIZE_LIMIT)
 }
 
 /// The same with another limit. A file that says its size is refused before it is read; pipes and devices say none, and are
 /// read as far as the limit.
-pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure> {
+pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, QueryError> {
     let cannot = |error: io::Error| {
         let reason = format!("cannot read {}: {error}", path.display());
         match error.kind() {
-            io::ErrorKind::NotFound => Failure::MissingFile(reason),
-            _ => Failure::NoAnswer(reason),
+            io::ErrorKind::NotFound => QueryError::missing_file(reason),
+            _ => QueryError::failed(reason),
         }
     };
     let call = call::current();
@@ -33,7 +33,7 @@ pub(crate) fn read_at_most(path: &Path, limit: usize) -> Result<Vec<u8>, Failure
     }
 }
 
-fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<Vec<u8>, Failure>> {
+fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<Vec<u8>, QueryError>> {
     let mut bytes = vec![];
     from.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     Ok(match bytes.len() <= limit {
@@ -42,7 +42,7 @@ fn within(from: &mut dyn Read, path: &Path, limit: usize) -> io::Result<Result<V
     })
 }
 
-fn too_large(path: &Path, how: &str, limit: usize) -> Failure {
+fn too_large(path: &Path, how: &str, limit: usize) -> QueryError {
     let reason = format!("it {how}, and at most {limit} bytes are read: give a part of it");
-    Failure::no_answer(&path.display().to_string(), reason)
+    QueryError::no_result(&path.display().to_string(), reason)
 }

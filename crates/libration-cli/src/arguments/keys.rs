@@ -1,6 +1,6 @@
 //! Some entries of a catalogue, or all of them.
 
-use crate::failure::Failure;
+use crate::query_error::{QueryError, argument};
 use std::fmt::Display;
 
 /// The entries asked for.
@@ -17,11 +17,11 @@ impl KeyOptions {
         &self,
         catalogue: impl IntoIterator<Item = T>,
         by_key: impl Fn(&str) -> Result<T, E>,
-    ) -> Result<Vec<T>, Failure> {
+    ) -> Result<Vec<T>, QueryError> {
         if self.keys.is_empty() {
             return Ok(catalogue.into_iter().collect());
         }
         let found = self.keys.iter().map(|key| by_key(key.trim()));
-        found.collect::<Result<_, _>>().map_err(|error| Failure::usage("KEY", error))
+        found.collect::<Result<_, _>>().map_err(|error| QueryError::usage(argument("KEY"), error))
     }
 }

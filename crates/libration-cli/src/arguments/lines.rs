@@ -1,8 +1,8 @@
 //! Files that hold one value per line; `-` is the standard input.
 
 use super::read_bytes;
-use crate::failure::Failure;
 use crate::parallel;
+use crate::query_error::QueryError;
 use std::fmt::Display;
 use std::path::Path;
 
@@ -13,7 +13,7 @@ const PIECE: usize = 4096;
 pub(crate) fn read<T: Send, E: Display + Send>(
     path: &Path,
     parse: impl Fn(&str) -> Result<T, E> + Sync,
-) -> Result<Vec<T>, Failure> {
+) -> Result<Vec<T>, QueryError> {
     values(path, &text(path)?, parse)
 }
 
@@ -22,7 +22,7 @@ pub(super) fn values<T: Send, E: Display + Send>(
     path: &Path,
     text: &str,
     parse: impl Fn(&str) -> Result<T, E> + Sync,
-) -> Result<Vec<T>, Failure> {
+) -> Result<Vec<T>, QueryError> {
     let lines: Vec<(usize, &str)> = numbered(text).collect();
     let pieces: Vec<&[(usize, &str)]> = lines.chunks(PIECE).collect();
     let parse = |&(number, line): &(usize, &str)| parse(line.trim()).map_err(|reason| (number, reason));
@@ -31,10 +31,10 @@ pub(super) fn values<T: Send, E: Display + Send>(
     let mut values = Vec::with_capacity(lines.len());
     for piece in parsed {
         let place = |number| format!("{}, line {number}", path.display());
-        values.extend(piece.map_err(|(number, reason)| Failure::no_answer(&place(number), reason))?);
+        values.extend(piece.map_err(|(number, reason)| QueryError::no_result(&place(number), reason))?);
     }
     if values.is_empty() {
-        return Err(Failure::no_answer(
+        return Err(QueryError::no_result(
             &path.display().to_string(),
             "the file has no values: write one per line",
         ));
@@ -49,10 +49,10 @@ pub(super) fn numbered(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 /// The text of a file or, for `-`, of the standard input.
-pub(super) fn text(path: &Path) -> Result<String, Failure> {
+pub(super) fn text(path: &Path) -> Result<String, QueryError> {
     let text = String::from_utf8(read_bytes(path)?).ok().filter(|text| !text.contains('\0'));
     let text = text.ok_or_else(|| {
-        Failure::no_answer(&path.display().to_string(), "not a text file: write it in UTF-8")
+        QueryError::no_result(&path.display().to_string(), "not a text file: write it in UTF-8")
     })?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }

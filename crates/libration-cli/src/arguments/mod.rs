@@ -53,7 +53,7 @@ pub(crate) use keys::KeyOptions;
 pub(crate) use motion_table::{Meaning, MotionRow, MotionTable, at_line};
 pub(crate) use negative::protect_negative_values;
 pub(crate) use one_amplitude::one_amplitude;
-pub(crate) use oscillator::{Asked, Chosen, ChosenWithLetters, OscillatorOptions};
+pub(crate) use oscillator::{Asked, Chosen, ChosenWithLetters, OscillatorOptions, no_oscillator};
 pub(crate) use parameter_range::{ParameterRange, constant, parameter_range, progression};
 pub(crate) use parameter_span::{ParameterSpan, parameter_span, two_parameter_spans};
 pub(crate) use pendulum::{PendulumOptions, motion};

@@ -3,7 +3,7 @@
 use super::system::GivenSystem;
 use super::values::plain_name;
 use super::{bare, lines};
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration::quantity::BareRadians;
 use std::path::Path;
 
@@ -47,10 +47,10 @@ pub(crate) struct MotionRow {
 
 impl MotionTable {
     /// Reads a file, or the standard input.
-    pub(crate) fn read(path: &Path, system: &GivenSystem<'_>) -> Result<Self, Failure> {
+    pub(crate) fn read(path: &Path, system: &GivenSystem<'_>) -> Result<Self, QueryError> {
         let text = lines::text(path)?;
         let mut lines = lines::numbered(&text);
-        let of_file = |reason: &str| Failure::no_answer(&path.display().to_string(), reason);
+        let of_file = |reason: &str| QueryError::no_result(&path.display().to_string(), reason);
         let (number, header) = lines.next().ok_or_else(|| of_file(EMPTY))?;
         let separator = separator(header);
         let columns = columns(&cells(header, separator), system);
@@ -98,8 +98,8 @@ const EMPTY: &str = "the file has no motions: write names of parameters and init
                      theta,omega0, and one motion in each line below";
 
 /// A failure at a line of a file.
-pub(crate) fn at_line(path: &Path, line: usize, reason: &impl std::fmt::Display) -> Failure {
-    Failure::no_answer(&format!("{}, line {line}", path.display()), reason)
+pub(crate) fn at_line(path: &Path, line: usize, reason: &impl std::fmt::Display) -> QueryError {
+    QueryError::no_result(&format!("{}, line {line}", path.display()), reason)
 }
 
 fn separator(header: &str) -> char {
@@ -129,7 +129,7 @@ fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColu
             return Err(format!("there are two columns `{title}`: give one"));
         }
         if column.meaning == Meaning::Parameter && system.counts(&column.title) {
-            return Err(format!("`{title}` says how many coordinates all motions have: give it by --set"));
+            return Err(format!("`{title}` says how many coordinates all motions have: give it by <--set>"));
         }
         if column.meaning == Meaning::Parameter && system.gives(&column.title) {
             return Err(format!("`{title}` has a value by an option already: give the option or the column"));

@@ -2,7 +2,7 @@
 
 use super::reading;
 use super::values::{borrowed, values};
-use crate::failure::{Failure, excerpt};
+use crate::query_error::{Parameter, QueryError, argument, excerpt, option};
 use libration::catalogue::is_like_a_key;
 use libration::expression::{Equation, Expression, Symbol};
 use libration::oscillator::{
@@ -65,7 +65,7 @@ impl Chosen {
     }
 
     /// Reads an amplitude: a number, or an angle where the variable is one.
-    pub(crate) fn amplitude(&self, argument: &str, text: &str) -> Result<Displacement, Failure> {
+    pub(crate) fn amplitude(&self, argument: &Parameter, text: &str) -> Result<Displacement, QueryError> {
         if let Ok(number) = Displacement::from_number_text(text) {
             if self.is_angle() {
                 super::bare::say(text);
@@ -73,11 +73,11 @@ impl Chosen {
             return Ok(number);
         }
         if self.is_angle() {
-            return Displacement::from_angle_text(text).map_err(|error| Failure::usage(argument, error));
+            return Displacement::from_angle_text(text).map_err(|error| QueryError::usage(argument, error));
         }
         let name = self.oscillator.variable();
         let hint = "angle units are for variables with the name of an angle, such as theta";
-        Err(Failure::usage(
+        Err(QueryError::usage(
             argument,
             format!(
                 "cannot read `{}` as an amplitude of {name}: give a number, such as 0.5; {hint}",
@@ -93,19 +93,22 @@ impl OscillatorOptions {
         Self { oscillator: oscillator.to_owned(), set: set.to_vec(), about: about.map(str::to_owned) }
     }
 
-    pub(crate) fn chosen(&self) -> Result<Chosen, Failure> {
+    pub(crate) fn chosen(&self) -> Result<Chosen, QueryError> {
         let asked = self.asked()?;
-        let oscillator = asked.oscillator().map_err(|error| Failure::no_answer("oscillator", error))?;
+        let oscillator = asked.oscillator().map_err(no_oscillator)?;
         Ok(asked.with(oscillator))
     }
 
     /// The oscillator with values for all its parameters, when none is to stay a letter.
-    pub(crate) fn chosen_without(&self, letters: &[String]) -> Result<Chosen, Failure> {
+    pub(crate) fn chosen_without(&self, letters: &[String]) -> Result<Chosen, QueryError> {
         match letters {
             [] => self.chosen(),
-            _ => Err(Failure::usage(
-                "--letters",
-                format!("values are computed of numbers only: give {} values with --set", letters.join(", ")),
+            _ => Err(QueryError::usage(
+                option("letters"),
+                format!(
+                    "values are computed of numbers only: give {} values with <--set>",
+                    letters.join(", ")
+                ),
             )),
         }
     }
@@ -115,7 +118,7 @@ impl OscillatorOptions {
     pub(crate) fn chosen_with_letters(
         &self,
         letters: &[String],
-    ) -> Result<Result<ChosenWithLetters, OscillatorError>, Failure> {
+    ) -> Result<Result<ChosenWithLetters, OscillatorError>, QueryError> {
         let asked = self.asked_with_letters(letters)?;
         match NumbersOrLetters::new(&asked.equation, asked.about.as_ref()) {
             Ok(NumbersOrLetters::Numbers(oscillator)) => {
@@ -125,23 +128,23 @@ impl OscillatorOptions {
                 Ok(Ok(ChosenWithLetters::Letters(asked.with(oscillator))))
             }
             Err(NumbersOrLettersError::Numbers(error @ OscillatorError::NoStrength { .. })) => Ok(Err(error)),
-            Err(error) => Err(Failure::no_answer("oscillator", error)),
+            Err(error) => Err(QueryError::no_result("oscillator", &error).with_remedies(&error.remedies())),
         }
     }
 
     /// The equation, whether it is an oscillator or not.
-    pub(crate) fn asked(&self) -> Result<Asked, Failure> {
+    pub(crate) fn asked(&self) -> Result<Asked, QueryError> {
         self.asked_with_letters(&[])
     }
 
     /// The equation, where these parameters of a built-in oscillator stay letters.
-    pub(crate) fn asked_with_letters(&self, letters: &[String]) -> Result<Asked, Failure> {
+    pub(crate) fn asked_with_letters(&self, letters: &[String]) -> Result<Asked, QueryError> {
         let named = NamedOscillator::by_key(self.oscillator.trim());
         let given = values(&self.set)?;
         let (equation, key, title) = match &named {
             Ok(named) => (of_catalogue(named, &given, letters)?, Some(named.key), named.title.to_owned()),
             Err(unknown) if is_like_a_key(&self.oscillator) => {
-                return Err(Failure::usage("OSCILLATOR|EQUATION", unknown));
+                return Err(QueryError::usage(argument("OSCILLATOR|EQUATION"), unknown));
             }
             Err(_) => (self.typed(&given, letters)?, None, "an equation of motion".to_owned()),
         };
@@ -155,7 +158,7 @@ impl OscillatorOptions {
 
     /// The equation of a key that only the systems have, such as `damped_pendulum`, with this parameter left open, or its first strength of
     /// a damping.
-    pub(crate) fn asked_of_system(&self, open: Option<&str>) -> Option<Result<Asked, Failure>> {
+    pub(crate) fn asked_of_system(&self, open: Option<&str>) -> Option<Result<Asked, QueryError>> {
         let key = self.oscillator.trim();
         let named = NamedSystem::by_key(key)
             .ok()
@@ -164,17 +167,18 @@ impl OscillatorOptions {
         (!is_oscillator).then(|| self.of_system(named, open.unwrap_or(DAMPING)))
     }
 
-    fn of_system(&self, named: &NamedSystem, open: &str) -> Result<Asked, Failure> {
+    fn of_system(&self, named: &NamedSystem, open: &str) -> Result<Asked, QueryError> {
         let given = values(&self.set)?;
         let parse =
             |text: &str| text.parse::<Equation>().and_then(|equation| equation.with(&borrowed(&given)));
-        let equation = parse(named.equations).map_err(|error| Failure::usage("--set", error))?;
+        let equation = parse(named.equations).map_err(|error| QueryError::usage(option("set"), error))?;
         let letters = equation.parameters();
         let defaults = named.parameters.iter().filter(|it| it.name != open && letters.contains(it.name));
         let defaults: Vec<(String, Expression)> = defaults
             .filter_map(|parameter| Some((parameter.name.to_owned(), parameter.default.parse().ok()?)))
             .collect();
-        let equation = equation.with(&borrowed(&defaults)).map_err(|error| Failure::usage("--set", error))?;
+        let equation =
+            equation.with(&borrowed(&defaults)).map_err(|error| QueryError::usage(option("set"), error))?;
         let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
         let absent = |(name, value): &(String, Expression)| {
             given.iter().any(|(own, _)| own == name) || *value != Expression::from(0)
@@ -191,13 +195,16 @@ impl OscillatorOptions {
         })
     }
 
-    fn typed(&self, values: &[(String, Expression)], letters: &[String]) -> Result<Equation, Failure> {
-        let equation: Equation =
-            self.oscillator.parse().map_err(|error| Failure::usage("OSCILLATOR|EQUATION", error))?;
+    fn typed(&self, values: &[(String, Expression)], letters: &[String]) -> Result<Equation, QueryError> {
+        let equation: Equation = self
+            .oscillator
+            .parse()
+            .map_err(|error| QueryError::usage(argument("OSCILLATOR|EQUATION"), error))?;
         reading::say(&self.oscillator);
-        let equation = equation.with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))?;
+        let equation =
+            equation.with(&borrowed(values)).map_err(|error| QueryError::usage(option("set"), error))?;
         let letters: Vec<&str> = letters.iter().map(String::as_str).collect();
-        equation.parameters_called(&letters).map_err(|error| Failure::usage("--letters", error))?;
+        equation.parameters_called(&letters).map_err(|error| QueryError::usage(option("letters"), error))?;
         Ok(equation)
     }
 }
@@ -220,8 +227,8 @@ impl Asked {
 }
 
 /// A place on the axis of the variable: a formula of numbers and parameters, or an angle where the variable is one.
-fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, Failure> {
-    let refusal = |reason: String| Failure::usage("--about", reason);
+fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, QueryError> {
+    let refusal = |reason: String| QueryError::usage(option("about"), reason);
     let variable = equation.variables().first().map_or("", String::as_str);
     let with_value = |formula: Expression, (name, value): &(String, Expression)| {
         formula.substitute(&Symbol::plain(name), value)
@@ -255,12 +262,12 @@ fn of_catalogue(
     named: &NamedOscillator,
     values: &[(String, Expression)],
     letters: &[String],
-) -> Result<Equation, Failure> {
+) -> Result<Equation, QueryError> {
     // Values first, so that the option that is wrong is the one that is blamed.
-    named.equation_with(&borrowed(values)).map_err(|error| Failure::usage("--set", error))?;
+    named.equation_with(&borrowed(values)).map_err(|error| QueryError::usage(option("set"), error))?;
     let letters: Vec<&str> = letters.iter().map(String::as_str).collect();
     let equation = named.equation_with_letters(&borrowed(values), &letters);
-    equation.map_err(|error| Failure::usage("--letters", error))
+    equation.map_err(|error| QueryError::usage(option("letters"), error))
 }
 
 /// The values that were given, and the catalogue's for the other parameters.
@@ -273,4 +280,8 @@ fn values_used(named: Option<&NamedOscillator>, given: &[(String, Expression)]) 
         .map(|parameter| (parameter.name.to_owned(), parameter.default.to_owned()));
     let given = given.iter().map(|(name, value)| (name.clone(), value.to_string()));
     given.chain(defaults).collect()
+}
+
+pub(crate) fn no_oscillator(error: OscillatorError) -> QueryError {
+    QueryError::no_result("oscillator", &error).with_remedies(&error.remedies())
 }

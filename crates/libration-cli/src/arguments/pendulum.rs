@@ -1,9 +1,9 @@
 //! The pendulum: its length and gravity, with their defaults.
 
 use super::text;
-use crate::failure::Failure;
 use crate::output::field::{Field, Fields};
 use crate::output::{json::Record, number};
+use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::{Angle, STANDARD_GRAVITY};
 
@@ -34,8 +34,8 @@ impl PendulumOptions {
         self.length.is_none() && self.gravity.is_none()
     }
 
-    pub(crate) fn pendulum(self) -> Result<Pendulum, Failure> {
-        Pendulum::new(self.length(), self.gravity()).map_err(|error| Failure::no_answer("pendulum", error))
+    pub(crate) fn pendulum(self) -> Result<Pendulum, QueryError> {
+        Pendulum::new(self.length(), self.gravity()).map_err(|error| QueryError::no_result("pendulum", error))
     }
 
     /// Which pendulum was meant, in JSON and in lines of a sheet.
@@ -65,6 +65,6 @@ fn said(given: Option<f64>) -> &'static str {
 }
 
 /// The motion that starts at this angle with this velocity (rad/s).
-pub(crate) fn motion(pendulum: &Pendulum, angle: Angle, velocity: f64) -> Result<Motion, Failure> {
-    pendulum.launched(angle, velocity).map_err(|error| Failure::no_answer("motion", error))
+pub(crate) fn motion(pendulum: &Pendulum, angle: Angle, velocity: f64) -> Result<Motion, QueryError> {
+    pendulum.launched(angle, velocity).map_err(|error| QueryError::no_result("motion", error))
 }

@@ -1,7 +1,7 @@
 //! A recording: the options that override what is inferred from a file, and its reading.
 
 use super::read_bytes;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration_lab::measurement::{
     Choices, Column, DecimalMark, Delimiter, Finding, Gates, Header, MeasurementError, ReadOptions,
     Recording, TimeStamps, Traces, Unit,
@@ -90,17 +90,17 @@ enum Mark {
 
 impl RecordingOptions {
     /// The file, read and not yet interpreted.
-    pub(crate) fn recording(&self, path: &Path) -> Result<Recording, Failure> {
+    pub(crate) fn recording(&self, path: &Path) -> Result<Recording, QueryError> {
         self.recording_in(path, &read_bytes(path)?)
     }
 
     /// The same of a file whose bytes are known.
-    pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, Failure> {
+    pub(crate) fn recording_in(&self, path: &Path, bytes: &[u8]) -> Result<Recording, QueryError> {
         Recording::read(bytes, &self.options()).map_err(|error| failure(path, &error))
     }
 
     /// The traces of a file with all that was inferred from it.
-    pub(crate) fn traces(&self, path: &Path) -> Result<Traces, Failure> {
+    pub(crate) fn traces(&self, path: &Path) -> Result<Traces, QueryError> {
         let recording = self.recording(path)?;
         let mut traces = recording.traces(&self.choices()).map_err(|error| failure(path, &error))?;
         traces.findings.splice(0..0, recording.findings());
@@ -108,7 +108,7 @@ impl RecordingOptions {
     }
 
     /// The times of a photogate with all that was inferred from the file.
-    pub(crate) fn gate_times(&self, path: &Path) -> Result<Gates, Failure> {
+    pub(crate) fn gate_times(&self, path: &Path) -> Result<Gates, QueryError> {
         let recording = self.recording(path)?;
         let mut gates = recording.gate_times(&self.choices()).map_err(|error| failure(path, &error))?;
         gates.findings.splice(0..0, recording.findings());
@@ -163,8 +163,8 @@ pub(crate) fn finding_with_option(finding: &Finding) -> String {
     }
 }
 
-fn failure(path: &Path, error: &MeasurementError) -> Failure {
-    Failure::no_answer(&path.display().to_string(), what_would_decide(error))
+fn failure(path: &Path, error: &MeasurementError) -> QueryError {
+    QueryError::no_result(&path.display().to_string(), what_would_decide(error))
 }
 
 /// Why a file is refused, with the options that would decide.
@@ -172,14 +172,14 @@ pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
     let message = error.message(&|choice| format!("--{choice} "));
     match error {
         MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
-            message + " (--header)"
+            message + " (<--header>)"
         }
-        MeasurementError::NotEven { .. } => message + " (without --even-times)",
-        MeasurementError::CoarseTimes { .. } => message + ", or take them as they are (--times-as-written)",
-        MeasurementError::NothingBetween { .. } => message + " (--from, --to)",
-        MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for `libration fit gates`)",
+        MeasurementError::NotEven { .. } => message + " (without <--even-times>)",
+        MeasurementError::CoarseTimes { .. } => message + ", or take them as they are (<--times-as-written>)",
+        MeasurementError::NothingBetween { .. } => message + " (<--from>, <--to>)",
+        MeasurementError::OnlyTimes(_) => message + " (times of a photogate are for <libration fit gates>)",
         MeasurementError::NotGateTimes { .. } => {
-            message + " Tables of periods are for `libration fit periods` and `libration fit lengths`"
+            message + " Tables of periods are for <libration fit periods> and <libration fit lengths>"
         }
         _ => message,
     }

@@ -2,8 +2,8 @@
 
 use super::values::plain_name;
 use super::{count, positive};
-use crate::failure::Failure;
 use crate::output::number;
+use crate::query_error::{Parameter, QueryError, option};
 use libration::chaos::{Points, Section, SectionError, drive_period, folded};
 use libration::expression::{Equation, Expression};
 use libration::systems::Model;
@@ -78,11 +78,11 @@ impl SectionOptions {
     }
 
     /// The same with the parameters' values in the formula, which may name nothing that the system does not have.
-    pub(crate) fn known_section(&self, model: &Model) -> Result<Section, Failure> {
+    pub(crate) fn known_section(&self, model: &Model) -> Result<Section, QueryError> {
         let mut section = self.section(model);
         if let Section::Crossing { formula, .. } = &mut section {
             let known = model.zero_of(&formula.to_string());
-            *formula = known.map_err(|error| Failure::usage("--at", error))?;
+            *formula = known.map_err(|error| QueryError::usage(option("at"), error))?;
         }
         Ok(section)
     }
@@ -136,11 +136,11 @@ fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
 }
 
 /// Where the number with this name stands in the state.
-pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Result<usize, Failure> {
+pub(crate) fn place_in_state(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
     let names = model.state_names();
     let place = names.iter().position(|known| *known == plain_name(name));
     place.ok_or_else(|| {
-        Failure::usage(
+        QueryError::usage(
             argument,
             format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")),
         )
@@ -148,28 +148,32 @@ pub(crate) fn place_in_state(model: &Model, argument: &str, name: &str) -> Resul
 }
 
 /// The number of the coordinate with this name.
-pub(crate) fn coordinate(model: &Model, argument: &str, name: &str) -> Result<usize, Failure> {
+pub(crate) fn coordinate(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
     let names: Vec<&str> = model.coordinates().iter().map(|it| it.name.as_str()).collect();
     names.iter().position(|known| *known == plain_name(name)).ok_or_else(|| {
         let known = names.join(", ");
-        Failure::usage(argument, format!("the system has no coordinate `{}`: it has {known}", name.trim()))
+        QueryError::usage(argument, format!("the system has no coordinate `{}`: it has {known}", name.trim()))
     })
 }
 
 /// Where two numbers stand in the state, by their names.
-pub(crate) fn places_in_state(model: &Model, argument: &str, names: &str) -> Result<[usize; 2], Failure> {
+pub(crate) fn places_in_state(
+    model: &Model,
+    argument: &Parameter,
+    names: &str,
+) -> Result<[usize; 2], QueryError> {
     match names.split(',').collect::<Vec<_>>()[..] {
         [across, up] => Ok([place_in_state(model, argument, across)?, place_in_state(model, argument, up)?]),
-        _ => Err(Failure::usage(argument, "give two names, such as theta,theta'")),
+        _ => Err(QueryError::usage(argument, "give two names, such as theta,theta'")),
     }
 }
 
 /// The failure that says what is wrong with which argument.
-pub(crate) fn section_failure(error: SectionError) -> Failure {
+pub(crate) fn section_failure(error: SectionError) -> QueryError {
     match error {
-        SectionError::NoPeriod => Failure::usage("--period", error),
-        SectionError::WithoutValue(_) => Failure::usage("--at", error),
-        _ => Failure::no_answer("section", error),
+        SectionError::NoPeriod => QueryError::usage(option("period"), error),
+        SectionError::WithoutValue(_) => QueryError::usage(option("at"), error),
+        _ => QueryError::no_result("section", error),
     }
 }
 

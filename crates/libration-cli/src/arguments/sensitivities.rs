@@ -2,7 +2,7 @@
 
 use super::system::GivenSystem;
 use super::values::plain_name;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::expression::Expression;
 use libration::systems::Model;
 use libration::taylor::Sensitivities;
@@ -12,8 +12,8 @@ pub(crate) fn sensitivities(
     names: &[String],
     system: &GivenSystem<'_>,
     model: &Model,
-) -> Result<Option<Sensitivities>, Failure> {
-    let usage = |reason: String| Failure::usage("--sensitivity", reason);
+) -> Result<Option<Sensitivities>, QueryError> {
+    let usage = |reason: String| QueryError::usage(option("sensitivity"), reason);
     if names.is_empty() {
         return Ok(None);
     }
@@ -22,6 +22,7 @@ pub(crate) fn sensitivities(
     let values = model.values().iter().filter(|(name, _)| !system.counts(name));
     let values: Vec<(&str, Expression)> =
         values.map(|(name, value)| (name.as_str(), value.clone())).collect();
-    let open = system.model_with_open(&values.iter().map(|(name, _)| *name).collect::<Vec<_>>())?;
+    let open = system
+        .model_with_open(&values.iter().map(|(name, _)| *name).collect::<Vec<_>>(), &option("sensitivity"))?;
     Sensitivities::new(open.equation(), &values, &names).map(Some).map_err(|error| usage(error.to_string()))
 }

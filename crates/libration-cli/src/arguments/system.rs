@@ -3,7 +3,7 @@
 use super::reading;
 use super::text::{gravity, length};
 use super::values::{borrowed, values};
-use crate::failure::Failure;
+use crate::query_error::{Parameter, QueryError, argument, option};
 use libration::catalogue::is_like_a_key;
 use libration::expression::{EquationError, Expression};
 use libration::systems::{Model, ModelError, NamedSystem};
@@ -12,7 +12,7 @@ use std::fmt::Display;
 /// The system asked about.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
-    /// A key from `libration systems` or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
+    /// A key from <libration systems> or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
     #[arg(value_name = "SYSTEM|EQUATION")]
     system: String,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
@@ -25,7 +25,7 @@ pub(crate) struct SystemOptions {
 pub(crate) struct PendulumSystemOptions {
     #[command(flatten)]
     system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration systems` says]
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration systems> says]
     #[arg(long, value_parser = length)]
     length: Option<f64>,
     /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
@@ -44,19 +44,19 @@ pub(crate) struct GivenSystem<'a> {
 
 impl SystemOptions {
     /// The model with a value for each parameter.
-    pub(crate) fn model(&self) -> Result<Model, Failure> {
-        self.model_with_open(&[])
+    pub(crate) fn model(&self) -> Result<Model, QueryError> {
+        self.model_with_open(&[], &option("set"))
     }
 
     /// The model with these parameters left open.
-    pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
-        self.model_with(&values(&self.set)?, open, open.first().copied())
+    pub(crate) fn model_with_open(&self, open: &[&str], giver: &Parameter) -> Result<Model, QueryError> {
+        self.model_with(&values(&self.set)?, open, Varied { names: open, giver })
     }
 
     /// The numbers of a state, whatever has no value yet.
-    pub(crate) fn state_names(&self) -> Result<Vec<String>, Failure> {
+    pub(crate) fn state_names(&self) -> Result<Vec<String>, QueryError> {
         let model = self.incomplete_model(&values(&self.set)?, &[]);
-        Ok(model.map_err(|error| failure(error, None))?.state_names())
+        Ok(model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))?.state_names())
     }
 
     /// The model with these values and open parameters, one of which `--over` varies.
@@ -64,13 +64,13 @@ impl SystemOptions {
         &self,
         values: &[(String, Expression)],
         open: &[&str],
-        varied: Option<&str>,
-    ) -> Result<Model, Failure> {
+        varied: Varied<'_>,
+    ) -> Result<Model, QueryError> {
         let model = self.incomplete_model(values, open).map_err(|error| failure(error, varied))?;
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
-            Some(name) => Err(Failure::usage(
-                "--set",
-                format!("`{name}` has no value: give it one, such as --set {name}=0.1"),
+            Some(name) => Err(QueryError::usage(
+                option("set"),
+                format!("`{name}` has no value: give it one, such as <--set> {name}=0.1"),
             )),
             None => Ok(model),
         }
@@ -91,50 +91,54 @@ impl SystemOptions {
 
 impl PendulumSystemOptions {
     /// The model with a value for each parameter.
-    pub(crate) fn model(&self) -> Result<Model, Failure> {
+    pub(crate) fn model(&self) -> Result<Model, QueryError> {
         self.model_over(None)
     }
 
     /// The same with one more parameter that has a value.
-    pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, Failure> {
-        self.system.model_with(&self.values(parameter)?, &[], parameter.map(|it| it.0))
+    pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, QueryError> {
+        let names: Vec<_> = parameter.iter().map(|it| it.0).collect();
+        let varied = Varied { names: &names, giver: &option("over") };
+        self.system.model_with(&self.values(parameter)?, &[], varied)
     }
 
     /// What the options say of a system that gets values from elsewhere, too.
-    pub(crate) fn given(&self) -> Result<GivenSystem<'_>, Failure> {
+    pub(crate) fn given(&self) -> Result<GivenSystem<'_>, QueryError> {
         let model = self.system.incomplete_model(&self.values(None)?, &[]);
-        let model = model.map_err(|error| failure(error, None))?;
+        let model = model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))?;
         Ok(GivenSystem { options: &self.system, values: self.values(None)?, model })
     }
 
     /// The values that options give to parameters.
-    fn values(&self, parameter: Option<(&str, f64)>) -> Result<Vec<(String, Expression)>, Failure> {
+    fn values(&self, parameter: Option<(&str, f64)>) -> Result<Vec<(String, Expression)>, QueryError> {
         let mut values = values(&self.system.set)?;
         if let Some((name, value)) = parameter {
-            let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
+            let value =
+                format!("{value:?}").parse().map_err(|error| QueryError::usage(option("over"), error))?;
             values.push((name.to_owned(), value));
         }
-        let argument = if self.length.is_some() { "--length" } else { "--gravity" };
-        let apparatus = self.apparatus(argument)?;
+        let argument = if self.length.is_some() { option("length") } else { option("gravity") };
+        let apparatus = self.apparatus(&argument)?;
         if let Some((name, _)) = apparatus.iter().find(|(name, _)| values.iter().any(|it| it.0 == *name)) {
-            let other = if parameter.is_some_and(|it| it.0 == *name) { "--over" } else { "--set" };
+            let other =
+                if parameter.is_some_and(|it| it.0 == *name) { option("over") } else { option("set") };
             let reason = format!("it sets {name}, as {other} does: give one of them");
-            return Err(Failure::usage(argument, reason));
+            return Err(QueryError::usage(argument, reason));
         }
         values.extend(apparatus.into_iter().map(|(name, value)| (name.to_owned(), value)));
         Ok(values)
     }
 
     /// What length and gravity, where they are given, say of the parameters; `argument` is the option to blame.
-    fn apparatus(&self, argument: &str) -> Result<Vec<(&'static str, Expression)>, Failure> {
+    fn apparatus(&self, argument: &Parameter) -> Result<Vec<(&'static str, Expression)>, QueryError> {
         if self.length.is_none() && self.gravity.is_none() {
             return Ok(vec![]);
         }
         let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
-            let reason = "only the pendulums of `libration systems` take it, such as damped_pendulum";
-            Failure::usage(argument, reason)
+            let reason = "only the pendulums of <libration systems> take it, such as damped_pendulum";
+            QueryError::usage(argument, reason)
         })?;
-        named.values_of(self.length, self.gravity).map_err(|reason| Failure::usage(argument, reason))
+        named.values_of(self.length, self.gravity).map_err(|reason| QueryError::usage(argument, reason))
     }
 }
 
@@ -174,14 +178,21 @@ impl GivenSystem<'_> {
     }
 
     /// The model with these parameters open, whatever options say of them.
-    pub(crate) fn model_with_open(&self, open: &[&str]) -> Result<Model, Failure> {
+    pub(crate) fn model_with_open(&self, open: &[&str], giver: &Parameter) -> Result<Model, QueryError> {
         let others = self.values.iter().filter(|(name, _)| !open.contains(&name.as_str()));
-        self.options.model_with(&others.cloned().collect::<Vec<_>>(), open, None)
+        self.options.model_with(&others.cloned().collect::<Vec<_>>(), open, Varied { names: open, giver })
     }
 }
 
-/// Which option the failure is about: the one that gave the parameter, or the system itself.
-fn failure(error: ModelError, varied: Option<&str>) -> Failure {
+/// Parameters that an option other than `--set` gives values to.
+#[derive(Clone, Copy)]
+struct Varied<'a> {
+    names: &'a [&'a str],
+    giver: &'a Parameter,
+}
+
+/// The error with the option that it is about: the one that gave the parameter, or the system itself.
+fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     let parameter = match &error {
         ModelError::Equation(
             EquationError::UnknownParameter { name, .. }
@@ -190,12 +201,12 @@ fn failure(error: ModelError, varied: Option<&str>) -> Failure {
         ) => Some(name.as_str()),
         _ => None,
     };
-    let argument = match (parameter, &error) {
-        (Some(name), _) if varied == Some(name) => "--over",
-        (Some(_), _) | (_, ModelError::Equation(EquationError::DropsOut(_))) => "--set",
-        _ => "SYSTEM|EQUATION",
+    let about = match (parameter, &error) {
+        (Some(name), _) if varied.names.contains(&name) => varied.giver.clone(),
+        (Some(_), _) | (_, ModelError::Equation(EquationError::DropsOut(_))) => option("set"),
+        _ => argument("SYSTEM|EQUATION"),
     };
-    Failure::usage(argument, error)
+    QueryError::usage(about, &error).with_item(parameter)
 }
 
 /// Behind a reason why there is no motion: that the drive of the system is off, if it is.
@@ -204,7 +215,7 @@ pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
         [] => reason.to_string(),
         [name, ..] => {
             format!(
-                "nothing drives the system, since {name} = 0: give a drive, such as --set {name}=0.1; without one {reason}"
+                "nothing drives the system, since {name} = 0: give a drive, such as <--set> {name}=0.1; without one {reason}"
             )
         }
     }

@@ -1,7 +1,7 @@
 //! A table of measurements: how its file is written, which columns are meant, in which units.
 
 use super::read_bytes;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
@@ -33,10 +33,10 @@ enum FirstRow {
 
 impl DialectOptions {
     /// The table in a file.
-    pub(crate) fn read(self, path: &Path) -> Result<Table, Failure> {
+    pub(crate) fn read(self, path: &Path) -> Result<Table, QueryError> {
         let bytes = read_bytes(path)?;
         Table::read(&bytes, &self.options())
-            .map_err(|error| Failure::no_answer(&path.display().to_string(), error))
+            .map_err(|error| QueryError::no_result(&path.display().to_string(), error))
     }
 
     fn options(self) -> ReadOptions {

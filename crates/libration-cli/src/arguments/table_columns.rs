@@ -1,7 +1,7 @@
 //! Which columns of a table are meant: said by `--columns`, else inferred from the header, else the first ones.
 
 use super::optional_column;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration_lab::measurement::{Column, Table};
 
 /// The columns of two quantities, of the uncertainties of both, and of what else there may be.
@@ -27,31 +27,32 @@ impl ColumnsOption {
         file: &str,
         table: &Table,
         needed: &str,
-    ) -> Result<ChosenColumns<N>, Failure> {
+    ) -> Result<ChosenColumns<N>, QueryError> {
         match self.columns.len() {
             0 if table.names().is_empty() && table.width() > 2 => {
                 let width = table.width();
-                let reason = format!("the table has {width} columns and no header: say which with --columns");
-                Err(Failure::no_answer(file, reason))
+                let reason =
+                    format!("the table has {width} columns and no header: say which with <--columns>");
+                Err(QueryError::no_result(file, reason))
             }
             0 => inferred(table).ok_or_else(|| {
                 let width = table.width();
                 let reason = format!("{needed} are needed, and the table has {width} column of numbers");
-                Failure::no_answer(file, reason)
+                QueryError::no_result(file, reason)
             }),
             given if (2..=N).contains(&given) => self.said(needed),
             given => {
                 let reason = format!("{given} columns given: name 2 to {N}, as in 1,2,-,3");
-                Err(Failure::usage("--columns", reason))
+                Err(QueryError::usage(option("columns"), reason))
             }
         }
     }
 
-    fn said<const N: usize>(&self, needed: &str) -> Result<ChosenColumns<N>, Failure> {
+    fn said<const N: usize>(&self, needed: &str) -> Result<ChosenColumns<N>, QueryError> {
         let columns: Vec<Option<Column>> = self.columns.iter().map(|text| optional_column(text)).collect();
         if columns[0].is_none() || columns[1].is_none() {
             let reason = format!("{needed} are needed: - stands only for an uncertainty");
-            return Err(Failure::usage("--columns", reason));
+            return Err(QueryError::usage(option("columns"), reason));
         }
         let columns = std::array::from_fn(|index| columns.get(index).cloned().flatten());
         Ok(ChosenColumns { columns, note: None })

@@ -1,7 +1,7 @@
 //! The times a motion is asked at.
 
 use super::lines;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::{Dimension, NumberRange, QuantityError, RangeError, numbers, parse};
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub(crate) enum Times {
 }
 
 impl TimeOptions {
-    pub(crate) fn read(&self, pendulum: &Pendulum, motion: &Motion) -> Result<Times, Failure> {
+    pub(crate) fn read(&self, pendulum: &Pendulum, motion: &Motion) -> Result<Times, QueryError> {
         match (&self.times, &self.times_from) {
             (Some(times), _) => Ok(times.clone()),
             (None, Some(path)) => lines::read(path, time).map(Times::List),

@@ -1,7 +1,7 @@
 //! How exact an integration shall be: one tolerance for all coordinates, or some of their own.
 
 use super::values::plain_name;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::taylor::{Effort, System};
 use std::fmt;
 
@@ -43,9 +43,9 @@ impl Tolerances {
     }
 
     /// The system with those that coordinates have of their own.
-    pub(crate) fn put_on(&self, system: System) -> Result<System, Failure> {
+    pub(crate) fn put_on(&self, system: System) -> Result<System, QueryError> {
         let own: Vec<(&str, f64)> = self.own.iter().map(|(name, own)| (name.as_str(), *own)).collect();
-        system.with_tolerances(&own).map_err(|error| Failure::usage("--tolerance", error))
+        system.with_tolerances(&own).map_err(|error| QueryError::usage(option("tolerance"), error))
     }
 }
 

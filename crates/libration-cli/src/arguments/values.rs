@@ -1,11 +1,11 @@
 //! Values of parameters, `--set c=0.1`.
 
 use super::commas::at_commas;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::expression::Expression;
 
 /// Reads `NAME=VALUE` items, several of them in one text with commas between.
-pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, Failure> {
+pub(super) fn values(items: &[String]) -> Result<Vec<(String, Expression)>, QueryError> {
     items.iter().flat_map(|items| at_commas(items)).map(value).collect()
 }
 
@@ -20,11 +20,13 @@ pub(crate) fn plain_name(name: &str) -> String {
     name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_string())
 }
 
-fn value(item: &str) -> Result<(String, Expression), Failure> {
+fn value(item: &str) -> Result<(String, Expression), QueryError> {
     let (name, value) = item.split_once('=').ok_or_else(|| {
-        Failure::usage("--set", format!("`{item}` has no value: give NAME=VALUE, such as mu=0.1"))
+        QueryError::usage(option("set"), format!("`{item}` has no value: give NAME=VALUE, such as mu=0.1"))
     })?;
-    let value =
-        value.parse().map_err(|error| Failure::usage("--set", format!("{}: {error}", name.trim())))?;
+    let value = value.parse().map_err(|error| {
+        QueryError::usage(option("set"), format!("{}: {error}", name.trim()))
+            .with_item(Some(&plain_name(name)))
+    })?;
     Ok((plain_name(name), value))
 }

@@ -1,7 +1,7 @@
 //! `libration completions`: the script that completes the command in a shell.
 
 use super::Libration;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use clap::CommandFactory;
 use clap_complete::Shell;
 use std::io::Write;
@@ -17,7 +17,7 @@ pub(crate) struct Completions {
 }
 
 impl Completions {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         // Written to memory first, because the generator panics when its writer is closed.
         let mut script = vec![];
         clap_complete::generate(self.shell, &mut Libration::command(), "libration", &mut script);

@@ -1,8 +1,8 @@
 //! `libration derive`: worked derivations, every formula checked.
 
 use crate::arguments::{self, OscillatorOptions, PendulumOptions};
-use crate::failure::Failure;
 use crate::output::file;
+use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
 use libration::pendulum::Amplitude;
 use libration::perturbation::{Gauge, SlowFlowError};
@@ -113,7 +113,7 @@ enum Format {
 }
 
 impl Derive {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let (derivation, is_whole) = self.derivation()?;
         let derivation = if self.exercises { derivation.exercises() } else { derivation };
         let derivation = if is_whole { derivation } else { derivation.broken_off() };
@@ -128,15 +128,16 @@ impl Derive {
         out.flush()?;
         match is_whole {
             true => Ok(()),
-            false => Err(Failure::Interrupted("interrupted: the steps up to then are written".to_owned())),
+            false => Err(QueryError::cancelled("interrupted: the steps up to then are written".to_owned())),
         }
     }
 
     /// The derivation, and whether it came to its end.
-    fn derivation(&self) -> Result<(Derivation, bool), Failure> {
+    fn derivation(&self) -> Result<(Derivation, bool), QueryError> {
         if self.amplitude.is_none() && !self.pendulum.is_default() {
-            let reason = "--length and --gravity show their numbers at an amplitude: add --amplitude 40deg";
-            return Err(Failure::Usage(reason.to_owned()));
+            let reason =
+                "<--length> and <--gravity> show their numbers at an amplitude: add <--amplitude> 40deg";
+            return Err(QueryError::misuse(reason.to_owned()));
         }
         self.series.refuse(self.road)?;
         let derivation = match self.road {
@@ -150,23 +151,24 @@ impl Derive {
     }
 
     /// The reader's swing, if there is one.
-    fn swing(&self) -> Result<Option<Swing>, Failure> {
+    fn swing(&self) -> Result<Option<Swing>, QueryError> {
         let Some(displacement) = &self.amplitude else { return Ok(None) };
         let angle = displacement.to_angle();
-        let angle =
-            angle.ok_or_else(|| Failure::usage("--amplitude", "give an angle of at most 2^53 rad"))?;
-        let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitude", error))?;
+        let angle = angle
+            .ok_or_else(|| QueryError::usage(option("amplitude"), "give an angle of at most 2^53 rad"))?;
+        let amplitude =
+            Amplitude::new(angle).map_err(|error| QueryError::no_result(option("amplitude"), error))?;
         Ok(Some(Swing { pendulum: self.pendulum.pendulum()?, amplitude }))
     }
 
-    fn perturbation(&self) -> Result<(Derivation, bool), Failure> {
+    fn perturbation(&self) -> Result<(Derivation, bool), QueryError> {
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
         let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref()).chosen()?;
         let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
         if !is_pendulum && !self.pendulum.is_default() {
-            let reason = "--length and --gravity belong to the pendulum: leave them out";
-            return Err(Failure::Usage(reason.to_owned()));
+            let reason = "<--length> and <--gravity> belong to the pendulum: leave them out";
+            return Err(QueryError::misuse(reason.to_owned()));
         }
         let frequency = if is_pendulum { Some(self.pendulum.pendulum()?.angular_frequency()) } else { None };
         let released =
@@ -176,7 +178,7 @@ impl Derive {
         watched(|watch| perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), watch))
     }
 
-    fn averaging(&self) -> Result<(Derivation, bool), Failure> {
+    fn averaging(&self) -> Result<(Derivation, bool), QueryError> {
         self.refuse_amplitude("averaging gives laws for all small amplitudes")?;
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(DAMPED_PENDULUM);
@@ -188,7 +190,7 @@ impl Derive {
         watched(|watch| averaging_watched(&asked.equation, small, order, damping_order, watch))
     }
 
-    fn limit_cycle(&self) -> Result<(Derivation, bool), Failure> {
+    fn limit_cycle(&self) -> Result<(Derivation, bool), QueryError> {
         self.refuse_amplitude("a limit cycle has one amplitude, which is derived")?;
         let options = &self.series;
         let name = options.oscillator.as_deref().unwrap_or(SELF_EXCITED);
@@ -198,16 +200,16 @@ impl Derive {
         watched(|watch| limit_cycle_watched(&asked.equation, small, order, watch))
     }
 
-    fn refuse_amplitude(&self, reason: &str) -> Result<(), Failure> {
-        let reason = format!("{reason}: leave it out, or simulate the motion (libration simulate)");
-        if self.amplitude.is_some() { Err(Failure::usage("--amplitude", reason)) } else { Ok(()) }
+    fn refuse_amplitude(&self, reason: &str) -> Result<(), QueryError> {
+        let reason = format!("{reason}: leave it out, or simulate the motion by <libration simulate>");
+        if self.amplitude.is_some() { Err(QueryError::usage(option("amplitude"), reason)) } else { Ok(()) }
     }
 }
 
 /// A derivation and whether it came to its end, which it does not where it is told to stop.
 fn watched(
     derive: impl Fn(&Watch<'_>) -> Result<Derivation, DerivationError> + Sync,
-) -> Result<(Derivation, bool), Failure> {
+) -> Result<(Derivation, bool), QueryError> {
     interrupt::listen()?;
     let done = AtomicUsize::new(0);
     let how_far = || format!("{} parts of the derivation are done", done.load(Ordering::Relaxed));
@@ -229,44 +231,48 @@ const DEFAULT_ORDER: usize = 5;
 const DEFAULT_CYCLE_ORDER: usize = 4;
 const DEFAULT_DAMPING_ORDER: usize = 2;
 
-fn failure(error: DerivationError) -> Failure {
-    match error {
+fn failure(error: DerivationError) -> QueryError {
+    let remedies = error.remedies();
+    let refused = match error {
         DerivationError::Amplitude { .. } | DerivationError::NotAnAmplitude(_) => {
-            Failure::no_answer("--amplitude", error)
+            QueryError::no_result(option("amplitude"), error)
         }
         DerivationError::Order { .. }
         | DerivationError::AmplitudeOrder { .. }
-        | DerivationError::CycleOrder { .. } => Failure::usage("--order", error),
-        DerivationError::DampingOrder { .. } => Failure::usage("--damping-order", error),
+        | DerivationError::CycleOrder { .. } => QueryError::usage(option("order"), error),
+        DerivationError::DampingOrder { .. } => QueryError::usage(option("damping-order"), error),
         DerivationError::SlowFlow(SlowFlowError::WhichIsSmall { .. }) => {
-            Failure::usage("--small", format!("{error}, such as --small c"))
+            QueryError::usage(option("small"), format!("{error}, such as <--small> c"))
         }
-        DerivationError::SlowFlow(SlowFlowError::UnknownParameter { .. }) => Failure::usage("--small", error),
+        DerivationError::SlowFlow(SlowFlowError::UnknownParameter { .. }) => {
+            QueryError::usage(option("small"), error)
+        }
         DerivationError::Interrupted(_) => {
-            Failure::Interrupted("interrupted before the first step: nothing is written".to_owned())
+            QueryError::cancelled("interrupted before the first step: nothing is written".to_owned())
         }
-        error => Failure::no_answer("derivation", error),
-    }
+        error => QueryError::no_result("derivation", error),
+    };
+    refused.with_remedies(&remedies)
 }
 
 impl SeriesOptions {
     /// Each road has something to choose that others have not.
-    fn refuse(&self, road: Road) -> Result<(), Failure> {
+    fn refuse(&self, road: Road) -> Result<(), QueryError> {
         const SERIES: &[Road] = &[Road::Perturbation, Road::Averaging, Road::LimitCycle];
         let given = [
-            ("OSCILLATOR", self.oscillator.is_some(), SERIES),
-            ("--order", self.order.is_some(), SERIES),
-            ("--set", !self.set.is_empty(), SERIES),
-            ("--gauge", self.gauge.is_some(), &[Road::Perturbation]),
-            ("--about", self.about.is_some(), &[Road::Perturbation]),
-            ("--damping-order", self.damping_order.is_some(), &[Road::Averaging]),
-            ("--small", self.small.is_some(), &[Road::Averaging, Road::LimitCycle]),
+            (argument("OSCILLATOR|EQUATION"), self.oscillator.is_some(), SERIES),
+            (option("order"), self.order.is_some(), SERIES),
+            (option("set"), !self.set.is_empty(), SERIES),
+            (option("gauge"), self.gauge.is_some(), &[Road::Perturbation]),
+            (option("about"), self.about.is_some(), &[Road::Perturbation]),
+            (option("damping-order"), self.damping_order.is_some(), &[Road::Averaging]),
+            (option("small"), self.small.is_some(), &[Road::Averaging, Road::LimitCycle]),
         ];
         match given.iter().find(|(_, given, roads)| *given && !roads.contains(&road)) {
             Some((name, _, roads)) => {
                 let names: Vec<&str> = roads.iter().map(|road| road.name()).collect();
-                let reason = format!("is for --road {} only: leave it out", names.join(" and --road "));
-                Err(Failure::usage(name, reason))
+                let reason = format!("is for {} {} only: leave it out", option("road"), names.join(" and "));
+                Err(QueryError::usage(name, reason))
             }
             None => Ok(()),
         }

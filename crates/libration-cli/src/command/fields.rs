@@ -5,12 +5,12 @@ use super::{
     fit_trace, formulas, fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper,
     period, plan, resonance, response, section, simulate, stability, sweep, systems,
 };
-use crate::failure::Failure;
 use crate::output::description::{Answers, Description, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::Table;
 use crate::output::{Form, FormOptions, csv};
+use crate::query_error::{QueryError, argument};
 use std::io::{self, Write};
 
 /// What the fields of JSON and CSV answers mean: names, units, meanings
@@ -108,7 +108,7 @@ fn of_description() -> Fields<Description> {
 }
 
 impl FieldsQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let chosen = self.chosen()?;
         match self.form.form() {
             Form::Json => {
@@ -121,7 +121,7 @@ impl FieldsQuestion {
     }
 
     /// The answers asked for; `fit` stands for all fits.
-    fn chosen(&self) -> Result<Vec<Answers>, Failure> {
+    fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
         let is_asked = |it: &Answers| {
             let words: Vec<&str> = it.command.split(' ').collect();
@@ -137,7 +137,7 @@ impl FieldsQuestion {
                 asked.join(" "),
                 names.join(", ")
             );
-            return Err(Failure::usage("COMMAND", reason));
+            return Err(QueryError::usage(argument("COMMAND"), reason));
         }
         for answers in &mut chosen {
             answers.json =

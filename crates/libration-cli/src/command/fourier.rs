@@ -1,11 +1,11 @@
 //! `libration fourier`: the harmonics of a motion.
 
 use crate::arguments::{self, PendulumOptions};
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, FormOptions, csv, json};
+use crate::query_error::QueryError;
 use libration::pendulum::{FourierSeries, FourierTerm, Motion, Regime};
 use libration::quantity::Angle;
 use std::io::Write;
@@ -42,7 +42,7 @@ pub(crate) struct Fourier {
 }
 
 impl Fourier {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let motion = arguments::motion(&self.pendulum.pendulum()?, self.angle, self.velocity)?;
         let harmonics = self.harmonics_of(&motion)?;
         match self.form.form() {
@@ -52,10 +52,10 @@ impl Fourier {
         }
     }
 
-    fn harmonics_of(&self, motion: &Motion) -> Result<FourierSeries, Failure> {
+    fn harmonics_of(&self, motion: &Motion) -> Result<FourierSeries, QueryError> {
         if motion.regime() == Regime::Separatrix {
             let reason = "a motion on the separatrix never returns and has no harmonics: change the angle or the velocity";
-            return Err(Failure::no_answer("motion", reason));
+            return Err(QueryError::no_result("motion", reason));
         }
         let harmonics = match self.harmonics {
             Some(count) => motion.harmonics(0.0, count),
@@ -69,7 +69,7 @@ impl Fourier {
         out: &mut dyn Write,
         motion: &Motion,
         harmonics: &FourierSeries,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         let head = of_motion().added_to(self.pendulum.record(), &(*motion, harmonics));
         let of_term = of_term();
         let terms = harmonics.terms.iter().map(|term| of_term.record(term));
@@ -81,7 +81,7 @@ impl Fourier {
         out: &mut dyn Write,
         motion: &Motion,
         harmonics: &FourierSeries,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         sheet(out, &[self.pendulum.lines(), of_motion().lines(&(*motion, harmonics))].concat())?;
         writeln!(out)?;
         let of_term = of_term();
@@ -91,7 +91,7 @@ impl Fourier {
     }
 }
 
-fn write_csv(out: &mut dyn Write, harmonics: &FourierSeries) -> Result<(), Failure> {
+fn write_csv(out: &mut dyn Write, harmonics: &FourierSeries) -> Result<(), QueryError> {
     let of_term = of_term();
     csv::line(out, &of_term.csv_names())?;
     Ok(harmonics.terms.iter().try_for_each(|term| csv::line(out, &of_term.csv_cells(term)))?)

@@ -41,7 +41,7 @@ pub(crate) use sweep::{
 };
 
 use crate::arguments::{protect_negative_values, sweep_options_first};
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use clap::{CommandFactory, FromArgMatches};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
@@ -98,7 +98,7 @@ fn parsed(command: &mut clap::Command, words: Vec<OsString>) -> Result<Libration
 }
 
 /// The plan of a sweep.
-pub(crate) fn sweep_plan(asked: SweepAsked<'_>) -> Result<SweepPlanned, Failure> {
+pub(crate) fn sweep_plan(asked: SweepAsked<'_>) -> Result<SweepPlanned, QueryError> {
     SweepPlanned::new(asked, fields::of_question)
 }
 
@@ -166,14 +166,16 @@ enum Fit {
 
 impl Libration {
     /// What `simulate --each` asks for, to be followed further and further.
-    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), Failure> {
+    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
         match &self.question {
             Question::Simulate(question) => question.ensemble(),
-            _ => Err(Failure::Usage("only `simulate --each` has motions that go on together".to_owned())),
+            _ => Err(QueryError::misuse(
+                "only <libration simulate> with <--each> has motions that go on together".to_owned(),
+            )),
         }
     }
 
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         match &self.question {
             Question::Period(question) => question.answer(out),
             Question::Motion(question) => question.answer(out),

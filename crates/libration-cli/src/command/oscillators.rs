@@ -1,12 +1,12 @@
 //! `libration oscillators`: the oscillators that are known by name.
 
 use crate::arguments::KeyOptions;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, FormOptions};
+use crate::query_error::QueryError;
 use libration::catalogue::NamedParameter;
 use libration::oscillator::{NamedOscillator, catalogue};
 use std::io::{self, Write};
@@ -28,7 +28,7 @@ pub(crate) struct Oscillators {
 }
 
 impl Oscillators {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let chosen = self.keys.chosen(catalogue(), NamedOscillator::by_key)?;
         let fields = of_oscillator();
         match self.form.form() {

@@ -1,7 +1,7 @@
 //! `libration page`: the page for browsers, where this command was built with it.
 
-use crate::failure::Failure;
 use crate::output::file;
+use crate::query_error::QueryError;
 use std::path::{Path, PathBuf};
 
 /// The file, if there was one when the command was built.
@@ -26,15 +26,15 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    pub(crate) fn answer(&self) -> Result<(), Failure> {
+    pub(crate) fn answer(&self) -> Result<(), QueryError> {
         write(PAGE, &self.output)
     }
 }
 
 /// Writes the page, if the command has one, to a file.
-pub fn write(page: Option<&[u8]>, path: &Path) -> Result<(), Failure> {
+pub fn write(page: Option<&[u8]>, path: &Path) -> Result<(), QueryError> {
     let page = page.ok_or_else(|| {
-        Failure::NoAnswer(
+        QueryError::failed(
             "this command was built without the page: in the sources run web/build, which makes web/dist/libration.html; \
              LIBRATION_PAGE=web/dist/libration.html cargo install --path crates/libration-cli puts it into the command"
                 .to_owned(),

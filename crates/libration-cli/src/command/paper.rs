@@ -1,10 +1,10 @@
 //! `libration paper`: two published derivations checked equation by equation.
 
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::paragraph;
 use crate::output::{Form, FormOptions, csv, json, json::Record, number};
+use crate::query_error::QueryError;
 use libration_derivation::paper::{Document, Row, StatementVerdict, rows_where};
 use std::io::{self, Write};
 
@@ -32,11 +32,14 @@ pub(crate) struct Paper {
 }
 
 impl Paper {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let mut chosen = rows_where(|document, label| self.asks_for(document, label));
         chosen.retain(|row| self.only.is_none_or(|verdict| verdict == row.finding.verdict));
         if chosen.is_empty() {
-            return Err(Failure::no_answer("paper", "no statement matches: leave out --label or --only"));
+            return Err(QueryError::no_result(
+                "paper",
+                "no statement matches: leave out <--label> or <--only>",
+            ));
         }
         match self.form.form() {
             Form::Json => {

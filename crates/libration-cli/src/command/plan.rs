@@ -1,11 +1,11 @@
 //! `libration plan`: which swings to record for g.
 
 use crate::arguments;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, FormOptions, csv, json};
+use crate::query_error::QueryError;
 use libration::pendulum::Amplitude;
 use libration::quantity::{Angle, Quantity, angles};
 use libration_lab::fit::plan::{Plan, PlannedRecording, PlannedSwings, plan};
@@ -81,7 +81,7 @@ struct Choice<'a> {
 }
 
 impl PlanQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let recording = PlannedRecording {
             length: self.length,
             gravity: self.gravity,
@@ -92,7 +92,7 @@ impl PlanQuestion {
             clock: self.clock,
         };
         let found = plan(&recording, self.g_to, &self.amplitudes.0);
-        let found = found.map_err(|error| Failure::no_answer("plan", error))?;
+        let found = found.map_err(|error| QueryError::no_result("plan", error))?;
         match self.form.form() {
             Form::Json => json::document(out, of_plan().record(&found))?,
             Form::Csv => write_csv(out, &found)?,

@@ -1,12 +1,12 @@
 //! `libration systems`: the systems that are known by name.
 
 use crate::arguments::KeyOptions;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
 use crate::output::{Form, FormOptions};
+use crate::query_error::QueryError;
 use libration::catalogue::NamedParameter;
 use libration::systems::{NamedCoordinate, NamedSystem, catalogue};
 use std::io::{self, Write};
@@ -30,7 +30,7 @@ pub(crate) struct Systems {
 }
 
 impl Systems {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let chosen = self.keys.chosen(catalogue(), NamedSystem::by_key)?;
         let fields = of_system();
         match self.form.form() {

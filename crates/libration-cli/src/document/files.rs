@@ -1,8 +1,8 @@
 //! The files of a document: all of them are written, or none.
 
 use super::{Document, DocumentFigure, html, markdown};
-use crate::failure::Failure;
 use crate::output::file::NewFile;
+use crate::query_error::QueryError;
 use libration_report::svg;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
 }
 
 /// Writes the document; with Markdown each picture becomes an SVG file beside it.
-pub(crate) fn write(path: &Path, document: &Document) -> Result<(), Failure> {
+pub(crate) fn write(path: &Path, document: &Document) -> Result<(), QueryError> {
     let mut files = vec![];
     if is(path, "md") {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -37,7 +37,7 @@ fn file_name(stem: &str, figure: &DocumentFigure) -> String {
 }
 
 /// Writes all files beside their places before the first one is put into its own.
-fn place(files: &[(PathBuf, String)]) -> Result<(), Failure> {
+fn place(files: &[(PathBuf, String)]) -> Result<(), QueryError> {
     let mut written = vec![];
     for (path, text) in files {
         let mut file = NewFile::create(path)?;

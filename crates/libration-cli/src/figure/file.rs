@@ -2,8 +2,8 @@
 
 use super::chart::Picture;
 use super::{Sizes, png};
-use crate::failure::Failure;
 use crate::output::{file, standard};
+use crate::query_error::{QueryError, option};
 use libration_report::svg;
 use std::path::{Path, PathBuf};
 
@@ -22,16 +22,16 @@ pub(crate) fn drawable(text: &str) -> Result<PathBuf, String> {
 }
 
 /// Draws the picture in its size into its file, and says so in a sentence.
-pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, Failure> {
+pub(crate) fn write(path: &Path, picture: &Picture, sizes: &Sizes) -> Result<String, QueryError> {
     if picture.animation.is_some() && is(path, "png") {
         let reason = format!("{} cannot be animated: give a file name ending in .svg", path.display());
-        return Err(Failure::usage("--animate", reason));
+        return Err(QueryError::usage(option("animate"), reason));
     }
     let scene = sizes.scene(picture)?;
     let bytes = if is(path, "svg") || path == Path::new("-") {
         svg::file(&scene).into_bytes()
     } else {
-        png::file(&scene).map_err(|reason| Failure::no_answer("the picture", reason))?
+        png::file(&scene).map_err(|reason| QueryError::no_result("the picture", reason))?
     };
     file::write(path, &bytes)?;
     let points: usize =

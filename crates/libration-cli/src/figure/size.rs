@@ -1,7 +1,7 @@
 //! How large a picture shall be: as a page, a column or a slide, or with sides of its own.
 
 use super::chart::Picture;
-use crate::failure::Failure;
+use crate::query_error::{Parameter, QueryError, option};
 use libration_report::draw;
 use libration_report::format::{PictureFormat, TooSmall, UNITS_PER_MM};
 use libration_report::scene::Scene;
@@ -53,18 +53,20 @@ const LARGEST: f64 = 4000.0;
 
 impl Sizes {
     /// The picture laid out in the size asked for, if that holds it.
-    pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, Failure> {
+    pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
-        let refused = |name: &str, asked: Option<Side>, usual: f64, least: f64| {
-            let side = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
-            let least = Side { length: (least / side.unit.size - 1e-6).ceil(), ..side };
+        let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {
+            let asked = asked.unwrap_or(Side { length: (usual / UNITS_PER_MM).round(), unit: &MILLIMETRE });
+            let least = Side { length: (least / asked.unit.size - 1e-6).ceil(), ..asked };
             let reason =
-                format!("{side} is too small for this picture and its labels: give at least {least}");
-            Failure::no_answer(name, reason)
+                format!("{asked} is too small for this picture and its labels: give at least {least}");
+            QueryError::no_result(side, reason).with_suggestion(Some(least.to_string()))
         };
         draw(picture, &format).map_err(|error| match error {
-            TooSmall::Width(least) => refused("--width", self.width, format.width, least),
-            TooSmall::Height(least) => refused("--height", self.height, format.height.unwrap_or(0.0), least),
+            TooSmall::Width(least) => refused(option("width"), self.width, format.width, least),
+            TooSmall::Height(least) => {
+                refused(option("height"), self.height, format.height.unwrap_or(0.0), least)
+            }
         })
     }
 

@@ -3,13 +3,13 @@
 use super::destination::{self, Destination, Stream};
 use super::{leftover, standard};
 use crate::call;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes the file, replacing an older one only when all bytes are on the disk.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), QueryError> {
     let mut file = NewFile::create(path)?;
     file.write_all(bytes).map_err(|error| cannot_write(path, error))?;
     file.finish()
@@ -41,7 +41,7 @@ struct Unfinished {
 }
 
 impl NewFile {
-    pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn create(path: &Path) -> Result<Self, QueryError> {
         let fails = |error| cannot_write(path, error);
         let target = match destination::resolved(path).map_err(fails)? {
             Destination::Stream(stream) => {
@@ -70,7 +70,7 @@ impl NewFile {
     }
 
     /// Puts the file in its place.
-    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self) -> Result<(), QueryError> {
         let flushed = self.flush();
         let placed = flushed.and_then(|()| match self.target {
             Target::Stream(_) => Ok(()),
@@ -103,9 +103,12 @@ impl Target {
 
 impl Unfinished {
     /// A new name in the same directory, where a rename cannot cross file systems.
-    fn create(place: PathBuf) -> Result<Self, Failure> {
+    fn create(place: PathBuf) -> Result<Self, QueryError> {
         let name = place.file_name().ok_or_else(|| {
-            Failure::Usage(format!("{} names no file: give a path that ends in a file name", place.display()))
+            QueryError::misuse(format!(
+                "{} names no file: give a path that ends in a file name",
+                place.display()
+            ))
         })?;
         leftover::remove(&place);
         let beside = place.with_file_name(leftover::name(name, std::process::id()));
@@ -131,9 +134,9 @@ impl Drop for Unfinished {
     }
 }
 
-fn cannot_write(path: &Path, error: io::Error) -> Failure {
+fn cannot_write(path: &Path, error: io::Error) -> QueryError {
     match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::Output(error),
-        _ => Failure::NoAnswer(format!("cannot write {}: {error}", path.display())),
+        io::ErrorKind::BrokenPipe => QueryError::from(error),
+        _ => QueryError::failed(format!("cannot write {}: {error}", path.display())),
     }
 }

@@ -33,6 +33,7 @@ mod motion;
 mod paper;
 mod period;
 mod plan;
+mod query_error;
 mod resonance;
 mod response;
 mod resume;

@@ -1,6 +1,7 @@
 //! Why there is no derivation.
 
 use super::super::evaluate::NoEvaluation;
+use libration::oscillator::Remedy;
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
 use libration::watch::Interrupted;
@@ -27,36 +28,32 @@ pub enum DerivationError {
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
     #[error(
-        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees; `libration period` answers for all"
+        "an amplitude of {degrees:?} degrees: the numbers of each step are shown for 0.01 to 179.9 degrees"
     )]
     Amplitude {
         /// The amplitude in degrees.
         degrees: f64,
     },
     /// An order that is not derived step by step.
-    #[error("order {order} is not derived step by step: give 2 to 9; `libration expand` goes on")]
+    #[error("order {order} is not derived step by step: give 2 to 9")]
     Order {
         /// What was asked for.
         order: usize,
     },
     /// A power of the amplitude that is not derived step by step.
-    #[error(
-        "order {order} is not derived step by step: give 1 to 9; `libration expand --damping-order` goes on"
-    )]
+    #[error("order {order} is not derived step by step: give 1 to 9")]
     AmplitudeOrder {
         /// What was asked for.
         order: usize,
     },
     /// A power of the small parameter that is not derived step by step.
-    #[error(
-        "damping order {order} is not derived step by step: give 1 to 4; `libration expand --damping-order` goes on"
-    )]
+    #[error("damping order {order} is not derived step by step: give 1 to 4")]
     DampingOrder {
         /// What was asked for.
         order: usize,
     },
     /// A power of the excitation that is not derived step by step.
-    #[error("order {order} is not derived step by step: give 1 to 9; `libration expand` goes on")]
+    #[error("order {order} is not derived step by step: give 1 to 9")]
     CycleOrder {
         /// What was asked for.
         order: usize,
@@ -70,29 +67,28 @@ pub enum DerivationError {
     /// An acceleration that depends on the velocity.
     #[error(
         "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging takes such terms where a \
-         small letter multiplies them, and `libration expand` answers for others"
+         small letter multiplies them"
     )]
     Velocity,
     /// A force with two power series.
     #[error(
-        "the force has one power series above the equilibrium and another below: the derivation is for forces with one; `libration expand` answers for others"
+        "the force has one power series above the equilibrium and another below: the derivation is for forces with one"
     )]
     TwoSided,
     /// Numbers that are no fractions.
     #[error(
-        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact; `libration expand` answers in digits"
+        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact"
     )]
     NoFractions,
     /// A frequency that is no fraction.
     #[error(
-        "the frequency of small swings is no fraction: choose the unit of time so that it is, as in omega0 = 1; \
-         `libration expand --damping-order` answers for others"
+        "the frequency of small swings is no fraction: choose the unit of time so that it is, as in omega0 = 1"
     )]
     NoFractionalFrequency,
     /// Small terms that are no polynomial.
     #[error(
         "the small terms must be polynomials in displacement, velocity and small parameter, up to abs and sign of the velocity, and all that \
-         depends on the velocity must be small; `libration expand` may answer"
+         depends on the velocity must be small"
     )]
     NoPolynomial,
     /// A letter that the derivation needs.
@@ -102,9 +98,7 @@ pub enum DerivationError {
         letter: String,
     },
     /// No limit cycle that is expanded in fractions.
-    #[error(
-        "the limit cycle begins with no amplitude that is a fraction: the derivation is exact; `libration expand` answers in digits"
-    )]
+    #[error("the limit cycle begins with no amplitude that is a fraction: the derivation is exact")]
     NoCycle,
     /// Two roads that should meet: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
@@ -130,4 +124,27 @@ pub enum DerivationError {
     /// The watch said so before the first step.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
+}
+
+impl DerivationError {
+    /// The computations that have a result where there is no derivation.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::Amplitude { .. } => vec![Remedy::Period],
+            Self::AmplitudeOrder { .. } | Self::DampingOrder { .. } | Self::NoFractionalFrequency => {
+                vec![Remedy::SlowFlow]
+            }
+            Self::Order { .. }
+            | Self::CycleOrder { .. }
+            | Self::Velocity
+            | Self::TwoSided
+            | Self::NoFractions
+            | Self::NoPolynomial
+            | Self::NoCycle => vec![Remedy::Expansion],
+            Self::SlowFlow(error) => error.remedies(),
+            Self::Expansion(error) => error.remedies(),
+            _ => vec![],
+        }
+    }
 }

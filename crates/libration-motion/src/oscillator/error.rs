@@ -1,6 +1,7 @@
 //! Why an equation is no oscillator.
 
 use super::neighbourhood::{Roughness, Tendency};
+use super::remedy::Remedy;
 use super::roots::SEARCHED;
 use libration_numbers::expression::{EquationError, NotSecondOrder};
 
@@ -16,7 +17,7 @@ pub enum OscillatorError {
     NotSecondOrder(#[from] NotSecondOrder),
     /// More than one variable.
     #[error(
-        "there are {} variables, {}: give one equation of motion, or compute normal modes (libration modes)",
+        "there are {} variables, {}: give one equation of motion",
         names.len(),
         names.join(", ")
     )]
@@ -25,9 +26,7 @@ pub enum OscillatorError {
         names: Vec<String>,
     },
     /// The time itself in the equation.
-    #[error(
-        "the acceleration depends on t: leave the driving out, or simulate the motion (libration simulate)"
-    )]
+    #[error("the acceleration depends on t: leave the driving out")]
     DependsOnTime,
     /// Parameters that have no value.
     #[error(
@@ -43,8 +42,7 @@ pub enum OscillatorError {
     /// A self-excitation of what is no linear oscillator.
     #[error(
         "a limit cycle is expanded in {parameter} only about a linear oscillator with rational coefficients, such as x'' = -2*x, and at {parameter} = 0 the \
-             equation is {variable}'' = {left}: ask how the amplitude changes (libration expand --damping-order 2), or give {parameter} a value and simulate \
-             the motion (libration simulate)"
+             equation is {variable}'' = {left}: give {parameter} a value"
     )]
     ExcitedNonlinear {
         /// The open parameter.
@@ -71,7 +69,7 @@ pub enum OscillatorError {
     /// A force that was not seen to vanish.
     #[error(
         "no equilibrium is found: from -{SEARCHED} to {SEARCHED}, where one is looked for, the acceleration at rest does not \
-         pass through zero; if there is one further out, give it, such as --about {}",
+         pass through zero; if there is one further out, give it, such as {}",
         2.0 * SEARCHED
     )]
     NotFound,
@@ -92,6 +90,41 @@ pub enum OscillatorError {
         /// The place, shortened.
         at: String,
     },
+}
+
+impl OscillatorError {
+    /// The computations that have a result for such an equation.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::SeveralVariables { .. } => vec![Remedy::NormalModes],
+            Self::DependsOnTime => vec![Remedy::Simulation],
+            Self::ExcitedNonlinear { .. } => vec![Remedy::SlowFlow, Remedy::Simulation],
+            Self::NoStableEquilibrium(rejected) => {
+                let mut remedies: Vec<Remedy> = rejected.iter().flat_map(|it| it.reason.remedies()).collect();
+                remedies.sort_unstable();
+                remedies.dedup();
+                remedies
+            }
+            _ => vec![],
+        }
+    }
+}
+
+impl RejectionReason {
+    /// The computations that have a result about such an equilibrium.
+    fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::NoLinearPart { force: Some(Tendency::Back), frequency }
+            | Self::NotAnalytic { force: Some(Tendency::Back), frequency, .. } => {
+                frequency.remedy().into_iter().collect()
+            }
+            Self::CircularArcs { .. } => vec![Remedy::Backbone],
+            Self::Damped { .. } => vec![Remedy::Simulation, Remedy::SlowFlow],
+            Self::Irreversible => vec![Remedy::Simulation],
+            _ => vec![],
+        }
+    }
 }
 
 /// Why there are no oscillations about an equilibrium.
@@ -136,7 +169,7 @@ pub enum RejectionReason {
     #[error(
         "the force jumps from {jump} to -{jump}: the frequency grows without limit as the amplitude A goes to zero, and has no expansion in it. \
          The motion is made of circular arcs with omega^2 = {omega_squared}, and its period is exactly 4/omega*arccos(k/(k + omega^2*A)), k = {jump}; \
-         the frequency at any amplitude is found without an expansion (libration backbone)"
+         the frequency at any amplitude is found without an expansion"
     )]
     CircularArcs {
         /// k of the force −k·sign(x) − ω²·x.
@@ -146,8 +179,8 @@ pub enum RejectionReason {
     },
     /// Energy is lost or won in small oscillations.
     #[error(
-        "small motions {}, because the acceleration contains {damping} times the velocity: simulate them (libration simulate); for an expansion leave \
-             that term out, or leave its strength open, as in c*x' (libration expand --damping-order 2)",
+        "small motions {}, because the acceleration contains {damping} times the velocity: for an expansion leave \
+             that term out, or leave its strength open, as in c*x'",
         if damping.starts_with('-') { "decay" } else { "grow" }
     )]
     Damped {
@@ -157,7 +190,7 @@ pub enum RejectionReason {
     /// Energy is lost or won in larger ones, or it cannot be excluded.
     #[error(
         "the acceleration is neither the same for the opposite velocity nor the opposite for the opposite displacement, so that motions \
-         may decay or grow: simulate them (libration simulate)"
+         may decay or grow"
     )]
     Irreversible,
 }
@@ -176,9 +209,17 @@ pub enum FrequencySource {
 impl FrequencySource {
     fn advice(self) -> &'static str {
         match self {
-            Self::Orbits => ": the frequency at any amplitude is found without one (libration backbone)",
-            Self::Motion => ": the motion is followed without one (libration simulate)",
+            Self::Orbits => ": the frequency at any amplitude is found without one",
+            Self::Motion => ": the motion is followed without one",
             Self::Nothing => "",
+        }
+    }
+
+    fn remedy(self) -> Option<Remedy> {
+        match self {
+            Self::Orbits => Some(Remedy::Backbone),
+            Self::Motion => Some(Remedy::Simulation),
+            Self::Nothing => None,
         }
     }
 }

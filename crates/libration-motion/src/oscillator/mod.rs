@@ -30,6 +30,7 @@ mod model;
 mod named_constants;
 mod numbers_or_letters;
 mod pure_power;
+mod remedy;
 mod symbolic;
 
 pub use catalogue::catalogue;
@@ -41,4 +42,5 @@ pub use named::NamedOscillator;
 pub use neighbourhood::{Roughness, Tendency};
 pub use numbers_or_letters::{NumbersOrLetters, NumbersOrLettersError};
 pub use pure_power::PurePower;
+pub use remedy::Remedy;
 pub use symbolic::{NoSymbolicExpansion, SymbolicOscillator, SymbolicOscillatorError};

@@ -1,6 +1,6 @@
 //! Oscillators whose parameters have values or stay letters, whichever they are.
 
-use super::{Oscillator, OscillatorError, SymbolicOscillator, SymbolicOscillatorError};
+use super::{Oscillator, OscillatorError, Remedy, SymbolicOscillator, SymbolicOscillatorError};
 use libration_numbers::expression::{Equation, Expression};
 
 /// An oscillator whose parameters have values, or one with letters.
@@ -21,6 +21,17 @@ pub enum NumbersOrLettersError {
     /// With letters.
     #[error(transparent)]
     Letters(#[from] SymbolicOscillatorError),
+}
+
+impl NumbersOrLettersError {
+    /// The computations that have a result for such an equation.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::Numbers(error) => error.remedies(),
+            Self::Letters(_) => vec![],
+        }
+    }
 }
 
 impl NumbersOrLetters {

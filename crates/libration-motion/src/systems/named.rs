@@ -150,7 +150,7 @@ pub enum NoSuchPendulum {
     #[error("the length or gravity is {0:?}: give finite numbers above zero")]
     NotAbove(f64),
     /// Parameters that do not say it.
-    #[error("{key} has no {what} among its parameters, which are {parameters}: give these by --set")]
+    #[error("{key} has no {what} among its parameters, which are {parameters}: give these")]
     Without {
         /// The system.
         key: &'static str,

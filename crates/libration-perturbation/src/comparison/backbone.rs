@@ -4,7 +4,7 @@
 use super::enclosed::other_equilibrium;
 use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand_watched};
-use libration_motion::oscillator::{Constant, Kind, Oscillator, OscillatorError, centre_of};
+use libration_motion::oscillator::{Constant, Kind, Oscillator, OscillatorError, Remedy, centre_of};
 use libration_motion::{
     internals::orbit::ReleasePlace,
     orbit::{NoOrbit, Orbit},
@@ -59,7 +59,7 @@ pub enum NoSeries {
 #[non_exhaustive]
 pub enum NoBackbone {
     /// Several coordinates.
-    #[error("there are {0} coordinates: give one equation of motion, or compute normal modes")]
+    #[error("there are {0} coordinates: give one equation of motion")]
     SeveralCoordinates(usize),
     /// An equation of the first order.
     #[error(transparent)]
@@ -78,6 +78,19 @@ pub enum NoBackbone {
     /// A place that is no equilibrium.
     #[error(transparent)]
     About(OscillatorError),
+}
+
+impl NoBackbone {
+    /// The computations that have a result for such an equation.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::SeveralCoordinates(_) => vec![Remedy::NormalModes],
+            Self::LimitCycle(_) => vec![Remedy::Expansion],
+            Self::About(error) => error.remedies(),
+            _ => vec![],
+        }
+    }
 }
 
 /// The frequencies at one amplitude, in radians a unit of time.

@@ -12,7 +12,7 @@ use super::selection::{Attracting, Condition};
 use super::series_set::SeriesSet;
 use super::shape::{Shape, shape_of};
 use super::two_sided::{MAX_PI_ORDER, TwoSided, agree};
-use libration_motion::oscillator::{Kind, Oscillator};
+use libration_motion::oscillator::{Kind, Oscillator, Remedy};
 use libration_numbers::algebra::{LaurentPolynomial, Rational, Rationals};
 use libration_numbers::watch::{Stage, Watch};
 use libration_numbers::{
@@ -393,7 +393,7 @@ pub enum ExpansionError {
     NomeOfOther,
     /// A self-excitation that is no polynomial.
     #[error(
-        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: ask how the amplitude changes (libration expand --damping-order 2), or give the parameter a value and simulate the motion (libration simulate)"
+        "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: give the parameter a value"
     )]
     NotPolynomial,
     /// No amplitude at which the self-excitation does no work.
@@ -425,6 +425,18 @@ pub enum ExpansionError {
         "two independent computations of this expansion disagree, which must not happen: please report the equation"
     )]
     Contradiction,
+}
+
+impl ExpansionError {
+    /// The computations that have a result for such an oscillator.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::NotPolynomial => vec![Remedy::SlowFlow, Remedy::Simulation],
+            Self::NoLimitCycle { .. } => vec![Remedy::SlowFlow],
+            _ => vec![],
+        }
+    }
 }
 
 fn interrupted(known: Option<Expansion>) -> ExpansionError {

@@ -186,7 +186,7 @@ class ChaosRoom {
       this.#findings.section.fail("");
       if (answer.status === 0) continue;
       this.#fail("section", answer, ["system", "set", "initial", "at", "points"]);
-      return answer.output.length > 0 || answer.error.includes("--points");
+      return answer.output.length > 0 || answer.error.parameters.includes("--points");
     }
     return true;
   }

@@ -17,6 +17,9 @@ export interface Forces {
   readonly driveFrequency: string;
 }
 
+/** The field of each parameter of the equation. */
+export const FORCE_OF: Readonly<Record<string, "damping" | "drive" | "driveFrequency">> = { c: "damping", A: "drive", omega: "driveFrequency" };
+
 export function command({ angle, velocity, angularFrequency, damping, drive, driveFrequency }: Forces, until: number): Command {
   const set = [`omega0=${angularFrequency}`, `c=${damping || "0"}`, `A=${drive || "0"}`, `omega=${driveFrequency || "2/3"}`];
   return {
@@ -31,9 +34,9 @@ export function command({ angle, velocity, angularFrequency, damping, drive, dri
 }
 
 /** The motion until a time in seconds, or why there is none. */
-export async function integrated(engine: Engine, forces: Forces, until: number, signal: AbortSignal): Promise<IntegratedCourse | { readonly error: string }> {
+export async function integrated(engine: Engine, forces: Forces, until: number, signal: AbortSignal): Promise<IntegratedCourse | { readonly error: string; readonly item: string }> {
   const answer = await ask(engine, extended(command(forces, until), { csv: true, "no-errors": true }), { signal });
-  if (answer.status !== 0) return { error: reason(answer) };
+  if (answer.status !== 0) return { error: reason(answer), item: answer.error.item };
   const rows = decoded(answer).trim().split("\n").slice(1);
   const [angles, velocities] = [new Float64Array(rows.length), new Float64Array(rows.length)];
   rows.forEach((row, n) => {

@@ -15,7 +15,7 @@ import { type Course, ExactCourse, type IntegratedCourse } from "./course.ts";
 import { Facts } from "./facts.ts";
 import { APPROXIMATIONS, approximate, type Ghost, withPeriod } from "./ghosts.ts";
 import { Graphs } from "./graphs.ts";
-import { command as forced, type Forces, integrated } from "./integration.ts";
+import { command as forced, FORCE_OF, type Forces, integrated } from "./integration.ts";
 import { Keep } from "./keep.ts";
 import type { Range } from "../../parts/plot.ts";
 import { Stage } from "./stage.ts";
@@ -132,7 +132,7 @@ export class Swing {
     if ("error" in angle || velocity === undefined || length === undefined || gravity === undefined) return undefined;
     const motion = this.#mathematics.launch(form.value("angle"), velocity, length, gravity);
     if (!("error" in motion)) return motion;
-    this.#controls.refuse(motion.error.includes("length") ? "length" : motion.error.includes("gravity") ? "gravity" : "angle", motion.error);
+    this.#controls.refuse(motion.quantity, motion.error);
     return undefined;
   }
 
@@ -156,8 +156,7 @@ export class Swing {
     if (signal.aborted) return;
     this.#said.textContent = "";
     if ("error" in course) {
-      const key = (["damping", "drive", "driveFrequency"] as const).find((it) => forces[it] !== "" && course.error.includes(forces[it]));
-      return this.#controls.refuse(key ?? "damping", course.error);
+      return this.#controls.refuse(FORCE_OF[course.item] ?? "damping", course.error);
     }
     this.#course = course;
     this.#window = undefined;

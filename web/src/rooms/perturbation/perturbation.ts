@@ -188,7 +188,7 @@ class PerturbationRoom {
       const asked = this.#expansion(order);
       const notes: string[] = [];
       let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
-      const isPlain = answer.status !== 0 && answer.error.includes("--format:");
+      const isPlain = answer.status !== 0 && answer.error.parameters.includes("--format");
       if (isPlain && !signal.aborted) answer = await ask(this.#engine, asked, { signal });
       // What is stopped is as good as it is long.
       if (signal.aborted && (!isWanted(signal) || answer.output.length === 0)) return false;

@@ -4,8 +4,8 @@ mod fields;
 mod write;
 
 use crate::arguments::{self, Asked, OscillatorOptions};
-use crate::failure::Failure;
 use crate::output::{Form, FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::comparison::{Backbone as Curve, BackbonePoint};
 use libration::perturbation::MAX_ORDER;
@@ -59,10 +59,10 @@ struct Answer {
 
 impl Answer {
     /// That Ctrl-C came before the last amplitude.
-    fn interruption(&self) -> Option<Failure> {
+    fn interruption(&self) -> Option<QueryError> {
         let (done, all) = (self.points.len(), self.asked_for);
         let told = || format!("interrupted: the points up to then are written, {done} of {all}");
-        (done < all).then(|| Failure::Interrupted(told()))
+        (done < all).then(|| QueryError::cancelled(told()))
     }
 
     fn is_angle(&self) -> bool {
@@ -71,7 +71,7 @@ impl Answer {
 }
 
 impl Backbone {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
         let mut drawn = vec![];
         if let Some(path) = &self.figure {
@@ -105,17 +105,20 @@ impl Backbone {
         }
         let reason = answer.points.first().and_then(|point| point.orbit.as_ref().err());
         let reason = reason.map_or_else(String::new, ToString::to_string);
-        Err(Failure::no_answer("--amplitudes", format!("none of them has a periodic orbit: {reason}")))
+        Err(QueryError::no_result(
+            option("amplitudes"),
+            format!("none of them has a periodic orbit: {reason}"),
+        ))
     }
 
-    fn computed(&self) -> Result<Answer, Failure> {
+    fn computed(&self) -> Result<Answer, QueryError> {
         let asked = self.oscillator.asked()?;
         let variable = asked.equation.variables().first().map_or("", String::as_str);
         let is_angle = is_angle_name(variable);
-        let amplitudes = arguments::displacements("--amplitudes", &self.amplitudes, is_angle)?;
+        let amplitudes = arguments::displacements(&option("amplitudes"), &self.amplitudes, is_angle)?;
         if amplitudes.len() > MOST_AMPLITUDES {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", amplitudes.len());
-            return Err(Failure::usage("--amplitudes", reason));
+            return Err(QueryError::usage(option("amplitudes"), reason));
         }
         interrupt::listen()?;
         let (curve, asked_for) = (self.curve(&asked)?, amplitudes.len());
@@ -129,16 +132,18 @@ impl Backbone {
     }
 
     /// The series has to be complete before the first amplitude.
-    fn curve(&self, asked: &Asked) -> Result<Curve, Failure> {
+    fn curve(&self, asked: &Asked) -> Result<Curve, QueryError> {
         let order = self.order;
         let curve = parallel::until_asked(&format!("the series to order {order}"), |watch| {
             Curve::new_watched(&asked.equation, asked.about.as_ref(), order, watch)
         });
-        curve.ok_or_else(early)?.map_err(|error| Failure::no_answer("oscillator", error))
+        curve
+            .ok_or_else(early)?
+            .map_err(|error| QueryError::no_result("oscillator", &error).with_remedies(&error.remedies()))
     }
 }
 
-fn early() -> Failure {
+fn early() -> QueryError {
     let reason = "interrupted before the frequency at any amplitude was known: nothing is written";
-    Failure::Interrupted(reason.to_owned())
+    QueryError::cancelled(reason.to_owned())
 }

@@ -6,9 +6,9 @@ use crate::arguments::{
     InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range, place_in_state,
     section_failure,
 };
-use crate::failure::Failure;
 use crate::figure::section::{StateAxis, Sweep};
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
     Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram_watched,
@@ -87,8 +87,8 @@ pub(crate) struct Diagram<'a> {
 }
 
 impl Bifurcation {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let model = self.system.model_with_open(&[&self.over.name])?;
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        let model = self.system.model_with_open(&[&self.over.name], &option("over"))?;
         let start = Moment { time: 0.0, state: self.initial.read(&model)?.state };
         let place = self.section.section(&model);
         let diagram = Diagram {
@@ -118,19 +118,19 @@ impl Bifurcation {
         if diagram.is_complete() {
             return Ok(());
         }
-        Err(Failure::Interrupted("interrupted: the complete values are written".to_owned()))
+        Err(QueryError::cancelled("interrupted: the complete values are written".to_owned()))
     }
 
     /// The place in the state of what the picture shows.
-    fn axis(&self, model: &Model) -> Result<usize, Failure> {
+    fn axis(&self, model: &Model) -> Result<usize, QueryError> {
         match &self.axis {
-            Some(name) => place_in_state(model, "--axis", name),
+            Some(name) => place_in_state(model, &option("axis"), name),
             None if angles(model.equation())[0] => Ok(model.layout().driven(0)),
             None => Ok(0),
         }
     }
 
-    fn sweeps(&self, model: &Model, place: &Section, start: &Moment) -> Result<Vec<Sweep>, Failure> {
+    fn sweeps(&self, model: &Model, place: &Section, start: &Moment) -> Result<Vec<Sweep>, QueryError> {
         let family = Family {
             equation: model.equation(),
             parameter: &self.over.name,
@@ -195,9 +195,9 @@ fn joined(pieces: &[Piece], columns: Vec<Vec<DiagramColumn>>) -> Vec<Sweep> {
     sweeps
 }
 
-fn failure(error: DiagramError) -> Failure {
+fn failure(error: DiagramError) -> QueryError {
     match error {
         DiagramError::Section(error) => section_failure(error),
-        other => Failure::usage("--over", other),
+        other => QueryError::usage(option("over"), other),
     }
 }

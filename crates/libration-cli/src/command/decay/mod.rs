@@ -7,9 +7,9 @@ mod slow_flow;
 mod write;
 
 use crate::arguments::{self, PendulumOptions};
-use crate::failure::Failure;
 use crate::figure::parameters;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
@@ -72,16 +72,15 @@ impl Decay {
         [vec![start], pendulum, parameters::of_damping(decay.damping())].concat()
     }
 
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let pendulum = match self.omega0 {
-            Some(omega0) => {
-                Pendulum::from_angular_frequency(omega0).map_err(|error| Failure::usage("--omega0", error))?
-            }
+            Some(omega0) => Pendulum::from_angular_frequency(omega0)
+                .map_err(|error| QueryError::usage(option("omega0"), error))?,
             None => self.pendulum.pendulum()?,
         };
         let damping = self.damping.damping()?;
         let decay = libration::decay::Decay::new(pendulum, damping, self.amplitude)
-            .map_err(|error| Failure::no_answer("decay", error))?;
+            .map_err(|error| QueryError::no_result("decay", error))?;
         interrupt::listen()?;
         let slow = self.slow_flow.orders().map(|orders| slow_flow::follow(&decay, orders)).transpose()?;
         let mut report = Report::new(&decay, self.extent)?;
@@ -107,7 +106,7 @@ impl Decay {
         announce(out, self.form.form(), &drawn)?;
         if report.interrupted {
             out.flush()?;
-            return Err(Failure::Interrupted("interrupted: the cycles up to then are written".to_owned()));
+            return Err(QueryError::cancelled("interrupted: the cycles up to then are written".to_owned()));
         }
         Ok(())
     }

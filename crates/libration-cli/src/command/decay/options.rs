@@ -1,7 +1,7 @@
 //! What damps the pendulum, and how far it is followed.
 
 use crate::arguments;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration::decay::{Damping, PowerLawTerm};
 use libration::perturbation::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER};
 use libration::quantity::{Dimension, parse};
@@ -27,18 +27,18 @@ pub(super) struct DampingOptions {
 }
 
 impl DampingOptions {
-    pub(super) fn damping(&self) -> Result<Damping, Failure> {
+    pub(super) fn damping(&self) -> Result<Damping, QueryError> {
         let named = [(0.0, self.dry), (1.0, self.linear), (2.0, self.quadratic), (3.0, self.cubic)];
         let named = named.into_iter().filter_map(|(exponent, coefficient)| {
             coefficient.map(|coefficient| PowerLawTerm { exponent, coefficient })
         });
         let terms: Vec<PowerLawTerm> = named.chain(self.power.iter().copied()).collect();
         if terms.is_empty() {
-            let reason = "give --dry, --linear, --quadratic, --cubic or --power, such as --linear 0.1; \
-                          without damping use `libration motion`";
-            return Err(Failure::usage("damping", reason));
+            let reason = "give <--dry>, <--linear>, <--quadratic>, <--cubic> or <--power>, such as <--linear> 0.1; \
+                          without damping use <libration motion>";
+            return Err(QueryError::usage("damping", reason));
         }
-        Damping::new(&terms).map_err(|error| Failure::usage("damping", error))
+        Damping::new(&terms).map_err(|error| QueryError::usage("damping", error))
     }
 }
 

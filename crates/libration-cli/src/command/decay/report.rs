@@ -2,10 +2,10 @@
 
 use super::options::Extent;
 use super::slow_flow::{SlowCycle, SlowTurn};
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::number::short;
 use crate::output::progress::ProgressLine;
+use crate::query_error::QueryError;
 use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding, EnvelopeLaw, TurningPoint};
 use std::f64::consts::TAU;
@@ -53,7 +53,7 @@ pub(crate) struct Cycle {
 }
 
 impl Report {
-    pub(super) fn new(decay: &Decay, extent: Extent) -> Result<Self, Failure> {
+    pub(super) fn new(decay: &Decay, extent: Extent) -> Result<Self, QueryError> {
         let (averaged, small) =
             (decay.envelope(EnvelopeLaw::Averaged), decay.envelope(EnvelopeLaw::SmallAmplitude));
         let mut swings = decay.swings();
@@ -62,7 +62,7 @@ impl Report {
         let mut interrupted = false;
         while turns.len() <= extent.turns() && !interrupted {
             let Some(point) =
-                swings.next().transpose().map_err(|error| Failure::no_answer("decay", error))?
+                swings.next().transpose().map_err(|error| QueryError::no_result("decay", error))?
             else {
                 break;
             };
@@ -136,7 +136,7 @@ pub(super) fn in_cycles(number: usize) -> f64 {
 }
 
 /// Why a pendulum that was released does not swing.
-fn no_swing(decay: &Decay, ending: DecayEnding) -> Failure {
+fn no_swing(decay: &Decay, ending: DecayEnding) -> QueryError {
     let reason = if ending == DecayEnding::Sticks {
         let held = short(decay.sticking_amplitude().to_degrees(), 6);
         format!(
@@ -146,5 +146,5 @@ fn no_swing(decay: &Decay, ending: DecayEnding) -> Failure {
         "the damping is too strong for a swing, the pendulum creeps to the bottom: give smaller coefficients"
             .to_owned()
     };
-    Failure::no_answer("decay", reason)
+    QueryError::no_result("decay", reason)
 }

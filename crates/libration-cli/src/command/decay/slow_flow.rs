@@ -1,8 +1,8 @@
 //! The slow flow beside a decay: what is asked of it, and what is said.
 
-use crate::failure::Failure;
 use crate::output::field::{Field, Fields};
 use crate::output::number::short;
+use crate::query_error::{QueryError, option};
 use crate::{interrupt, parallel};
 use libration::comparison::{NoSlowDecay, SlowDecay};
 use libration::decay::Decay;
@@ -34,7 +34,7 @@ pub(super) struct Compared<'a> {
     pub(super) largest_errors: [f64; 2],
 }
 
-pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Result<SlowDecay, Failure> {
+pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Result<SlowDecay, QueryError> {
     let ask = |_| interrupt::go_on();
     let how_far = || format!("slow flow to order {order}");
     let found = parallel::with_progress(how_far, || {
@@ -42,10 +42,10 @@ pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Resul
     });
     found.map_err(|error| match error {
         NoSlowDecay::SlowFlow(SlowFlowError::Interrupted) => {
-            Failure::Interrupted("interrupted before the slow flow was known".to_owned())
+            QueryError::cancelled("interrupted before the slow flow was known".to_owned())
         }
-        NoSlowDecay::Exponent(_) => Failure::usage("--order", error),
-        other => Failure::no_answer("slow flow", other),
+        NoSlowDecay::Exponent(_) => QueryError::usage(option("order"), error),
+        other => QueryError::no_result("slow flow", other),
     })
 }
 

@@ -4,11 +4,11 @@ use super::fields::{self, Found, Turning};
 use super::report::{Report, Turn, in_cycles};
 use super::slow_flow::{self, Compared};
 use crate::arguments::PendulumOptions;
-use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::number::{seconds, short};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
+use crate::query_error::QueryError;
 use libration::comparison::SlowDecay;
 use libration::decay::{Decay, DecayEnding};
 use std::io::{self, Write};
@@ -26,7 +26,7 @@ pub(super) struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document_with_list(out, self.head(), "turning_points", self.records())?,
             Form::Csv => self.write_csv(out)?,

@@ -2,7 +2,7 @@
 
 use super::{Answer, Letters, with_orders_shown};
 use crate::arguments::Chosen;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration::algebra::LaurentPolynomial;
 use libration::oscillator::SymbolicOscillator;
 use libration::perturbation::{
@@ -13,7 +13,7 @@ pub(super) fn answer(
     chosen: Chosen<SymbolicOscillator>,
     order: usize,
     gauge: &Gauge,
-) -> Result<Answer<LaurentPolynomial>, Failure> {
+) -> Result<Answer<LaurentPolynomial>, QueryError> {
     let expansion = with_orders_shown(order, |watch| {
         expand_symbolically_watched(&chosen.oscillator, order, gauge, watch)
     });
@@ -23,9 +23,9 @@ pub(super) fn answer(
             Ok(in_words(chosen, *known, Some(order)))
         }
         Err(SymbolicExpansionError::Interrupted { known: None }) => {
-            Err(Failure::Interrupted("interrupted before any order was found".to_owned()))
+            Err(QueryError::cancelled("interrupted before any order was found".to_owned()))
         }
-        Err(error) => Err(Failure::no_answer("expansion", error)),
+        Err(error) => Err(QueryError::no_result("expansion", error)),
     }
 }
 

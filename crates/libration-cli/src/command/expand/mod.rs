@@ -12,12 +12,12 @@ mod subject;
 mod write;
 
 use crate::arguments::{self, Asked, Chosen, ChosenWithLetters, OscillatorOptions};
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::number::short;
 use crate::output::series::{Coefficient, certainty, radius_certainty};
 use crate::output::{Form, FormOptions};
 use crate::parallel::until_asked;
+use crate::query_error::{QueryError, option};
 use crate::{call, interrupt, parallel};
 use code::Language;
 use libration::algebra::Rational;
@@ -29,7 +29,6 @@ use libration::perturbation::{
 };
 use libration::quantity::is_angle_name;
 use libration::watch::{Progress, Stage, Watch};
-use std::fmt::Display;
 use std::io::Write;
 use std::sync::Mutex;
 use subject::{About, Subject};
@@ -191,7 +190,7 @@ pub(crate) fn answers() -> Vec<Answers> {
 }
 
 impl Expand {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
         if let Some(asked) = self.slow_flow()? {
             return self.answer_slow_flow(out, asked);
@@ -202,7 +201,7 @@ impl Expand {
         let chosen = match self.evaluate {
             None => match self.oscillator.chosen_with_letters(&self.letters)? {
                 Ok(chosen) => chosen,
-                Err(error) => return self.slow_flow_or(out, error),
+                Err(error) => return self.slow_flow_or(out, arguments::no_oscillator(error)),
             },
             // A value takes the values of all parameters.
             Some(_) => ChosenWithLetters::Numbers(self.oscillator.chosen_without(&self.letters)?),
@@ -210,7 +209,7 @@ impl Expand {
         let missing = match chosen {
             ChosenWithLetters::Numbers(chosen) => match self.answer_in_numbers(out, chosen)? {
                 Ok(missing) => missing,
-                Err(error) => return self.slow_flow_or(out, error),
+                Err(error) => return self.slow_flow_or(out, refusal(error)),
             },
             ChosenWithLetters::Letters(chosen) => {
                 let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge())?;
@@ -221,12 +220,11 @@ impl Expand {
             }
         };
         out.flush()?;
-        missing.map_or(Ok(()), |missing| Err(Failure::Interrupted(format!("interrupted: {missing}"))))
+        missing.map_or(Ok(()), |missing| Err(QueryError::cancelled(format!("interrupted: {missing}"))))
     }
 
     /// Where an open parameter is the strength of a force that has no expansion as a limit cycle, but a slow flow, this is the answer, with a note.
-    fn slow_flow_or(&self, out: &mut dyn Write, error: impl Display) -> Result<(), Failure> {
-        let refused = Failure::no_answer("oscillator", &error);
+    fn slow_flow_or(&self, out: &mut dyn Write, refused: QueryError) -> Result<(), QueryError> {
         let is_written =
             self.format.and_then(Format::language).is_none() && self.format != Some(Format::Mathml);
         if self.evaluate.is_some() || !is_written {
@@ -235,7 +233,7 @@ impl Expand {
         let mut answer = vec![];
         match self.oscillator.asked().and_then(|asked| self.answer_slow_flow(&mut answer, asked)) {
             Ok(()) => {}
-            Err(interrupted @ Failure::Interrupted(_)) => return Err(interrupted),
+            Err(interrupted) if interrupted.is_cancelled() => return Err(interrupted),
             Err(_) => return Err(refused),
         }
         call::current().note(
@@ -249,9 +247,9 @@ impl Expand {
         &self,
         out: &mut dyn Write,
         chosen: Chosen,
-    ) -> Result<Result<Option<String>, ExpansionError>, Failure> {
+    ) -> Result<Result<Option<String>, ExpansionError>, QueryError> {
         let amplitude =
-            self.evaluate.as_ref().map(|text| chosen.amplitude("--evaluate", text)).transpose()?;
+            self.evaluate.as_ref().map(|text| chosen.amplitude(&option("evaluate"), text)).transpose()?;
         let usual = match (&amplitude, chosen.oscillator.kind()) {
             (None, _) => LISTED,
             (Some(_), Kind::TwoSided) => EVALUATED_OF_TWO_SIDES,
@@ -291,7 +289,7 @@ impl Expand {
     }
 
     /// The equation whose slow flow is asked for, by an option or by a key that only damped systems have.
-    fn slow_flow(&self) -> Result<Option<Asked>, Failure> {
+    fn slow_flow(&self) -> Result<Option<Asked>, QueryError> {
         match self.oscillator.asked_of_system(self.small.as_deref()) {
             Some(asked) => asked.map(Some),
             None if self.damping_order.is_some() || self.small.is_some() => self.oscillator.asked().map(Some),
@@ -299,17 +297,20 @@ impl Expand {
         }
     }
 
-    fn answer_slow_flow(&self, out: &mut dyn Write, asked: Asked) -> Result<(), Failure> {
+    fn answer_slow_flow(&self, out: &mut dyn Write, asked: Asked) -> Result<(), QueryError> {
         if self.evaluate.is_some() {
             let reason =
-                "the slow flow is not a series at one amplitude: simulate the motion (libration simulate)";
-            return Err(Failure::usage("--evaluate", reason));
+                "the slow flow is not a series at one amplitude: simulate the motion by <libration simulate>";
+            return Err(QueryError::usage(option("evaluate"), reason));
         }
         let latex = match self.format {
             None => self.latex,
             Some(Format::Latex) => true,
             Some(_) => {
-                return Err(Failure::usage("--format", "a slow flow is written as text, latex, JSON or CSV"));
+                return Err(QueryError::usage(
+                    option("format"),
+                    "a slow flow is written as text, latex, JSON or CSV",
+                ));
             }
         };
         let order = self.order.unwrap_or(LISTED);
@@ -320,13 +321,13 @@ impl Expand {
         Ok(out.flush()?)
     }
 
-    fn answer_scaling_law(&self, out: &mut dyn Write, answer: scaling_law::Answer) -> Result<(), Failure> {
+    fn answer_scaling_law(&self, out: &mut dyn Write, answer: scaling_law::Answer) -> Result<(), QueryError> {
         let latex = match self.format {
             None => self.latex,
             Some(Format::Latex) => true,
             Some(_) => {
                 let reason = "a scaling law is written as text, latex, JSON or CSV";
-                return Err(Failure::usage("--format", reason));
+                return Err(QueryError::usage(option("format"), reason));
             }
         };
         let answer = match &self.evaluate {
@@ -342,7 +343,7 @@ impl Expand {
         out: &mut dyn Write,
         answer: &Answer<C>,
         validity: impl Fn() -> String,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         if let Some(language) = self.format.and_then(Format::language) {
             return Ok(code::write(out, answer, language, &validity())?);
         }
@@ -359,16 +360,12 @@ impl Expand {
     }
 }
 
-fn refusal(error: ExpansionError) -> Failure {
+fn refusal(error: ExpansionError) -> QueryError {
     match error {
         ExpansionError::Interrupted { .. } => {
-            Failure::Interrupted("interrupted before any order was certain".to_owned())
+            QueryError::cancelled("interrupted before any order was certain".to_owned())
         }
-        ExpansionError::NoLimitCycle { .. } => {
-            let reason = format!("{error}; ask how the amplitude changes (--damping-order 2)");
-            Failure::no_answer("expansion", reason)
-        }
-        error => Failure::no_answer("expansion", error),
+        error => QueryError::no_result("expansion", &error).with_remedies(&error.remedies()),
     }
 }
 

@@ -2,13 +2,13 @@
 
 use super::subject::{About, Subject, of_subject};
 use crate::arguments::Asked;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::number::short;
 use crate::output::series::subscript;
 use crate::output::table::write_text;
 use crate::output::{Form, json};
+use crate::query_error::{QueryError, option};
 use libration::algebra::Rational;
 use libration::comparison::{HarmonicRatio, ScalingLaw};
 use libration::expression::Expression;
@@ -44,8 +44,8 @@ impl Answer {
     }
 
     /// The same with the frequency at an amplitude.
-    pub(super) fn at(self, text: &str) -> Result<Self, Failure> {
-        let refusal = |reason: String| Failure::usage("--evaluate", reason);
+    pub(super) fn at(self, text: &str) -> Result<Self, QueryError> {
+        let refusal = |reason: String| QueryError::usage(option("evaluate"), reason);
         let amplitude =
             Displacement::from_number_text(text).map_err(|error| refusal(error.to_string()))?.to_f64();
         if !(amplitude > 0.0 && amplitude.is_finite()) {
@@ -54,7 +54,7 @@ impl Answer {
         let Some(frequency) = self.law.frequency_at(amplitude) else {
             let strength = self.law.force().strength();
             return Err(refusal(format!(
-                "the force is {strength} times a power: give its letters values with --set"
+                "the force is {strength} times a power: give its letters values with <--set>"
             )));
         };
         Ok(Self { at: Some((amplitude, frequency)), ..self })
@@ -151,7 +151,7 @@ fn of_harmonic() -> Fields<HarmonicRatio> {
     ])
 }
 
-pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), Failure> {
+pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, of_law().record(answer))?,
         Form::Csv => of_harmonic().write_csv(out, &answer.harmonics)?,

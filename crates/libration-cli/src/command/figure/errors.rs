@@ -2,10 +2,10 @@
 
 use super::PictureOptions;
 use crate::arguments::{self, FormulaChoice};
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::errors::{Curve, Frame, errors};
 use crate::interrupt;
+use crate::query_error::{QueryError, option};
 use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 
@@ -39,15 +39,15 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         let (from, to) = (self.from.degrees(), self.to.degrees());
         if !(0.0 <= from && from < to && to <= 180.0) {
             let got = format!("from {from:?}° to {to:?}°: give 0 ≤ from < to ≤ 180deg");
-            return Err(Failure::no_answer("--from, --to", got));
+            return Err(QueryError::no_result([option("from"), option("to")], got));
         }
         if self.lowest >= self.highest {
             let got = format!("{:?} is not below {:?}", self.lowest, self.highest);
-            return Err(Failure::no_answer("--lowest, --highest", got));
+            return Err(QueryError::no_result([option("lowest"), option("highest")], got));
         }
         let formulas = self.curves()?;
         interrupt::listen()?;
@@ -55,12 +55,12 @@ impl Errors {
         Ok(errors(curves, Frame { from, to, lowest: self.lowest, highest: self.highest }))
     }
 
-    fn curves(&self) -> Result<Vec<PeriodFormula>, Failure> {
+    fn curves(&self) -> Result<Vec<PeriodFormula>, QueryError> {
         if !self.formulas.chosen().is_empty() {
             return Ok(self.formulas.chosen().to_vec());
         }
         let found = FIRST_FIGURE.into_iter().map(PeriodFormula::by_key).collect::<Result<_, _>>();
-        found.map_err(|error| Failure::no_answer("--formulas", error))
+        found.map_err(|error| QueryError::no_result(option("formulas"), error))
     }
 }
 

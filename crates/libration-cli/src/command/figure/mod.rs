@@ -9,11 +9,11 @@ mod series;
 mod spectrum;
 pub(crate) mod trajectories;
 
-use crate::failure::Failure;
 use crate::figure::{Sizes, file};
 use crate::interrupt;
 use crate::output::description::Answers;
 use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -59,7 +59,7 @@ struct PictureOptions {
 }
 
 impl Figure {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let (name, options, picture) = match &self.picture {
             Subject::Errors(subject) => ("errors", &subject.options, subject.picture()?),
             Subject::Motion(subject) => ("motion", &subject.options, subject.picture()?),

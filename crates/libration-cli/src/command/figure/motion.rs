@@ -3,9 +3,9 @@
 use super::PictureOptions;
 use super::releases::releases;
 use crate::arguments::{self, AngleList};
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::motion::{self, Release};
+use crate::query_error::{QueryError, option};
 use libration::pendulum::Pendulum;
 use std::f64::consts::TAU;
 
@@ -27,8 +27,8 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
-        let no_answer = |error| Failure::no_answer("--amplitudes", error);
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
+        let no_answer = |error| QueryError::no_result(option("amplitudes"), error);
         let pendulum = Pendulum::from_angular_frequency(TAU).map_err(no_answer)?;
         let mut swings = vec![];
         for release in releases(&self.amplitudes)? {

@@ -3,10 +3,10 @@
 use super::PictureOptions;
 use super::releases::releases;
 use crate::arguments::{self, AngleList};
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::phase::{Orbit, Portrait, portrait};
 use crate::output::number;
+use crate::query_error::QueryError;
 use libration::pendulum::{Pendulum, PendulumError};
 
 /// The phase portrait: librations, the separatrix, and rotations
@@ -27,7 +27,7 @@ pub(super) struct Phase {
 }
 
 impl Phase {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         let pendulum = Pendulum::from_angular_frequency(1.0).map_err(no_answer)?;
         Ok(portrait(&Portrait {
             librations: self.librations(&pendulum)?,
@@ -36,7 +36,7 @@ impl Phase {
         }))
     }
 
-    fn librations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, Failure> {
+    fn librations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, QueryError> {
         let orbit = |release: super::releases::Release| {
             let motion = pendulum.released_from(release.angle).map_err(no_answer)?;
             Ok(Orbit { label: format!("libration, {}", release.label), motion })
@@ -44,7 +44,7 @@ impl Phase {
         releases(&self.amplitudes)?.into_iter().map(orbit).collect()
     }
 
-    fn rotations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, Failure> {
+    fn rotations(&self, pendulum: &Pendulum) -> Result<Vec<Orbit>, QueryError> {
         let orbit = |&energy: &f64| {
             let motion = pendulum.with_energy_ratio(energy).map_err(no_answer)?;
             Ok(Orbit { label: format!("rotation, E = {} × 2mgl", number::short(energy, 6)), motion })
@@ -53,8 +53,8 @@ impl Phase {
     }
 }
 
-fn no_answer(error: PendulumError) -> Failure {
-    Failure::no_answer("phase portrait", error)
+fn no_answer(error: PendulumError) -> QueryError {
+    QueryError::no_result("phase portrait", error)
 }
 
 fn above_one(text: &str) -> Result<f64, String> {

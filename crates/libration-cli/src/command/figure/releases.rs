@@ -1,8 +1,8 @@
 //! Releases from rest at several amplitudes, for the pictures.
 
 use crate::arguments::AngleList;
-use crate::failure::Failure;
 use crate::output::number;
+use crate::query_error::{QueryError, option};
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 
@@ -13,15 +13,16 @@ pub(super) struct Release {
 }
 
 /// The releases from these angles, each of which must swing.
-pub(super) fn releases(angles: &AngleList) -> Result<Vec<Release>, Failure> {
+pub(super) fn releases(angles: &AngleList) -> Result<Vec<Release>, QueryError> {
     angles.iter().map(|angle| release(*angle)).collect()
 }
 
-fn release(angle: Angle) -> Result<Release, Failure> {
-    let amplitude = Amplitude::new(angle).map_err(|error| Failure::no_answer("--amplitudes", error))?;
+fn release(angle: Angle) -> Result<Release, QueryError> {
+    let amplitude =
+        Amplitude::new(angle).map_err(|error| QueryError::no_result(option("amplitudes"), error))?;
     if amplitude.radians() <= 0.0 {
-        return Err(Failure::no_answer(
-            "--amplitudes",
+        return Err(QueryError::no_result(
+            option("amplitudes"),
             "a pendulum released from 0 does not move: give a larger angle",
         ));
     }

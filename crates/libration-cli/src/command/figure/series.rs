@@ -2,11 +2,11 @@
 
 use super::PictureOptions;
 use crate::arguments::{self, Chosen, OscillatorOptions};
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::series::{Abscissa, Line, SeriesSetting, against_amplitude, against_terms};
 use crate::output::number::count;
 use crate::output::series::{subscript, superscript};
+use crate::query_error::{Parameter, QueryError, option};
 use crate::{interrupt, parallel};
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
@@ -58,9 +58,12 @@ const SAMPLES: u32 = 240;
 const MOST_AMPLITUDES: usize = 12;
 
 impl Series {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         if self.lowest >= HIGHEST {
-            return Err(Failure::no_answer("--lowest", format!("{} is not below {HIGHEST}", self.lowest)));
+            return Err(QueryError::no_result(
+                option("lowest"),
+                format!("{} is not below {HIGHEST}", self.lowest),
+            ));
         }
         let chosen = self.oscillator.chosen()?;
         interrupt::listen()?;
@@ -73,10 +76,10 @@ impl Series {
         let powers = powers(&relation);
         if powers.is_empty() {
             let reason = format!(
-                "the {} does not change with the amplitude to this order: give a higher --order, or another oscillator",
+                "the {} does not change with the amplitude to this order: give a higher <--order>, or another oscillator",
                 self.quantity
             );
-            return Err(Failure::no_answer("--quantity", reason));
+            return Err(QueryError::no_result(option("quantity"), reason));
         }
         let setting = setting(&chosen, expansion, self.quantity, self.lowest);
         if self.amplitudes.is_empty() {
@@ -86,12 +89,14 @@ impl Series {
         }
     }
 
-    fn expansion(&self, chosen: &Chosen) -> Result<Expansion, Failure> {
+    fn expansion(&self, chosen: &Chosen) -> Result<Expansion, QueryError> {
         let order = self.order;
         let expansion = parallel::until_asked(&format!("the series to order {order}"), |watch| {
             expand_watched(&chosen.oscillator, order, &Gauge::Fundamental, watch)
         });
-        expansion.ok_or_else(early)?.map_err(|error| Failure::no_answer("expansion", error))
+        expansion
+            .ok_or_else(early)?
+            .map_err(|error| QueryError::no_result("expansion", &error).with_remedies(&error.remedies()))
     }
 
     fn in_amplitude(
@@ -100,11 +105,11 @@ impl Series {
         subject: &Subject,
         powers: &[usize],
         setting: SeriesSetting,
-    ) -> Result<Picture, Failure> {
+    ) -> Result<Picture, QueryError> {
         let relation = &subject.relation();
         let radius = relation.radius().filter(|radius| radius.value().is_finite());
         let to = match &self.to {
-            Some(text) => positive(chosen, "--to", text)?.to_f64(),
+            Some(text) => positive(chosen, &option("to"), text)?.to_f64(),
             None => BEYOND * radius.map_or(UNKNOWN_RADIUS, |radius| radius.value()),
         };
         let sampled = subject.sampled(to);
@@ -112,8 +117,8 @@ impl Series {
             return Err(early());
         }
         if sampled.is_empty() {
-            let reason = "there is no motion at these amplitudes: give a smaller --to";
-            return Err(Failure::no_answer("figure series", reason));
+            let reason = "there is no motion at these amplitudes: give a smaller <--to>";
+            return Err(QueryError::no_result("figure series", reason));
         }
         let lines = lines(relation, &sampled, powers, &setting);
         let radius = radius.map(|radius| (radius.value(), radius_label(&radius)));
@@ -127,15 +132,15 @@ impl Series {
         chosen: &Chosen,
         subject: &Subject,
         setting: SeriesSetting,
-    ) -> Result<Picture, Failure> {
+    ) -> Result<Picture, QueryError> {
         if self.amplitudes.len() > MOST_AMPLITUDES {
             let reason = format!("{} are too many: give at most {MOST_AMPLITUDES}", self.amplitudes.len());
-            return Err(Failure::usage("--amplitudes", reason));
+            return Err(QueryError::usage(option("amplitudes"), reason));
         }
         let mut lines = vec![];
         let relation = subject.relation();
         for text in &self.amplitudes {
-            let displacement = positive(chosen, "--amplitudes", text)?;
+            let displacement = positive(chosen, &option("amplitudes"), text)?;
             let amplitude = displacement.to_f64();
             let Some(exact) = subject.exact_at(&displacement) else { break };
             let exact = exact.map_err(|error| no_exact(text, &error))?;
@@ -154,8 +159,8 @@ impl Series {
 }
 
 /// That there is nothing to draw yet.
-fn early() -> Failure {
-    Failure::Interrupted("interrupted before the first error was known: nothing is drawn".to_owned())
+fn early() -> QueryError {
+    QueryError::cancelled("interrupted before the first error was known: nothing is drawn".to_owned())
 }
 
 /// What the picture is about.
@@ -220,16 +225,16 @@ fn lines(
     lines
 }
 
-fn no_exact(text: &str, reason: &NoExactValue) -> Failure {
-    Failure::no_answer("--amplitudes", format!("{}: {reason}", text.trim()))
+fn no_exact(text: &str, reason: &NoExactValue) -> QueryError {
+    QueryError::no_result(option("amplitudes"), format!("{}: {reason}", text.trim()))
 }
 
-fn positive(chosen: &Chosen, argument: &str, text: &str) -> Result<Displacement, Failure> {
+fn positive(chosen: &Chosen, argument: &Parameter, text: &str) -> Result<Displacement, QueryError> {
     let amplitude = chosen.amplitude(argument, text)?;
     if amplitude.to_f64() > 0.0 {
         return Ok(amplitude);
     }
-    Err(Failure::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))
+    Err(QueryError::usage(argument, format!("`{}`: give an amplitude above zero", text.trim())))
 }
 
 fn setting(chosen: &Chosen, expansion: &Expansion, quantity: SeriesQuantity, lowest: f64) -> SeriesSetting {

@@ -3,9 +3,9 @@
 use super::PictureOptions;
 use super::releases::releases;
 use crate::arguments::{self, AngleList};
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::spectrum::spectra;
+use crate::query_error::{QueryError, option};
 use libration::pendulum::Pendulum;
 
 /// The highest harmonic that may be asked for.
@@ -32,8 +32,8 @@ pub(super) struct Spectrum {
 }
 
 impl Spectrum {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
-        let no_answer = |error| Failure::no_answer("--amplitudes", error);
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
+        let no_answer = |error| QueryError::no_result(option("amplitudes"), error);
         let pendulum = Pendulum::from_angular_frequency(1.0).map_err(no_answer)?;
         let mut shown = vec![];
         for release in releases(&self.amplitudes)? {

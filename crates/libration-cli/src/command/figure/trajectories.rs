@@ -5,13 +5,13 @@ use crate::arguments::{
     self, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range, place_in_state,
     places_in_state,
 };
-use crate::failure::Failure;
 use crate::figure::chart::Picture;
 use crate::figure::parameters::{Angles, of_model, of_start, said};
 use crate::figure::section::StateAxis;
 use crate::figure::trajectories::{Sampled, against_time, in_plane, spectra};
 use crate::interrupt;
 use crate::output::number::{count, short};
+use crate::query_error::{Parameter, QueryError, option};
 use libration::spectrum::{NoSpectrum, Spectrum};
 use libration::systems::Model;
 use libration::taylor::{
@@ -79,22 +79,24 @@ struct Run {
 }
 
 impl Trajectories {
-    pub(super) fn picture(&self) -> Result<Picture, Failure> {
+    pub(super) fn picture(&self) -> Result<Picture, QueryError> {
         if !(0.0 <= self.from && self.from < self.until) {
             let reason = format!(
                 "{} s to {} s: give times from 0 on, the last after the first",
                 self.from, self.until
             );
-            return Err(Failure::usage("--until", reason));
+            return Err(QueryError::usage(option("until"), reason));
         }
         let runs = self.runs()?;
         let model = &runs[0].model;
         let axis = |place| StateAxis::new(model, place);
-        let one = |argument, name: &Option<String>| {
-            name.as_deref().map(|name| place_in_state(model, argument, name).map(axis)).transpose()
+        let one = |argument: Parameter, name: &Option<String>| {
+            name.as_deref().map(|name| place_in_state(model, &argument, name).map(axis)).transpose()
         };
-        let axes = self.axes.as_deref().map(|names| places_in_state(model, "--axes", names)).transpose()?;
-        let (of_spectrum, show) = (one("--spectrum", &self.spectrum)?, one("--show", &self.show)?);
+        let axes =
+            self.axes.as_deref().map(|names| places_in_state(model, &option("axes"), names)).transpose()?;
+        let (of_spectrum, show) =
+            (one(option("spectrum"), &self.spectrum)?, one(option("show"), &self.show)?);
         interrupt::listen()?;
         let picture = match (axes, &of_spectrum) {
             (Some(axes), _) => in_plane(model, &self.sampled(&runs)?, &axes.map(axis)),
@@ -105,14 +107,14 @@ impl Trajectories {
     }
 
     /// Every start with every value of the parameter.
-    fn runs(&self) -> Result<Vec<Run>, Failure> {
+    fn runs(&self) -> Result<Vec<Run>, QueryError> {
         let values = self.over.as_ref().map_or(vec![None], |over| {
             over.values.iter().map(|value| Some((over.name.as_str(), *value))).collect()
         });
         let mut runs = vec![];
         for value in values.into_iter().take(MOST_MOTIONS + 1) {
             let model = self.system.model_over(value)?;
-            let system = model.system().map_err(|error| Failure::usage("--set", error))?;
+            let system = model.system().map_err(|error| QueryError::usage(option("set"), error))?;
             let label = value.map_or_else(String::new, |(name, value)| said(name, value, ""));
             for initial in self.initial.read(&model)? {
                 let start = Moment { time: 0.0, state: initial.state };
@@ -122,14 +124,14 @@ impl Trajectories {
         if runs.len() > MOST_MOTIONS {
             let reason =
                 format!("a picture keeps at most {MOST_MOTIONS} motions apart: give fewer starts and values");
-            return Err(Failure::usage("figure trajectories", reason));
+            return Err(QueryError::usage("figure trajectories", reason));
         }
         label_starts(&mut runs);
         Ok(runs)
     }
 
     /// The motions that are done before somebody presses Ctrl-C.
-    fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, Failure> {
+    fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, QueryError> {
         let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(POINTS - 1));
         done(runs, |run| {
             let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
@@ -145,7 +147,7 @@ impl Trajectories {
     }
 
     /// The spectra of the motions that are done before somebody presses Ctrl-C.
-    fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, Failure> {
+    fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, QueryError> {
         done(runs, |run| {
             let mut motion = DenseSolution::default();
             run.integrate(self.until, &Effort { most_steps: MOST_STEPS, ..EFFORT }, |step| {
@@ -160,11 +162,11 @@ impl Trajectories {
 }
 
 /// What is done with each run before somebody presses Ctrl-C: at least with one.
-fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, Failure>) -> Result<Vec<T>, Failure> {
+fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result<Vec<T>, QueryError> {
     let mut done = vec![];
     for run in runs {
         match each(run) {
-            Err(Failure::Interrupted(_)) if !done.is_empty() => break,
+            Err(error) if error.is_cancelled() && !done.is_empty() => break,
             other => done.push(other?),
         }
     }
@@ -172,7 +174,7 @@ fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, Failure>) -> Result<Ve
 }
 
 /// A coordinate that grows has a velocity that may not.
-fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> Failure {
+fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> QueryError {
     let place = shown.place;
     let reason = match (error, run.system.layout().velocity(place)) {
         (NoSpectrum::Trend { first, last }, Some(_)) => {
@@ -185,12 +187,17 @@ fn no_spectrum(error: &NoSpectrum, run: &Run, shown: &StateAxis) -> Failure {
         }
         _ => error.to_string(),
     };
-    Failure::no_answer("--spectrum", reason)
+    QueryError::no_result(option("spectrum"), reason)
 }
 
 impl Run {
     /// Integrates from the start to a time and shows each step.
-    fn integrate(&self, until: f64, effort: &Effort, mut see: impl FnMut(&Step<'_>)) -> Result<(), Failure> {
+    fn integrate(
+        &self,
+        until: f64,
+        effort: &Effort,
+        mut see: impl FnMut(&Step<'_>),
+    ) -> Result<(), QueryError> {
         let integrated = integrate_watched(&self.system, &self.start, &[until], effort, |step| {
             see(step);
             interrupt::go_on()
@@ -198,9 +205,9 @@ impl Run {
         match integrated {
             Ok(_) => Ok(()),
             Err(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-                Err(Failure::Interrupted("interrupted before a motion was done".to_owned()))
+                Err(QueryError::cancelled("interrupted before a motion was done".to_owned()))
             }
-            Err(error) => Err(Failure::no_answer("figure trajectories", error)),
+            Err(error) => Err(QueryError::no_result("figure trajectories", error)),
         }
     }
 

@@ -6,10 +6,10 @@ mod write;
 use crate::arguments::{
     ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
 };
-use crate::failure::Failure;
 use crate::figure;
 use crate::interrupt;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use fields::Answer;
 use libration::quantity::{Angle, Quantity};
 use libration::watch::{Progress, Watch};
@@ -82,7 +82,7 @@ enum Shape {
 }
 
 impl FitGates {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let read = self.reading.gate_times(&self.file)?;
         let name = self.file.display().to_string();
         let geometry = self.geometry()?;
@@ -103,7 +103,7 @@ impl FitGates {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn options(&self, geometry: Option<&GateGeometry>) -> Result<GateOptions, Failure> {
+    fn options(&self, geometry: Option<&GateGeometry>) -> Result<GateOptions, QueryError> {
         let signals = self.signals.map(|signals| match signals {
             Signals::Edges => GateSignals::Edges,
             Signals::Passages => GateSignals::Passages,
@@ -114,30 +114,30 @@ impl FitGates {
     }
 
     /// None without a length.
-    fn geometry(&self) -> Result<Option<GateGeometry>, Failure> {
+    fn geometry(&self) -> Result<Option<GateGeometry>, QueryError> {
         let Some(apparatus) = self.apparatus.apparatus() else { return Ok(None) };
         let geometry = GateGeometry::new(apparatus, self.diameter, self.gate_distance);
         let shape = match self.shape {
             Shape::Ball => FlagShape::Ball,
             Shape::Flag => FlagShape::Flat,
         };
-        geometry.map(|it| Some(it.with_shape(shape))).map_err(|error| Failure::no_answer("gate", error))
+        geometry.map(|it| Some(it.with_shape(shape))).map_err(|error| QueryError::no_result("gate", error))
     }
 
-    fn budget(&self, fit: &GatesFit, geometry: Option<&GateGeometry>) -> Result<Option<Budget>, Failure> {
+    fn budget(&self, fit: &GatesFit, geometry: Option<&GateGeometry>) -> Result<Option<Budget>, QueryError> {
         let Some(geometry) = geometry else { return Ok(None) };
         let (angle_scale, clock) = (self.apparatus.angle_scale(), self.apparatus.clock());
         let correlations = self.apparatus.correlations();
         fit.gravity(geometry, angle_scale, clock, self.damping.damping(), correlations)
-            .map_err(|error| Failure::no_answer("gravity", error))
+            .map_err(|error| QueryError::no_result("gravity", error))
     }
 }
 
 /// Blames the option, not the file, where that is to blame.
-fn failure(file: &str, error: &GatesError) -> Failure {
+fn failure(file: &str, error: &GatesError) -> QueryError {
     match error {
-        GatesError::Interrupted(_) => Failure::Interrupted("interrupted: nothing is written".to_owned()),
-        GatesError::NotUsable { name: "amplitude", .. } => Failure::no_answer("--amplitude", error),
-        _ => Failure::no_answer(file, error),
+        GatesError::Interrupted(_) => QueryError::cancelled("interrupted: nothing is written".to_owned()),
+        GatesError::NotUsable { name: "amplitude", .. } => QueryError::no_result(option("amplitude"), error),
+        _ => QueryError::no_result(file, error),
     }
 }

@@ -4,8 +4,8 @@ use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, LengthUnit, Wanted,
     one_amplitude,
 };
-use crate::failure::Failure;
 use crate::figure::lengths::Measured;
+use crate::query_error::{QueryError, option};
 use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::{LengthColumns, LengthTable};
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ impl Input {
         self.file.display().to_string()
     }
 
-    pub(super) fn read(&self) -> Result<LengthFile, Failure> {
+    pub(super) fn read(&self) -> Result<LengthFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "length and period")?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
@@ -79,11 +79,11 @@ impl Input {
     }
 
     /// The column of amplitudes, or the one of all rows, or none.
-    fn amplitudes(&self, column: Option<Vec<f64>>) -> Result<Vec<Quantity>, Failure> {
+    fn amplitudes(&self, column: Option<Vec<f64>>) -> Result<Vec<Quantity>, QueryError> {
         let exactly = |value: f64| Quantity { value, uncertainty: None };
         match (column, self.amplitude) {
-            (Some(_), Some(_)) => Err(Failure::usage(
-                "--amplitude",
+            (Some(_), Some(_)) => Err(QueryError::usage(
+                option("amplitude"),
                 "a column of amplitudes is given too: leave out one of them",
             )),
             (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
@@ -94,7 +94,7 @@ impl Input {
         }
     }
 
-    pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
-        Failure::no_answer(&self.name(), reason)
+    pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {
+        QueryError::no_result(&self.name(), reason)
     }
 }

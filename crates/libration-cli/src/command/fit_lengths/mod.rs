@@ -4,9 +4,9 @@ mod fields;
 mod input;
 mod write;
 
-use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
 use fields::Answer;
 use input::Input;
 use libration::quantity::Quantity;
@@ -48,7 +48,7 @@ pub(crate) struct FitLengths {
 }
 
 impl FitLengths {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let table = self.input.read()?;
         let radius = self.bob_radius.map(|radius| radius.value);
         let options = LengthsOptions { bob_radius: self.bob_radius, clock: self.clock };

@@ -1,17 +1,17 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
 use super::fields::{self, Answer};
-use crate::failure::Failure;
 use crate::output::json;
 use crate::output::table::{sheet, write_text};
 use crate::output::{self, Form, number};
+use crate::query_error::QueryError;
 use std::io::{self, Write};
 
 /// The name of the warning that belongs beside gravity.
 const CONTRADICTED: &str = "gravity_contradicted";
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => {
                 let record = fields::of_answer().record(self);

@@ -1,8 +1,8 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
 use crate::arguments::{AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, Wanted};
-use crate::failure::Failure;
 use crate::figure::periods::Measurement;
+use crate::query_error::QueryError;
 use libration_lab::fit::{PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ impl Input {
         self.file.display().to_string()
     }
 
-    pub(super) fn read(&self) -> Result<Measured, Failure> {
+    pub(super) fn read(&self) -> Result<Measured, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "amplitude and period")?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
@@ -59,7 +59,7 @@ impl Input {
         [amplitudes, periods, amplitudes.uncertainties(0), periods.uncertainties(1)]
     }
 
-    fn measured(&self, read: ColumnsInSi<4>) -> Result<Measured, Failure> {
+    fn measured(&self, read: ColumnsInSi<4>) -> Result<Measured, QueryError> {
         let [amplitudes, periods, of_amplitudes, of_periods] = read.columns;
         let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
         let uncertainties =
@@ -76,7 +76,7 @@ impl Input {
         Ok(Measured { rows, table, lines: read.lines, dropped: read.dropped, inferences: read.inferences })
     }
 
-    fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
-        Failure::no_answer(&self.name(), reason)
+    fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {
+        QueryError::no_result(&self.name(), reason)
     }
 }

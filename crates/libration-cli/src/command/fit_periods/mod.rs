@@ -5,9 +5,9 @@ mod input;
 mod write;
 
 use crate::arguments::{ApparatusOptions, DampingOptions, FormulaChoice, positive};
-use crate::failure::Failure;
 use crate::figure;
 use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
 use fields::Answer;
 use input::Input;
 use libration_lab::fit::{self, Law};
@@ -52,9 +52,9 @@ pub(crate) struct FitPeriods {
 }
 
 impl FitPeriods {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let measured = self.input.read()?;
-        let no_answer = |error| Failure::no_answer(&self.input.name(), error);
+        let no_answer = |error| QueryError::no_result(&self.input.name(), error);
         let formulas = self.formulas.chosen_or_all();
         let ratios: Vec<_> =
             formulas.iter().map(|formula| |amplitude| formula.period_ratio_at(amplitude)).collect();
@@ -67,7 +67,7 @@ impl FitPeriods {
             fit.measured_period(self.apparatus.angle_scale(), self.apparatus.clock(), self.damping.damping());
         let apparatus = self.apparatus.apparatus();
         let budget = apparatus.map(|apparatus| fit::budget(&apparatus, &period, correlations));
-        let budget = budget.transpose().map_err(|error| Failure::no_answer("gravity", error))?;
+        let budget = budget.transpose().map_err(|error| QueryError::no_result("gravity", error))?;
         let mut drawn = vec![];
         if let Some(path) = &self.figure {
             let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };

@@ -1,15 +1,15 @@
 //! The fit as a sheet with a table of laws, as JSON and as CSV.
 
 use super::fields::{self, Answer};
-use crate::failure::Failure;
 use crate::output::json::{self, Record};
 use crate::output::table::sheet;
 use crate::output::{self, Form, number};
+use crate::query_error::QueryError;
 use libration_lab::fit::PeriodsWarning;
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, self.record())?,
             Form::Csv => fields::of_law().write_csv(out, &self.laws())?,

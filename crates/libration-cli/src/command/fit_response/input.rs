@@ -3,8 +3,8 @@
 use crate::arguments::{
     AmplitudeUnit, ColumnsInSi, ColumnsOption, DialectOptions, DisplacementUnit, FrequencyUnit, Wanted,
 };
-use crate::failure::Failure;
 use crate::figure::fitted_response::Measured;
+use crate::query_error::QueryError;
 use libration_lab::fit::response::{AmplitudeErrors, ResponseColumns, ResponseTable};
 use libration_lab::measurement::Unit;
 use std::path::PathBuf;
@@ -55,7 +55,7 @@ impl ResponseFile {
 }
 
 impl Input {
-    pub(super) fn read(&self) -> Result<ResponseFile, Failure> {
+    pub(super) fn read(&self) -> Result<ResponseFile, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let columns = self.columns.choose(&self.name(), &table, "frequency and amplitude")?;
         let read = ColumnsInSi::from_table(&table, &columns, &self.wanted())
@@ -106,7 +106,7 @@ impl Input {
         self.file.display().to_string()
     }
 
-    pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> Failure {
-        Failure::no_answer(&self.name(), reason)
+    pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {
+        QueryError::no_result(&self.name(), reason)
     }
 }

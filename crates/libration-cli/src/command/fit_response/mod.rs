@@ -4,9 +4,9 @@ mod fields;
 mod input;
 mod write;
 
-use crate::failure::Failure;
 use crate::figure::{self, fitted_response};
 use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
 use crate::{interrupt, parallel};
 use fields::Answer;
 use input::{Input, ResponseFile};
@@ -70,7 +70,7 @@ fn how_far() -> String {
 }
 
 impl FitResponse {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let file = self.input.read()?;
         interrupt::listen()?;
         let (fit, curve) = parallel::with_progress(how_far, || self.fitted(&file))?;
@@ -85,7 +85,7 @@ impl FitResponse {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), Failure> {
+    fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), QueryError> {
         let ask = |_: Progress| parallel::go_on(&how_far);
         let watch = Watch::new(&ask);
         let measured = match self.measured {
@@ -116,7 +116,7 @@ impl FitResponse {
         fit: &ResponseFit,
         file: &ResponseFile,
         watch: &Watch<'_>,
-    ) -> Result<FittedCurve, Failure> {
+    ) -> Result<FittedCurve, QueryError> {
         const BEYOND: f64 = 0.06;
         let [low, high] = file.measured.table.frequency_range();
         let margin = BEYOND * (high - low).max(0.1 * high);
@@ -128,10 +128,10 @@ impl FitResponse {
         }
     }
 
-    fn failure(&self, error: &ResponseFitError) -> Failure {
+    fn failure(&self, error: &ResponseFitError) -> QueryError {
         match error {
             ResponseFitError::Interrupted => {
-                Failure::Interrupted("interrupted before a fit was found: nothing is written".to_owned())
+                QueryError::cancelled("interrupted before a fit was found: nothing is written".to_owned())
             }
             _ => self.input.no_answer(error),
         }

@@ -1,14 +1,14 @@
 //! The fit as a sheet with a table of models, as JSON and as CSV.
 
 use super::fields::{self, Answer};
-use crate::failure::Failure;
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, json, number, scatter};
+use crate::query_error::QueryError;
 use libration_lab::fit::response::{AmplitudeErrors, FittedJump};
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,
             Form::Csv => fields::of_model().write_csv(out, &self.fit.fits)?,

@@ -4,9 +4,9 @@ use super::input::Measured;
 use super::model::DampingChoice;
 use super::options;
 use crate::arguments::ApparatusOptions;
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
+use crate::query_error::QueryError;
 use libration::watch::Watch;
 use libration_lab::fit::swings::{SwingsError, SwingsFit, SwingsOptions, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
@@ -25,7 +25,7 @@ impl<'a> Answer<'a> {
         model: DampingChoice,
         options: TraceOptions,
         apparatus: &ApparatusOptions,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, QueryError> {
         interrupt::listen()?;
         let (line, motions) = (RefCell::new(ProgressLine::new()), Cell::new(0_u64));
         let ask = |_| {
@@ -59,12 +59,12 @@ impl<'a> Answer<'a> {
     }
 }
 
-fn failure(measured: &Measured, error: SwingsError) -> Failure {
+fn failure(measured: &Measured, error: SwingsError) -> QueryError {
     match error {
         SwingsError::Motion(TraceFitError::Interrupted) => {
-            Failure::Interrupted("interrupted: nothing is written".to_owned())
+            QueryError::cancelled("interrupted: nothing is written".to_owned())
         }
-        SwingsError::Gravity(error) => Failure::no_answer("gravity", error),
-        error => Failure::no_answer(&measured.names(), error),
+        SwingsError::Gravity(error) => QueryError::no_result("gravity", error),
+        error => QueryError::no_result(&measured.names(), error),
     }
 }

@@ -1,7 +1,7 @@
 //! The recordings that are fitted, and the part of them that counts.
 
 use crate::arguments::{RecordingOptions, finding_with_option};
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration_lab::measurement::Trace;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub(super) struct File {
 }
 
 impl Input {
-    pub(super) fn read(&self, options: &RecordingOptions) -> Result<Measured, Failure> {
+    pub(super) fn read(&self, options: &RecordingOptions) -> Result<Measured, QueryError> {
         let mut measured = Measured { files: vec![], traces: vec![] };
         for path in &self.files {
             let name = path.display().to_string();

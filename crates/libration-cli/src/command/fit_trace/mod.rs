@@ -11,9 +11,9 @@ mod units;
 
 use crate::arguments::{ApparatusOptions, RecordingOptions};
 use crate::document;
-use crate::failure::Failure;
 use crate::figure;
 use crate::output::{Form, FormOptions, announce, json};
+use crate::query_error::QueryError;
 use answer::Answer;
 use input::{Input, Measured};
 use libration_lab::fit::trace::TraceOptions;
@@ -65,7 +65,7 @@ pub(crate) struct FitTrace {
 }
 
 impl FitTrace {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let measured = self.input.read(&self.recording)?;
         let answer = self.fitted(&measured)?;
         let mut written = vec![];
@@ -84,7 +84,7 @@ impl FitTrace {
         Ok(announce(out, self.form.form(), &written)?)
     }
 
-    fn fitted<'a>(&self, measured: &'a Measured) -> Result<Answer<'a>, Failure> {
+    fn fitted<'a>(&self, measured: &'a Measured) -> Result<Answer<'a>, QueryError> {
         let options =
             TraceOptions { robust: self.robust, free_scale: self.free_scale, ..TraceOptions::default() };
         Answer::new(measured, self.model, options, &self.apparatus)

@@ -1,7 +1,6 @@
 //! Which formula overtakes which, and at which amplitude.
 
 use super::error_table::error_table;
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -9,14 +8,18 @@ use crate::output::json::{self, Record};
 use crate::output::progress::ProgressLine;
 use crate::output::table::Table;
 use crate::output::{Form, csv, number};
+use crate::query_error::{QueryError, option};
 use libration::period_formulas::{Crossover, PeriodFormula};
 use libration::watch::{Progress, Watch};
 use std::cell::RefCell;
 use std::io::Write;
 
-pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), Failure> {
+pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula]) -> Result<(), QueryError> {
     if formulas.len() < 2 {
-        return Err(Failure::usage("--formulas", "crossovers are between formulas: name at least two"));
+        return Err(QueryError::usage(
+            option("formulas"),
+            "crossovers are between formulas: name at least two",
+        ));
     }
     let table = error_table(formulas)?;
     let line = RefCell::new(ProgressLine::new());

@@ -5,9 +5,9 @@ mod crossovers;
 mod error_table;
 
 use crate::arguments::{self, FormulaChoice};
-use crate::failure::Failure;
 use crate::output::FormOptions;
 use crate::output::description::Answers;
+use crate::query_error::{QueryError, option};
 use libration::period_formulas::PeriodFormula;
 use libration::quantity::Angle;
 use std::io::Write;
@@ -36,7 +36,7 @@ pub(crate) struct Formulas {
 }
 
 impl Formulas {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let formulas = self.formulas.chosen_or_all();
         if self.crossovers {
             return crossovers::write(out, self.form.form(), formulas);
@@ -53,7 +53,7 @@ impl Formulas {
         &self,
         formulas: &[PeriodFormula],
         tolerance: f64,
-    ) -> Result<Vec<catalogue::Entry>, Failure> {
+    ) -> Result<Vec<catalogue::Entry>, QueryError> {
         let table = error_table::error_table(formulas)?;
         let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
         let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
@@ -65,7 +65,7 @@ impl Formulas {
             let reason = format!(
                 "no formula is within the tolerance {tolerance:?} there: give a larger tolerance, or use the exact period"
             );
-            return Err(Failure::no_answer("--amplitude", reason));
+            return Err(QueryError::no_result(option("amplitude"), reason));
         }
         Ok(chosen
             .into_iter()

@@ -6,9 +6,9 @@ mod spectrum;
 mod write;
 
 use crate::arguments::{RecordingOptions, read_bytes};
-use crate::failure::Failure;
 use crate::output::FormOptions;
 use crate::output::description::Answers;
+use crate::query_error::QueryError;
 use answer::Answer;
 use spectrum::SpectrumQuestion;
 use std::io::Write;
@@ -48,7 +48,7 @@ pub(crate) struct Inspect {
 }
 
 impl Inspect {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         if self.question.spectrum {
             return self.question.answer(&self.file, &self.recording, &self.form, out);
         }

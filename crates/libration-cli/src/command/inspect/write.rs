@@ -3,14 +3,14 @@
 use super::answer::{Answer, clock, range};
 use super::fields::{self, SheetColumn, observable};
 use crate::arguments::{finding_with_option, what_would_decide};
-use crate::failure::Failure;
 use crate::output::number::short;
 use crate::output::table::{paragraph, sheet, write_text};
 use crate::output::{Form, json};
+use crate::query_error::QueryError;
 use libration_lab::measurement::{Choice, Gates, MeasurementError, Observable, Sheet, Trace};
 use std::io::{self, Write};
 
-pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result<(), Failure> {
+pub(super) fn answer(out: &mut dyn Write, answer: &Answer, form: Form) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, fields::of_file().record(answer))?,
         Form::Csv => write_csv(out, answer)?,

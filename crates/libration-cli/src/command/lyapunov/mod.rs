@@ -3,8 +3,8 @@
 mod write;
 
 use crate::arguments::{InitialOptions, SystemOptions, count, not_negative, positive};
-use crate::failure::Failure;
 use crate::output::{FormOptions, announce};
+use crate::query_error::QueryError;
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Schedule, lyapunov_exponent_watched,
@@ -72,7 +72,7 @@ pub(crate) struct Answer<'a> {
 }
 
 impl Lyapunov {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let initial = self.initial.read(&model)?.state;
         let start = Moment { time: 0.0, state: initial.clone() };
@@ -93,10 +93,10 @@ impl Lyapunov {
         out.flush()?;
         match answer.found.verdict {
             LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
-                Err(Failure::Interrupted("interrupted: the estimate up to then is written".to_owned()))
+                Err(QueryError::cancelled("interrupted: the estimate up to then is written".to_owned()))
             }
             LyapunovVerdict::Undecided(Doubt::Stopped(cause)) => {
-                Err(Failure::no_answer("lyapunov", format!("{cause}: the estimate up to then is written")))
+                Err(QueryError::no_result("lyapunov", format!("{cause}: the estimate up to then is written")))
             }
             _ => Ok(()),
         }
@@ -142,12 +142,12 @@ fn measured(
     })
 }
 
-fn failure(error: LyapunovError) -> Failure {
+fn failure(error: LyapunovError) -> QueryError {
     match &error {
         LyapunovError::Nothing(Cause::Interrupted)
         | LyapunovError::Integration(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-            Failure::Interrupted("interrupted before the first measurement".to_owned())
+            QueryError::cancelled("interrupted before the first measurement".to_owned())
         }
-        _ => Failure::no_answer("lyapunov", error),
+        _ => QueryError::no_result("lyapunov", error),
     }
 }

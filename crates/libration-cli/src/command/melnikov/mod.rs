@@ -4,9 +4,9 @@ mod fields;
 mod write;
 
 use crate::arguments::{ParameterSpan, SystemOptions, count, parameter_span};
-use crate::failure::Failure;
 use crate::figure::melnikov::Perturbed;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::melnikov::{
     DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold,
@@ -73,7 +73,7 @@ struct Answer {
 }
 
 impl MelnikovQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
         let answer = self.found()?;
         let drawn = match &self.figure {
@@ -86,9 +86,9 @@ impl MelnikovQuestion {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn found(&self) -> Result<Answer, Failure> {
+    fn found(&self) -> Result<Answer, QueryError> {
         let open = self.over.as_ref().map(|over| over.name.as_str());
-        let model = self.system.model_with_open(open.as_slice())?;
+        let model = self.system.model_with_open(open.as_slice(), &option("over"))?;
         let thresholds = match &self.over {
             Some(over) => Some(crossings(&model, over)?),
             None => None,
@@ -97,9 +97,10 @@ impl MelnikovQuestion {
         let at = self.over.as_ref().map(|over| (over.name.clone(), first.unwrap_or(over.range[1])));
         let equation = match &at {
             Some((name, value)) => {
-                let value = format!("{value:?}").parse().map_err(|error| Failure::usage("--over", error))?;
+                let value =
+                    format!("{value:?}").parse().map_err(|error| QueryError::usage(option("over"), error))?;
                 let equation = model.equation().with(&[(name, value)]);
-                equation.map_err(|error| Failure::usage("--over", error))?
+                equation.map_err(|error| QueryError::usage(option("over"), error))?
             }
             None => model.equation().clone(),
         };
@@ -129,7 +130,7 @@ impl Answer {
     }
 }
 
-fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, Failure> {
+fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, QueryError> {
     let thresholds = parallel::until_asked_counted("the thresholds", "steps", |watch| {
         thresholds_watched(model.equation(), &over.name, over.range, watch)
     });
@@ -144,14 +145,14 @@ fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, Failu
     crossings.ok_or_else(|| interrupted("tangencies"))
 }
 
-fn interrupted(before: &str) -> Failure {
-    Failure::Interrupted(format!("interrupted before the {before} were known: nothing is written"))
+fn interrupted(before: &str) -> QueryError {
+    QueryError::cancelled(format!("interrupted before the {before} were known: nothing is written"))
 }
 
-fn failure(error: NoMelnikov) -> Failure {
+fn failure(error: NoMelnikov) -> QueryError {
     match error {
         NoMelnikov::Interrupted(_) => interrupted("thresholds"),
-        NoMelnikov::Range { .. } | NoMelnikov::At { .. } => Failure::usage("--over", error),
-        _ => Failure::no_answer("SYSTEM|EQUATION", error),
+        NoMelnikov::Range { .. } | NoMelnikov::At { .. } => QueryError::usage(option("over"), error),
+        _ => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
     }
 }

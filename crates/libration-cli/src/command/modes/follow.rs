@@ -1,12 +1,12 @@
 //! A mode followed in amplitude, as table, JSON and CSV.
 
 use crate::arguments::{coordinate, displacements};
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::number::{at_most, short, to_its_error};
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
+use crate::query_error::{QueryError, option};
 use libration::nonlinear_modes::{LostMode, ModePoint, NonlinearMode, StabilityChange};
 use libration::quantity::Displacement;
 use libration::systems::{Coordinate, Model};
@@ -39,15 +39,15 @@ pub(super) struct Followed {
 
 impl FollowOptions {
     /// The number of the coordinate.
-    pub(super) fn coordinate(&self, model: &Model) -> Result<usize, Failure> {
-        let named = |name: &String| coordinate(model, "--coordinate", name);
+    pub(super) fn coordinate(&self, model: &Model) -> Result<usize, QueryError> {
+        let named = |name: &String| coordinate(model, &option("coordinate"), name);
         self.coordinate.as_ref().map_or(Ok(0), named)
     }
 
     /// Ascending amplitudes.
-    pub(super) fn amplitudes(&self, coordinate: &Coordinate) -> Result<Vec<f64>, Failure> {
+    pub(super) fn amplitudes(&self, coordinate: &Coordinate) -> Result<Vec<f64>, QueryError> {
         let text = self.amplitudes.as_deref().unwrap_or_default();
-        let values = displacements("--amplitudes", text, coordinate.is_angle())?;
+        let values = displacements(&option("amplitudes"), text, coordinate.is_angle())?;
         let mut values: Vec<f64> = values.iter().map(Displacement::to_f64).collect();
         values.sort_by(f64::total_cmp);
         values.dedup();

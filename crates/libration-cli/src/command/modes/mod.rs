@@ -5,11 +5,11 @@ mod follow;
 mod write;
 
 use crate::arguments::{EquilibriumOptions, SystemOptions};
-use crate::failure::Failure;
 use crate::figure;
 use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
 use crate::parallel;
+use crate::query_error::{QueryError, argument, option};
 use follow::{FollowOptions, Followed};
 use libration::nonlinear_modes::{NoNonlinearMode, NonlinearMode};
 use libration::normal_modes::NormalModes;
@@ -54,17 +54,18 @@ struct Answer {
 }
 
 impl Modes {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let guess = self.equilibrium.guess(&model)?;
         interrupt::listen()?;
         let modes = parallel::until_asked("the modes", |watch| {
             NormalModes::about_watched(model.equation(), &guess, watch)
         });
-        let early =
-            || Failure::Interrupted("interrupted before the modes were known: nothing is written".to_owned());
+        let early = || {
+            QueryError::cancelled("interrupted before the modes were known: nothing is written".to_owned())
+        };
         let modes = modes.ok_or_else(early)?;
-        let modes = modes.map_err(|error| Failure::no_answer("SYSTEM|EQUATION", error))?;
+        let modes = modes.map_err(|error| QueryError::no_result(argument("SYSTEM|EQUATION"), error))?;
         if let Some(number) = self.follow.follow {
             return self.followed(out, model, &modes, usize::from(number) - 1);
         }
@@ -91,19 +92,19 @@ impl Modes {
         model: Model,
         modes: &NormalModes,
         mode: usize,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         let coordinate = self.follow.coordinate(&model)?;
         let amplitudes = self.follow.amplitudes(&model.coordinates()[coordinate])?;
         let found = parallel::until_asked("the orbits of the mode", |watch| {
             NonlinearMode::follow_watched(model.equation(), modes, mode, coordinate, &amplitudes, watch)
         });
         let early = || {
-            Failure::Interrupted("interrupted before the orbits were known: nothing is written".to_owned())
+            QueryError::cancelled("interrupted before the orbits were known: nothing is written".to_owned())
         };
         let found = found.ok_or_else(early)?.map_err(|error| match error {
-            NoNonlinearMode::NoMode { .. } => Failure::usage("--follow", error),
-            NoNonlinearMode::AtRest(_) => Failure::usage("--coordinate", error),
-            _ => Failure::no_answer("--follow", error),
+            NoNonlinearMode::NoMode { .. } => QueryError::usage(option("follow"), error),
+            NoNonlinearMode::AtRest(_) => QueryError::usage(option("coordinate"), error),
+            _ => QueryError::no_result(option("follow"), error),
         })?;
         let followed = Followed { model, mode, coordinate, found };
         let drawn = match &self.figure {

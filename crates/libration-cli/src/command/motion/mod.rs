@@ -4,10 +4,10 @@ mod fields;
 mod write;
 
 use crate::arguments::{self, PendulumOptions, TimeOptions};
-use crate::failure::Failure;
 use crate::figure::parameters;
 use crate::output::progress::watched;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt};
 use libration::pendulum::ApproximateMotion;
 use libration::quantity::Angle;
@@ -65,7 +65,7 @@ impl Motion {
             .collect()
     }
 
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let pendulum = self.pendulum.pendulum()?;
         let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
         let comparison = Comparison::new(self, pendulum.angular_frequency())?;
@@ -103,11 +103,11 @@ pub(crate) struct Comparison {
 }
 
 impl Comparison {
-    fn new(question: &Motion, angular_frequency: f64) -> Result<Self, Failure> {
+    fn new(question: &Motion, angular_frequency: f64) -> Result<Self, QueryError> {
         let amplitude = match question.compare.is_empty() {
             true => 0.0,
             false => ApproximateMotion::amplitude_of(&question.angle, question.velocity)
-                .map_err(|error| Failure::no_answer("--compare", error))?,
+                .map_err(|error| QueryError::no_result(option("compare"), error))?,
         };
         Ok(Self { approximations: question.compare.clone(), amplitude, angular_frequency })
     }

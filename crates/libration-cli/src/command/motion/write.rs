@@ -3,11 +3,11 @@
 use super::Comparison;
 use super::fields::{self, Approximation, Sample};
 use crate::arguments::PendulumOptions;
-use crate::failure::Failure;
 use crate::output::field::Fields;
 use crate::output::json::{self, Record};
 use crate::output::table::{Table, sheet};
 use crate::output::{Form, csv};
+use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Regime};
 use std::io::{self, Write};
 
@@ -29,7 +29,7 @@ impl Answer<'_> {
         out: &mut dyn Write,
         form: Form,
         times: impl Iterator<Item = f64>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         match form {
             Form::Json => {
                 let head = fields::of_motion().added_to(self.pendulum.record(), self.motion);

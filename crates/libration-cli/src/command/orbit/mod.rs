@@ -4,9 +4,9 @@ mod fields;
 mod write;
 
 use crate::arguments::{InitialOptions, SystemOptions, coordinate, count, positive, with_idle_drive};
-use crate::failure::Failure;
 use crate::output::number::count as number;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::drive_period;
 use libration::orbit::{Harmonics, NoOrbit, Orbit, OrbitKind, OrbitSearch};
@@ -70,7 +70,7 @@ pub(crate) struct Answer {
 }
 
 impl OrbitQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let search = self.search(&model)?;
         interrupt::listen()?;
@@ -80,7 +80,7 @@ impl OrbitQuestion {
             Ok((kind, orbit, harmonics))
         });
         let early =
-            || Failure::Interrupted("interrupted before the orbit was known: nothing is written".to_owned());
+            || QueryError::cancelled("interrupted before the orbit was known: nothing is written".to_owned());
         let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         let answer = Answer { model, kind, orbit, harmonics };
         let drawn = match &self.figure {
@@ -96,7 +96,7 @@ impl OrbitQuestion {
     }
 
     /// A driven system may begin at rest; what is free needs a place.
-    fn search(&self, model: &Model) -> Result<OrbitSearch, Failure> {
+    fn search(&self, model: &Model) -> Result<OrbitSearch, QueryError> {
         let driven = drive_period(model.equation());
         let start = match (self.initial.is_given(), driven) {
             (false, Some(_)) => model.state_at_rest(),
@@ -104,19 +104,19 @@ impl OrbitQuestion {
         };
         let period = self.period.or(driven.map(|period| number(self.drive_periods) * period));
         if driven.is_none() && self.drive_periods > 1 {
-            let reason = "the equations have no drive with a known period: give a guess with --period";
-            return Err(Failure::usage("--drive-periods", reason));
+            let reason = "the equations have no drive with a known period: give a guess with <--period>";
+            return Err(QueryError::usage(option("drive-periods"), reason));
         }
-        let held = self.hold.as_ref().map(|name| coordinate(model, "--hold", name)).transpose()?;
+        let held = self.hold.as_ref().map(|name| coordinate(model, &option("hold"), name)).transpose()?;
         Ok(OrbitSearch { start, period, conserves_energy: model.energy().is_ok(), held })
     }
 }
 
 /// What an option mends is said of the option.
-fn failure(error: NoOrbit, model: &Model) -> Failure {
+fn failure(error: NoOrbit, model: &Model) -> QueryError {
     match error {
-        NoOrbit::NoCycle(_) => Failure::no_answer("orbit", with_idle_drive(error, model)),
-        NoOrbit::NoPeriod => Failure::usage("--period", error),
-        _ => Failure::no_answer("orbit", error),
+        NoOrbit::NoCycle(_) => QueryError::no_result("orbit", with_idle_drive(error, model)),
+        NoOrbit::NoPeriod => QueryError::usage(option("period"), error),
+        _ => QueryError::no_result("orbit", error),
     }
 }

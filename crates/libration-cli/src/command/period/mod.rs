@@ -5,9 +5,9 @@ mod sheet;
 mod table;
 
 use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::{Form, FormOptions};
+use crate::query_error::QueryError;
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
@@ -48,7 +48,7 @@ enum Order {
 }
 
 impl Period {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let amplitudes = self.amplitudes.read()?;
         let pendulum = self.pendulum.pendulum()?;
         interrupt::listen()?;

@@ -4,9 +4,9 @@ mod fields;
 mod write;
 
 use crate::arguments::{EquilibriumOptions, InitialOptions, SystemOptions, count, part};
-use crate::failure::Failure;
 use crate::figure::resonance::Amplitudes;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::normal_form::{
     Exchange, LARGEST_ORDER, MeasuredExchange, NoExchange, NoNormalForm, NormalForm,
@@ -66,7 +66,7 @@ struct Answer {
 }
 
 impl ResonanceQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let initial = match self.initial.is_given() {
             true => Some(self.initial.read(&model)?.state),
@@ -84,7 +84,7 @@ impl ResonanceQuestion {
             Ok(Answer { model, form, initial, exchange })
         });
         let early = || {
-            Failure::Interrupted(
+            QueryError::cancelled(
                 "interrupted before the normal form was known: nothing is written".to_owned(),
             )
         };
@@ -106,12 +106,13 @@ impl ResonanceQuestion {
 
 impl Answer {
     /// What the picture shows: two exchanges, or forty periods where there is none.
-    fn shown(&self) -> Result<Amplitudes<'_>, Failure> {
+    fn shown(&self) -> Result<Amplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;
         const SAMPLES: usize = 240;
-        let missing = || Failure::usage("--figure", "it shows a motion: give its start by --initial");
+        let missing =
+            || QueryError::usage(option("figure"), "it shows a motion: give its start by <--initial>");
         let state = self.initial.as_ref().ok_or_else(missing)?;
-        let none = |error: NoExchange| Failure::no_answer("--initial", error);
+        let none = |error: NoExchange| QueryError::no_result(option("initial"), error);
         let slowest = self.form.modes.modes.iter().map(|mode| mode.frequency()).fold(f64::INFINITY, f64::min);
         let span = match &self.exchange {
             Some(Ok((exchange, _))) => 2.0 * exchange.period,
@@ -125,9 +126,9 @@ impl Answer {
     }
 }
 
-fn failure(error: NoNormalForm) -> Failure {
+fn failure(error: NoNormalForm) -> QueryError {
     match error {
-        NoNormalForm::Order(_) => Failure::usage("--order", error),
-        _ => Failure::no_answer("SYSTEM|EQUATION", error),
+        NoNormalForm::Order(_) => QueryError::usage(option("order"), error),
+        _ => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
     }
 }

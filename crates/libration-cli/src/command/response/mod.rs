@@ -9,9 +9,9 @@ use crate::arguments::{
     InitialOptions, ParameterSpan, SystemOptions, constant, coordinate, count, parameter_span,
     with_idle_drive,
 };
-use crate::failure::Failure;
 use crate::figure::response::ResponseCurve;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{
     Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
@@ -126,7 +126,7 @@ pub(crate) struct Answer {
 }
 
 impl ResponseQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
         let drawn = match &self.figure {
             Some(path) => {
@@ -139,15 +139,15 @@ impl ResponseQuestion {
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.response.interrupted {
-            true => Err(Failure::Interrupted("interrupted: the branches up to then are written".to_owned())),
+            true => Err(QueryError::cancelled("interrupted: the branches up to then are written".to_owned())),
             false => Ok(()),
         }
     }
 
-    fn computed(&self) -> Result<Answer, Failure> {
+    fn computed(&self) -> Result<Answer, QueryError> {
         let ParameterSpan { name, range } = &self.over;
-        let model = self.system.model_with_open(&[name])?;
-        let named = |name: &String| coordinate(&model, "--coordinate", name);
+        let model = self.system.model_with_open(&[name], &option("over"))?;
+        let named = |name: &String| coordinate(&model, &option("coordinate"), name);
         let coordinate = self.coordinate.as_ref().map(named).transpose()?.unwrap_or(0);
         interrupt::listen()?;
         let mut response = self.response(&model, coordinate)?;
@@ -159,7 +159,7 @@ impl ResponseQuestion {
         Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, drive_periods })
     }
 
-    fn response(&self, model: &Model, coordinate: usize) -> Result<Response, Failure> {
+    fn response(&self, model: &Model, coordinate: usize) -> Result<Response, QueryError> {
         let start = self.initial.is_given().then(|| self.initial.read_at_rest(model)).transpose()?;
         let options = ResponseOptions {
             start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
@@ -184,9 +184,12 @@ impl ResponseQuestion {
     }
 
     /// Where slow sweeps lead, if they are asked for or belong to the picture.
-    fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, Failure> {
+    fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, QueryError> {
         if self.sweeps.is_some() && !response.driven {
-            return Err(Failure::usage("--sweeps", "nothing drives the system: sweeps are of driven ones"));
+            return Err(QueryError::usage(
+                option("sweeps"),
+                "nothing drives the system: sweeps are of driven ones",
+            ));
         }
         let in_picture = self.figure.as_ref().filter(|_| response.driven).map(|_| DOTS);
         let Some(values) = self.sweeps.or(in_picture) else { return Ok(vec![]) };
@@ -211,7 +214,7 @@ impl ResponseQuestion {
         model: &Model,
         response: &Response,
         digits: usize,
-    ) -> Result<Vec<Vec<Option<Decimal>>>, Failure> {
+    ) -> Result<Vec<Vec<Option<Decimal>>>, QueryError> {
         let wanted = u32::try_from(digits).unwrap_or(u32::MAX);
         let of_point = |space: Space, special: &SpecialPoint| {
             let ask = |_: Progress| interrupt::go_on();
@@ -291,21 +294,22 @@ impl Answer {
     }
 }
 
-fn failure(error: NoBranch, model: &Model) -> Failure {
+fn failure(error: NoBranch, model: &Model) -> QueryError {
     match error {
-        NoBranch::NoStart(_) => Failure::no_answer("response", with_idle_drive(error, model)),
-        NoBranch::Interrupted(_) => Failure::Interrupted(
+        NoBranch::NoStart(_) => QueryError::no_result("response", with_idle_drive(error, model)),
+        NoBranch::Interrupted(_) => QueryError::cancelled(
             "interrupted before the first answer was known: nothing is written".to_owned(),
         ),
-        NoBranch::Range { .. } => Failure::usage("--over", error),
-        NoBranch::Outside { .. } => Failure::usage("--at", error),
-        NoBranch::Family => {
-            Failure::no_answer("SYSTEM|EQUATION", format!("{error}, as `libration backbone` does"))
-        }
-        NoBranch::NotAnAngle(_) | NoBranch::NoRotation { .. } => Failure::usage("--turns", error),
-        NoBranch::NotOneOscillator => Failure::usage("--orders", error),
-        NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
-        _ => Failure::no_answer("response", error),
+        NoBranch::Range { .. } => QueryError::usage(option("over"), error),
+        NoBranch::Outside { .. } => QueryError::usage(option("at"), error),
+        NoBranch::Family => QueryError::no_result(
+            argument("SYSTEM|EQUATION"),
+            format!("{error}, as <libration backbone> does"),
+        ),
+        NoBranch::NotAnAngle(_) | NoBranch::NoRotation { .. } => QueryError::usage(option("turns"), error),
+        NoBranch::NotOneOscillator => QueryError::usage(option("orders"), error),
+        NoBranch::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
+        _ => QueryError::no_result("response", error),
     }
 }
 

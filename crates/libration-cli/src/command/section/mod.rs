@@ -5,9 +5,9 @@ mod write;
 use crate::arguments::{
     SectionOptions, SeveralInitialOptions, SystemOptions, places_in_state, section_failure,
 };
-use crate::failure::Failure;
 use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, section_watched};
 use libration::systems::Model;
@@ -69,7 +69,7 @@ pub(crate) struct Answer<'a> {
 }
 
 impl PoincareQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let starts: Vec<Vec<f64>> =
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
@@ -100,7 +100,7 @@ impl PoincareQuestion {
 
     /// What the picture shows: the first coordinate that is not the surface itself, and its velocity, or the next coordinate where it has
     /// none.
-    fn axes(&self, model: &Model) -> Result<[usize; 2], Failure> {
+    fn axes(&self, model: &Model) -> Result<[usize; 2], QueryError> {
         let coordinates = model.coordinates();
         let on_surface = |name: &str| self.section.is_at(name);
         let mut off = (0..coordinates.len()).filter(|&place| !on_surface(&coordinates[place].name));
@@ -109,7 +109,7 @@ impl PoincareQuestion {
             let second = model.layout().velocity(first).or_else(|| off.next());
             return Ok([first, second.unwrap_or(first)]);
         };
-        places_in_state(model, "--axes", names)
+        places_in_state(model, &option("axes"), names)
     }
 
     /// One section for each start, side by side.
@@ -118,7 +118,7 @@ impl PoincareQuestion {
         model: &Model,
         place: &Section,
         starts: &[Vec<f64>],
-    ) -> Result<Vec<PoincareSection>, Failure> {
+    ) -> Result<Vec<PoincareSection>, QueryError> {
         let points = self.section.points(POINTS);
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
         let all = points.recorded * starts.len();
@@ -140,16 +140,16 @@ impl PoincareQuestion {
 
 impl Answer<'_> {
     /// Why points are missing, if they are.
-    fn failure(&self) -> Option<Failure> {
+    fn failure(&self) -> Option<QueryError> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {
             SectionEnding::Stopped(Cause::Interrupted) => {
-                Failure::Interrupted("interrupted: the points up to then are written".to_owned())
+                QueryError::cancelled("interrupted: the points up to then are written".to_owned())
             }
             other => {
                 let reason = other.to_string();
                 let reason = reason.trim_end_matches(',');
-                Failure::no_answer("section", format!("{reason}: {}", self.what_is_written()))
+                QueryError::no_result("section", format!("{reason}: {}", self.what_is_written()))
             }
         })
     }

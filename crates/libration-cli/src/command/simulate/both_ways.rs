@@ -5,8 +5,8 @@ use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
 use super::run::{Outcome, ended};
-use crate::failure::Failure;
 use crate::interrupt;
+use crate::query_error::{QueryError, option};
 use libration::systems::Energy;
 use libration::taylor::{AcceptedStep, IntegrationError, Moment, Solution, System, integrate_both_ways};
 use std::io::Write;
@@ -20,24 +20,24 @@ impl SimulatedMotion<'_> {
     }
 
     /// Refuses what only motions in one direction have.
-    pub(super) fn check_both_ways(&self, is_drawn: bool) -> Result<(), Failure> {
+    pub(super) fn check_both_ways(&self, is_drawn: bool) -> Result<(), QueryError> {
         let times: Vec<f64> = self.times.iter().collect();
         if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
             let (before, after) = (pair[0], pair[1]);
             let reason = format!(
                 "the time {after:?} follows {before:?}: give times on both sides of the start in ascending order, such as \
-                 --times=-10:10:1"
+                 <--times> -10:10:1"
             );
-            return Err(Failure::usage("--times", reason));
+            return Err(QueryError::usage(option("times"), reason));
         }
-        let option = match () {
-            () if self.earlier.is_some() => "--resume",
-            () if self.watched.until().is_some() => "--until",
-            () if is_drawn => "--figure",
+        let refused = match () {
+            () if self.earlier.is_some() => option("resume"),
+            () if self.watched.until().is_some() => option("until"),
+            () if is_drawn => option("figure"),
             () => return Ok(()),
         };
-        let reason = "it goes with motions in one direction: give --times all after 0, or all before it";
-        Err(Failure::usage(option, reason))
+        let reason = "it goes with motions in one direction: give <--times> all after 0, or all before it";
+        Err(QueryError::usage(refused, reason))
     }
 
     /// Writes the whole answer when the motion is known.
@@ -46,7 +46,7 @@ impl SimulatedMotion<'_> {
         system: &System,
         report: &mut dyn AnswerWriter,
         out: &mut dyn Write,
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<Outcome, QueryError> {
         let energy = self.model.energy();
         let mut errors = self.no_errors().is_none().then(|| KnownErrors::new(self));
         let follow = |step: &AcceptedStep<'_>| {

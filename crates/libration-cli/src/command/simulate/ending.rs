@@ -1,6 +1,6 @@
 //! How an integration ended, and what is left to be said of that.
 
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use libration::taylor::Moment;
 use std::path::Path;
 
@@ -29,19 +29,19 @@ pub(super) enum Ending {
 
 impl Ending {
     /// What is left to be said when the answer is written.
-    pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), Failure> {
+    pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), QueryError> {
         match self {
             Self::Complete | Self::Event(_) => Ok(()),
             Self::Interrupted(time) => {
                 let how = output.map_or_else(
-                    || "only a run written by --output as JSON or CSV can be continued".to_owned(),
-                    |file| format!("continue with --resume {}", file.display()),
+                    || "only a run written by <--output> as JSON or CSV can be continued".to_owned(),
+                    |file| format!("continue with <--resume> {}", file.display()),
                 );
-                Err(Failure::Interrupted(format!(
+                Err(QueryError::cancelled(format!(
                     "interrupted at t = {time:?} s: what was computed is written; {how}"
                 )))
             }
-            Self::NotReached(reason) | Self::Stopped(reason) => Err(Failure::NoAnswer(reason)),
+            Self::NotReached(reason) | Self::Stopped(reason) => Err(QueryError::failed(reason)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What is looked for on the way: turning points, passages through rest, zeros of any formula.
 
 use crate::arguments::at_commas;
-use crate::failure::Failure;
+use crate::query_error::{Parameter, QueryError, option};
 use libration::expression::{Expression, Function, Symbol};
 use libration::systems::{Coordinate, Model, NoZero};
 use libration::taylor::{Contact, Direction, Event, Moment, Occurrence};
@@ -59,13 +59,13 @@ pub(super) struct Happening {
 
 impl Watched {
     /// Reads `turning`, `crossing`, or a formula of coordinates, velocities, parameters and t.
-    pub(super) fn read(texts: &[String], until: &UntilOptions, model: &Model) -> Result<Self, Failure> {
+    pub(super) fn read(texts: &[String], until: &UntilOptions, model: &Model) -> Result<Self, QueryError> {
         let mut kinds = vec![];
         for text in texts.iter().flat_map(|texts| at_commas(texts)) {
             match text.trim() {
                 "turning" => kinds.extend(of_each(model, "turning", turning)),
                 "crossing" => kinds.extend(of_each(model, "crossing", crossing)),
-                text => kinds.push(zero_of("--events", text, model)?),
+                text => kinds.push(zero_of(&option("events"), text, model)?),
             }
         }
         if let Some(text) = &until.until {
@@ -131,14 +131,14 @@ impl Kind {
 
 impl UntilOptions {
     /// An equation, or a formula.
-    fn kind(&self, text: &str, model: &Model) -> Result<Kind, Failure> {
+    fn kind(&self, text: &str, model: &Model) -> Result<Kind, QueryError> {
         let direction = match self.direction {
             Way::Any => Direction::Any,
             Way::Rising => Direction::Rising,
             Way::Falling => Direction::Falling,
         };
         let (name, ends_at) = (text.trim().to_owned(), Some(self.count));
-        Ok(Kind { name, direction, ends_at, ..zero_of("--until", text, model)? })
+        Ok(Kind { name, direction, ends_at, ..zero_of(&option("until"), text, model)? })
     }
 }
 
@@ -170,13 +170,13 @@ fn crossing(coordinate: &Coordinate) -> Expression {
     Expression::Call(Function::Sin, Box::new(half))
 }
 
-fn zero_of(argument: &'static str, text: &str, model: &Model) -> Result<Kind, Failure> {
+fn zero_of(argument: &Parameter, text: &str, model: &Model) -> Result<Kind, QueryError> {
     let formula = model.zero_of(text).map_err(|error| match error {
-        NoZero::Formula(error) => Failure::usage(
+        NoZero::Formula(error) => QueryError::usage(
             argument,
             format!("{error}; write turning, crossing, or a formula such as theta - 0.5"),
         ),
-        other => Failure::usage(argument, other),
+        other => QueryError::usage(argument, other),
     })?;
     let name = text.parse().map_or_else(|_| text.to_owned(), |written: Expression| written.to_string());
     Ok(Kind { name, formula, coordinate: 0, direction: Direction::Any, ends_at: None })

@@ -19,13 +19,13 @@ mod tally;
 mod watch;
 
 use crate::arguments::{self, InitialOptions, PendulumSystemOptions, Times, Tolerances};
-use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
 use crate::output::description::Answers;
 use crate::output::file::NewFile;
 use crate::output::leftover::state_of;
 use crate::output::{Form, FormOptions, announce};
+use crate::query_error::{Parameter, QueryError, option};
 use ending::Ending;
 use events::{UntilOptions, Watched};
 use libration::systems::Model;
@@ -137,19 +137,19 @@ pub(crate) struct Simulate {
 }
 
 impl Simulate {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         match &self.each {
             Some(path) => self.answer_each(path, out),
             None => self.answer_one(out),
         }
     }
 
-    fn answer_one(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    fn answer_one(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model()?;
         let watched = Watched::read(&self.events, &self.until, &model)?;
         let observables = self.columns.as_deref();
         let observables =
-            observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
+            observables.map(|text| arguments::columns(&option("columns"), text, &model)).transpose()?;
         self.refuse_beside_sensitivities()?;
         let sensitivities = arguments::sensitivities(&self.sensitivity, &self.system.given()?, &model)?;
         let asked = self.initial.is_given().then(|| self.initial.read(&model)).transpose()?;
@@ -173,7 +173,8 @@ impl Simulate {
             no_errors: self.reason_for_no_errors(),
         };
         let form = self.form.form_of_file(self.output.as_deref());
-        let axes = self.axes.as_deref().map(|names| arguments::places_in_state(&model, "--axes", names));
+        let axes =
+            self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
         let figure = self.figure.as_deref().map(|path| run::Figure {
             path,
@@ -200,17 +201,18 @@ impl Simulate {
     }
 
     /// Refuses what does not go with derivatives of the motion.
-    fn refuse_beside_sensitivities(&self) -> Result<(), Failure> {
-        let refused = |option, reason: &str| Err(Failure::usage(option, reason));
+    fn refuse_beside_sensitivities(&self) -> Result<(), QueryError> {
+        let refused = |about: Parameter, reason: &str| Err(QueryError::usage(about, reason));
         match () {
             () if self.sensitivity.is_empty() => Ok(()),
             () if self.resume.is_some() => refused(
-                "--resume",
-                "states are kept without the derivatives of --sensitivity: give one of them",
+                option("resume"),
+                "states are kept without the derivatives of <--sensitivity>: give one of them",
             ),
-            () if self.figure.is_some() => {
-                refused("--figure", "it does not draw the derivatives of --sensitivity: give one of them")
-            }
+            () if self.figure.is_some() => refused(
+                option("figure"),
+                "it does not draw the derivatives of <--sensitivity>: give one of them",
+            ),
             () => Ok(()),
         }
     }
@@ -247,7 +249,7 @@ fn write_file(
     form: Form,
     figure: Option<run::Figure<'_>>,
     path: &Path,
-) -> Result<(Ending, Vec<String>), Failure> {
+) -> Result<(Ending, Vec<String>), QueryError> {
     let mut file = NewFile::create(path)?;
     let places = file.places().filter(|_| form == Form::Csv);
     let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));

@@ -10,12 +10,12 @@ use super::resume::{Keeper, State};
 use super::sheet::Sheet;
 use super::watch::Watch;
 use crate::arguments::{Times, Tolerances};
-use crate::failure::Failure;
 use crate::figure;
 use crate::figure::section::StateAxis;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::{Form, number};
+use crate::query_error::{Parameter, QueryError, option};
 use libration::systems::{Energy, EnergyBalance, Model};
 use libration::taylor::{
     Cause, IntegrationError, Moment, Sensitivities, Solution, Start, System, ending_error, integrate_from,
@@ -51,7 +51,7 @@ impl SimulatedMotion<'_> {
         figure: Option<Figure<'_>>,
         out: &mut dyn Write,
         keeper: Option<Keeper>,
-    ) -> Result<Outcome, Failure> {
+    ) -> Result<Outcome, QueryError> {
         interrupt::listen()?;
         self.check_times(figure.is_some())?;
         let system = self.system()?;
@@ -92,28 +92,28 @@ impl SimulatedMotion<'_> {
     }
 
     /// Refuses times that cannot be reached, or not with what else is asked.
-    pub(super) fn check_times(&self, is_drawn: bool) -> Result<(), Failure> {
+    pub(super) fn check_times(&self, is_drawn: bool) -> Result<(), QueryError> {
         if self.goes_both_ways() { self.check_both_ways(is_drawn) } else { check_order(self.times) }
     }
 
-    fn system(&self) -> Result<System, Failure> {
-        system_of(self.model, self.sensitivities, self.tolerances, self.watched, "--set")
+    fn system(&self) -> Result<System, QueryError> {
+        system_of(self.model, self.sensitivities, self.tolerances, self.watched, &option("set"))
     }
 
     /// Whether the event came that should end the motion, and where.
-    pub(super) fn until(&self, system: &System, solution: &Solution) -> Result<Ending, Failure> {
+    pub(super) fn until(&self, system: &System, solution: &Solution) -> Result<Ending, QueryError> {
         let Some(name) = self.watched.until() else { return Ok(Ending::Complete) };
         let last = self.times.last();
         if (solution.end.time - last).abs() <= 0.0 {
             return Ok(Ending::NotReached(format!(
-                "`{name}` does not happen until t = {last:?} s: give later --times, or another event"
+                "`{name}` does not happen until t = {last:?} s: give later <--times>, or another event"
             )));
         }
         let end = solution.end.clone();
         let error = match self.no_errors {
             Some("--no-errors") => Moment { time: f64::NAN, state: vec![f64::NAN; end.state.len()] },
             _ => ending_error(system, &self.beginning(), last, &self.effort(), &end)
-                .map_err(|error| Failure::NoAnswer(error.to_string()))?,
+                .map_err(|error| QueryError::failed(error.to_string()))?,
         };
         let (end, error) = (self.own(&end), self.own(&error));
         Ok(Ending::Event(EventEnding { name, end, error }))
@@ -129,7 +129,7 @@ impl SimulatedMotion<'_> {
     }
 
     /// Takes what was computed earlier and integrates the rest; how it ended, after how many steps.
-    fn follow(&self, system: &System, watch: &mut Watch) -> Result<(Ending, usize), Failure> {
+    fn follow(&self, system: &System, watch: &mut Watch) -> Result<(Ending, usize), QueryError> {
         if let Some(earlier) = &self.earlier {
             earlier.each(|row| watch.earlier(row))?;
         }
@@ -154,24 +154,24 @@ impl SimulatedMotion<'_> {
     }
 }
 
-/// A system with its derivatives and events; the option is that which gives its parameters.
+/// A system with its derivatives and events; `giver` is the option that gives its parameters.
 pub(super) fn system_of(
     model: &Model,
     sensitivities: Option<&Sensitivities>,
     tolerances: &Tolerances,
     watched: &Watched,
-    option: &'static str,
-) -> Result<System, Failure> {
+    giver: &Parameter,
+) -> Result<System, QueryError> {
     // Names of coordinates are those of the motion alone.
-    let plain = tolerances.put_on(model.system().map_err(|error| Failure::usage(option, error))?)?;
+    let plain = tolerances.put_on(model.system().map_err(|error| QueryError::usage(giver, error))?)?;
     let system = match sensitivities {
         Some(it) => {
-            let system = System::new(it.equation()).map_err(|error| Failure::usage(option, error))?;
+            let system = System::new(it.equation()).map_err(|error| QueryError::usage(giver, error))?;
             tolerances.put_on(system)?
         }
         None => plain,
     };
-    system.with_events(&watched.events()).map_err(|error| Failure::usage("--events", error))
+    system.with_events(&watched.events()).map_err(|error| QueryError::usage(option("events"), error))
 }
 
 /// The report in this form; a table lists the samples only if that is wanted.
@@ -184,7 +184,7 @@ fn report(form: Form, listed: bool) -> Box<dyn AnswerWriter> {
 }
 
 /// Times lead away from 0 in one direction.
-fn check_order(times: &Times) -> Result<(), Failure> {
+fn check_order(times: &Times) -> Result<(), QueryError> {
     let backward = times.last() < 0.0;
     let mut before = 0.0;
     // A range goes on as it begins.
@@ -194,7 +194,10 @@ fn check_order(times: &Times) -> Result<(), Failure> {
     };
     for after in decisive {
         if if backward { after > before } else { after < before } {
-            return Err(Failure::usage("--times", IntegrationError::TimesNotInOrder { before, after }));
+            return Err(QueryError::usage(
+                option("times"),
+                IntegrationError::TimesNotInOrder { before, after },
+            ));
         }
         before = after;
     }
@@ -205,7 +208,7 @@ fn check_order(times: &Times) -> Result<(), Failure> {
 pub(super) fn ended(
     outcome: Result<Solution, IntegrationError>,
     motion: &SimulatedMotion,
-) -> Result<(Ending, Solution), Failure> {
+) -> Result<(Ending, Solution), QueryError> {
     match outcome {
         Ok(solution) => Ok((Ending::Complete, solution)),
         Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) => {
@@ -220,6 +223,6 @@ pub(super) fn ended(
             let reason = format!("{cause} at t = {time:?} s, {place}: the motion is known up to there");
             Ok((Ending::Stopped(reason), *solution))
         }
-        Err(error) => Err(Failure::usage("--initial", error)),
+        Err(error) => Err(QueryError::usage(option("initial"), error)),
     }
 }

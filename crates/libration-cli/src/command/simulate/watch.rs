@@ -6,10 +6,10 @@ use super::precision::Precision;
 use super::report::{AnswerWriter, Sample, Summary};
 use super::resume::{Keeper, Mark, State};
 use super::tally::Tally;
-use crate::failure::Failure;
 use crate::figure::simulation::Trace;
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
+use crate::query_error::QueryError;
 use libration::systems::EnergyBalance;
 use libration::taylor::{AcceptedStep, Moment, StateErrors, Step};
 use std::io::{self, Write};
@@ -26,7 +26,7 @@ pub(super) struct Watch<'a> {
     errors: Option<StateErrors>,
     pub(super) trace: Option<Trace<'a>>,
     /// What went wrong in writing.
-    pub(super) failure: Option<Failure>,
+    pub(super) failure: Option<QueryError>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
     /// The last of them.
     last: f64,
@@ -70,7 +70,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Takes a sample or an event that was computed before.
-    pub(super) fn earlier(&mut self, row: &Happening) -> Result<(), Failure> {
+    pub(super) fn earlier(&mut self, row: &Happening) -> Result<(), QueryError> {
         if !row.kind.is_empty() {
             return Ok(self.happening(row)?);
         }
@@ -103,7 +103,7 @@ impl<'a> Watch<'a> {
         if let Some(trace) = &mut self.trace {
             trace.follow(step, taken.ended_at().unwrap_or(step.end()));
         }
-        self.failure = self.rows(taken).map_err(Failure::from).and_then(|()| self.mark(taken)).err();
+        self.failure = self.rows(taken).map_err(QueryError::from).and_then(|()| self.mark(taken)).err();
         let last = self.last;
         self.progress.show(|| format!("t = {:.6} s of {last} s", step.end()));
         if self.failure.is_some() || interrupt::asked() {
@@ -178,7 +178,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Remembers the end of a step that may be gone on from, as motions without derivatives may.
-    fn mark(&mut self, taken: &AcceptedStep<'_>) -> Result<(), Failure> {
+    fn mark(&mut self, taken: &AcceptedStep<'_>) -> Result<(), QueryError> {
         if self.motion.sensitivities.is_some() {
             return Ok(());
         }

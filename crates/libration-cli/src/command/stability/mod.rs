@@ -4,9 +4,9 @@ mod fields;
 mod write;
 
 use crate::arguments::{InitialOptions, ParameterSpan, SystemOptions, count, two_parameter_spans};
-use crate::failure::Failure;
 use crate::figure::stability::Chart;
 use crate::output::{FormOptions, announce};
+use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{ChartOptions, NoBranch, StabilityChart};
 use libration::systems::Model;
@@ -74,7 +74,7 @@ pub(crate) struct Answer {
 }
 
 impl StabilityQuestion {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
         let drawn = match &self.figure {
             Some(path) => {
@@ -87,14 +87,14 @@ impl StabilityQuestion {
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.chart.interrupted {
-            true => Err(Failure::Interrupted("interrupted: the curves up to then are written".to_owned())),
+            true => Err(QueryError::cancelled("interrupted: the curves up to then are written".to_owned())),
             false => Ok(()),
         }
     }
 
-    fn computed(&self) -> Result<Answer, Failure> {
+    fn computed(&self) -> Result<Answer, QueryError> {
         let [first, second] = &self.map;
-        let model = self.system.model_with_open(&[&first.name, &second.name])?;
+        let model = self.system.model_with_open(&[&first.name, &second.name], &option("map"))?;
         let start = self.initial.is_given().then(|| self.initial.read_at_rest(&model)).transpose()?;
         let whole = |number: usize| u32::try_from(number).unwrap_or(1);
         let options = ChartOptions {
@@ -127,11 +127,11 @@ impl Answer {
     }
 }
 
-fn failure(error: NoBranch) -> Failure {
+fn failure(error: NoBranch) -> QueryError {
     match error {
-        NoBranch::Range { .. } => Failure::usage("--map", error),
-        NoBranch::NotDriven => Failure::no_answer("SYSTEM|EQUATION", error),
-        _ => Failure::no_answer("stability", error),
+        NoBranch::Range { .. } => QueryError::usage(option("map"), error),
+        NoBranch::NotDriven => QueryError::no_result(argument("SYSTEM|EQUATION"), error),
+        _ => QueryError::no_result("stability", error),
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::plan::Plan;
 use super::point;
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::{csv, number};
 use std::io;
@@ -24,7 +23,7 @@ pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) ->
         }
         let outcome = match point::answer(&plan.words(point)) {
             Ok(answer) => Ok(plan.numbers(&answer)),
-            Err(Failure::Interrupted(_)) => return None,
+            Err(error) if error.is_cancelled() => return None,
             Err(failure) => Err((failure.status(), point::reason(&failure))),
         };
         done.fetch_add(1, Ordering::Relaxed);

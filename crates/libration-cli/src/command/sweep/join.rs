@@ -4,11 +4,11 @@ use super::chunk;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::store::Store;
-use crate::failure::Failure;
 use crate::output::description::{Answers, Row, descriptions};
 use crate::output::file::NewFile;
 use crate::output::json::{self, List, Record};
 use crate::output::{Form, FormOptions, csv};
+use crate::query_error::QueryError;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -34,11 +34,11 @@ pub(crate) struct Join {
 }
 
 impl Join {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let stores = opened(&self.directories)?;
         let progress = Progress::of(&stores)?;
         if let Some(missing) = progress.missing() {
-            return Err(Failure::NoAnswer(format!("the sweep is not whole: {missing}")));
+            return Err(QueryError::failed(format!("the sweep is not whole: {missing}")));
         }
         let form = self.form.form_of_file(self.output.as_deref());
         let Some(path) = &self.output else { return write(out, form, &stores) };
@@ -50,13 +50,13 @@ impl Join {
 }
 
 /// The stores of one sweep.
-pub(crate) fn opened(directories: &[PathBuf]) -> Result<Vec<Store>, Failure> {
+pub(crate) fn opened(directories: &[PathBuf]) -> Result<Vec<Store>, QueryError> {
     let stores: Vec<Store> = directories.iter().map(|it| Store::open(it)).collect::<Result<_, _>>()?;
     let first =
-        stores.first().ok_or_else(|| Failure::Usage("DIR: give the directory of a sweep".to_owned()))?;
+        stores.first().ok_or_else(|| QueryError::misuse("DIR: give the directory of a sweep".to_owned()))?;
     for other in &stores[1..] {
         if let Some(difference) = first.difference(other) {
-            return Err(Failure::NoAnswer(format!(
+            return Err(QueryError::failed(format!(
                 "{} holds another sweep than {}: {difference}",
                 other.directory.display(),
                 first.directory.display()
@@ -77,19 +77,19 @@ fn table(text: &str) -> Result<PathBuf, String> {
     }
 }
 
-fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), Failure> {
+fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), QueryError> {
     match form {
         Form::Json => write_json(out, stores),
         Form::Csv | Form::Table => write_csv(out, stores),
     }
 }
 
-fn write_csv(out: &mut dyn Write, stores: &[Store]) -> Result<(), Failure> {
+fn write_csv(out: &mut dyn Write, stores: &[Store]) -> Result<(), QueryError> {
     out.write_all(&chunk::header(&stores[0].plan)?)?;
     each_chunk(stores, |_, rows| Ok(out.write_all(rows.as_bytes())?))
 }
 
-fn write_json(out: &mut dyn Write, stores: &[Store]) -> Result<(), Failure> {
+fn write_json(out: &mut dyn Write, stores: &[Store]) -> Result<(), QueryError> {
     let plan = &stores[0].plan;
     json::begin_document(out, plan.to_json())?;
     let mut list = List::default();
@@ -107,8 +107,8 @@ fn write_json(out: &mut dyn Write, stores: &[Store]) -> Result<(), Failure> {
 /// Hands the rows of each chunk on, from whichever store has them.
 fn each_chunk(
     stores: &[Store],
-    mut hand_on: impl FnMut(usize, &str) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+    mut hand_on: impl FnMut(usize, &str) -> Result<(), QueryError>,
+) -> Result<(), QueryError> {
     for chunk in 0..stores[0].plan.grid.chunks() {
         let mut rows = None;
         for store in stores {
@@ -117,7 +117,7 @@ fn each_chunk(
                 found => found,
             };
         }
-        let gone = || Failure::NoAnswer(format!("chunk {chunk} has gone meanwhile: join again"));
+        let gone = || QueryError::failed(format!("chunk {chunk} has gone meanwhile: join again"));
         hand_on(chunk, &rows.ok_or_else(gone)?)?;
     }
     Ok(())

@@ -15,10 +15,10 @@ mod status;
 mod store;
 
 use crate::arguments::count;
-use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::Form;
 use crate::output::description::Answers;
+use crate::query_error::QueryError;
 pub(crate) use axis::{Axis, axis};
 pub(crate) use chunk::outcomes;
 pub(crate) use plan::{Asked, Plan};
@@ -92,18 +92,18 @@ struct Run {
 }
 
 impl Sweep {
-    pub(crate) fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), QueryError> {
         match (&self.about, &self.run) {
             (Some(About::Join(join)), _) => join.answer(out),
             (Some(About::Status(status)), _) => status.answer(out),
             (None, Some(run)) => run.answer(out, described),
-            (None, None) => Err(Failure::Usage("QUESTION: give the question of the sweep".to_owned())),
+            (None, None) => Err(QueryError::misuse("QUESTION: give the question of the sweep".to_owned())),
         }
     }
 }
 
 impl Run {
-    fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), Failure> {
+    fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), QueryError> {
         interrupt::listen()?;
         let (axes, keep) = (self.over.clone(), &self.keep);
         let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk }, described)?;

@@ -5,9 +5,9 @@ use super::grid::Grid;
 use super::kept::{self, Kept};
 use super::point;
 use super::question::Template;
-use crate::failure::Failure;
 use crate::output::description::Description;
 use crate::output::json::{self, Record};
+use crate::query_error::{QueryError, option};
 use serde_json::Value;
 
 /// The version of what is written of a plan and of its chunks.
@@ -47,22 +47,22 @@ pub(crate) struct Asked<'a> {
 
 impl Plan {
     /// Asks a few points, until one has an answer, which shows what there is to keep.
-    pub(crate) fn new(asked: Asked<'_>, described_in: Described) -> Result<Self, Failure> {
+    pub(crate) fn new(asked: Asked<'_>, described_in: Described) -> Result<Self, QueryError> {
         let Asked { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
             .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
         {
             let reason = format!("`{}` is axis {} already: give each axis once", axis.name, place);
-            return Err(Failure::usage("--over", reason));
+            return Err(QueryError::usage(option("over"), reason));
         }
         if let Some(axis) = axes.iter().find(|axis| BESIDE.contains(&axis.name.as_str())) {
             let reason =
                 format!("`{}` is the name of a column of every sweep: give the axis another", axis.name);
-            return Err(Failure::usage("--over", reason));
+            return Err(QueryError::usage(option("over"), reason));
         }
         let template = Template::new(question, &axes)?;
         let grid = Grid::new(axes.iter().map(|axis| axis.values.len()).collect(), chunk)
-            .ok_or_else(|| Failure::usage("--over", "the axes have too many points together"))?;
+            .ok_or_else(|| QueryError::usage(option("over"), "the axes have too many points together"))?;
         let answer = first_answer(&template, &axes, &grid)?;
         let known = described_in(question);
         let kept = match keep.is_empty() {
@@ -165,20 +165,20 @@ fn read_plan(written: &Value) -> Option<Plan> {
 }
 
 /// The first answer that some points of the grid have.
-fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, Failure> {
+fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, QueryError> {
     let mut first = None;
     for point in grid.scattered() {
         match point::answer(&template.at(axes, &grid.place(point))) {
             Ok(answer) => return Ok(answer),
-            Err(failure @ Failure::Interrupted(_)) => return Err(failure),
+            Err(failure) if failure.is_cancelled() => return Err(failure),
             Err(failure) => drop(first.get_or_insert(failure)),
         }
     }
-    Err(first.unwrap_or_else(|| Failure::NoAnswer("the sweep has no points".to_owned())))
+    Err(first.unwrap_or_else(|| QueryError::failed("the sweep has no points".to_owned())))
 }
 
 /// All that stand alone; where there is none, it has to be chosen from the lists. What is null is a number if it has a unit, and else a word.
-fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Failure> {
+fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, QueryError> {
     let is_number = |kept: &Kept| {
         let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
         description_of(known, kept).is_some_and(|it| !is_null || !it.unit.is_empty())
@@ -194,11 +194,11 @@ fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Failu
         "all numbers of these answers stand in lists: say which to keep, such as {}",
         ways.join(", ")
     );
-    Err(Failure::usage("--keep", reason))
+    Err(QueryError::usage(option("keep"), reason))
 }
 
-fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
-    let refused = |reason: String| Failure::usage("--keep", reason);
+fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, QueryError> {
+    let refused = |reason: String| QueryError::usage(option("keep"), reason);
     let kept: Vec<Kept> =
         keep.iter().map(|text| Kept::read(text).map_err(refused)).collect::<Result<_, _>>()?;
     match kept.iter().find(|kept| !kept.is_in(answer)) {
@@ -206,7 +206,7 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, Failure> {
             let lists = "lists that `libration fields` describes".to_owned();
             let what: Vec<String> = kept::scalars(answer).into_iter().chain([lists]).collect();
             let reason = format!("answers have no `{}`: they have {}", missing.path, what.join(", "));
-            Err(Failure::usage("--keep", reason))
+            Err(QueryError::usage(option("keep"), reason))
         }
         None => Ok(kept),
     }

@@ -2,24 +2,24 @@
 
 use crate::call::{self, Call};
 use crate::command;
-use crate::failure::Failure;
 use crate::host::Host;
+use crate::query_error::QueryError;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io;
 use std::sync::Arc;
 
 /// The answer to a question as JSON, in this process.
-pub(crate) fn answer(words: &[String]) -> Result<Value, Failure> {
+pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     let mut words: Vec<OsString> = words.iter().map(Into::into).collect();
     let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
     words.insert(end, "--json".into());
     let call = Call::new(words.clone(), Arc::new(Point(call::current())));
     call::within(&call, || {
-        let question = command::question(words).map_err(|error| Failure::refused(&error))?;
+        let question = command::question(words).map_err(|error| QueryError::refused(&error))?;
         let mut json = vec![];
         question.answer(&mut json)?;
-        let none = || Failure::NoAnswer("the answer does not stand on the output".to_owned());
+        let none = || QueryError::failed("the answer does not stand on the output".to_owned());
         serde_json::from_slice(&json).map_err(|_| none())
     })
 }
@@ -38,6 +38,6 @@ impl Host for Point {
 }
 
 /// A reason in one line.
-pub(crate) fn reason(failure: &Failure) -> String {
+pub(crate) fn reason(failure: &QueryError) -> String {
     failure.to_string().split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -2,7 +2,7 @@
 
 use super::shard::Shard;
 use super::store::Store;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use std::collections::BTreeSet;
 
 /// The chunks of a sweep in some directories.
@@ -18,7 +18,7 @@ pub(crate) struct Progress {
 
 impl Progress {
     /// Of one sweep in several directories.
-    pub(crate) fn of(stores: &[Store]) -> Result<Self, Failure> {
+    pub(crate) fn of(stores: &[Store]) -> Result<Self, QueryError> {
         let grid = &stores[0].plan.grid;
         let (chunks, points) = (grid.chunks(), grid.points());
         let mut progress = Self {

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use crate::arguments::SystemOptions;
 use crate::command::Libration;
-use crate::failure::Failure;
+use crate::query_error::{QueryError, argument, option};
 use clap::{ArgMatches, Command, CommandFactory, FromArgMatches};
 
 /// The words of a question, with `{NAME}` where the values of axes go.
@@ -13,7 +13,7 @@ pub struct Template(pub Vec<String>);
 impl Template {
     /// The words with a place for each axis: where they have `{NAME}`, or as the option or argument of this name, or as an initial value
     /// or a parameter of the system.
-    pub fn new(words: &[String], axes: &[Axis]) -> Result<Self, Failure> {
+    pub fn new(words: &[String], axes: &[Axis]) -> Result<Self, QueryError> {
         let command = Libration::command();
         let mut template = Self(words.to_vec());
         let asked = asked(&command, words)?;
@@ -75,7 +75,12 @@ impl Template {
     }
 
     /// The numbers of a state of the system that is asked about.
-    fn state_names(&self, asked: &Asked<'_>, axes: &[Axis], unplaced: &Axis) -> Result<Vec<String>, Failure> {
+    fn state_names(
+        &self,
+        asked: &Asked<'_>,
+        axes: &[Axis],
+        unplaced: &Axis,
+    ) -> Result<Vec<String>, QueryError> {
         if asked.command.get_arguments().all(|argument| argument.get_id() != "system") {
             let options: Vec<String> = options(asked.command).map(|name| format!("--{name}")).collect();
             let reason = format!(
@@ -84,13 +89,14 @@ impl Template {
                 asked.name,
                 options.join(", ")
             );
-            return Err(Failure::usage("--over", reason));
+            return Err(QueryError::usage(option("over"), reason));
         }
         let words = self.at(axes, &vec![0; axes.len()]);
         let named = std::iter::once("libration".to_owned()).chain(words);
-        let matches = Libration::command().try_get_matches_from(named).map_err(|it| Failure::refused(&it))?;
+        let matches =
+            Libration::command().try_get_matches_from(named).map_err(|it| QueryError::refused(&it))?;
         let options =
-            SystemOptions::from_arg_matches(innermost(&matches)).map_err(|it| Failure::refused(&it))?;
+            SystemOptions::from_arg_matches(innermost(&matches)).map_err(|it| QueryError::refused(&it))?;
         options.state_names()
     }
 }
@@ -104,7 +110,7 @@ struct Asked<'a> {
     words: usize,
 }
 
-fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, Failure> {
+fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryError> {
     let mut asked = Asked { command, name: String::new(), words: 0 };
     while let Some(inner) = words.get(asked.words).and_then(|word| asked.command.find_subcommand(word)) {
         let name = format!("{} {}", asked.name, inner.get_name()).trim_start().to_owned();
@@ -123,7 +129,7 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, Failur
             "`{first}` is no question with numbers for an answer: begin with one such as lyapunov or period"
         )
     };
-    Err(Failure::usage("QUESTION", reason))
+    Err(QueryError::usage(argument("QUESTION"), reason))
 }
 
 enum Place {

@@ -3,12 +3,12 @@
 use super::chunk;
 use super::shard::Shard;
 use super::store::Store;
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use crate::{interrupt, parallel};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Answers and writes what is missing of a shard.
-pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), Failure> {
+pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), QueryError> {
     store.note(shard)?;
     let grid = &store.plan.grid;
     let mut missing = vec![];
@@ -38,8 +38,8 @@ pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), Failure> {
     };
     let whole = missing.iter().filter(|chunk| store.has(**chunk).unwrap_or(false)).count();
     match written.into_iter().collect::<Result<(), _>>() {
-        Err(failure) => Err(Failure::NoAnswer(ended(failure.to_string(), whole))),
-        Ok(()) if interrupt::asked() => Err(Failure::Interrupted(ended("interrupted".to_owned(), whole))),
+        Err(failure) => Err(QueryError::failed(ended(failure.to_string(), whole))),
+        Ok(()) if interrupt::asked() => Err(QueryError::cancelled(ended("interrupted".to_owned(), whole))),
         Ok(()) => Ok(()),
     }
 }

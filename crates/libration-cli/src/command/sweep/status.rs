@@ -4,11 +4,11 @@ use super::join::opened;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::store::Store;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::sheet;
 use crate::output::{Form, FormOptions, json};
+use crate::query_error::QueryError;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -26,7 +26,7 @@ pub(crate) struct Status {
 }
 
 impl Status {
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         write(out, self.form.form(), &opened(&self.directories)?)
     }
 }
@@ -48,7 +48,7 @@ impl State<'_> {
 }
 
 /// How far one sweep in several directories is.
-pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), Failure> {
+pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), QueryError> {
     let state = State { plan: &stores[0].plan, progress: Progress::of(stores)? };
     let fields = of_status();
     match form {

@@ -3,8 +3,8 @@
 use super::chunk::{self, Outcome};
 use super::plan::Plan;
 use super::shard::Shard;
-use crate::failure::Failure;
 use crate::output::{file, json};
+use crate::query_error::QueryError;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,7 +24,7 @@ pub(crate) struct Store {
 
 impl Store {
     /// The directory of a plan, which is made where there is none; that of another sweep is refused.
-    pub(crate) fn create(directory: &Path, plan: Plan) -> Result<Self, Failure> {
+    pub(crate) fn create(directory: &Path, plan: Plan) -> Result<Self, QueryError> {
         fs::create_dir_all(directory).map_err(|error| cannot(directory, "make", &error))?;
         let version = env!("CARGO_PKG_VERSION").to_owned();
         let store = Self { directory: directory.to_owned(), plan, version };
@@ -32,7 +32,7 @@ impl Store {
             let found = Self::open(directory)?;
             return match store.difference(&found) {
                 None => Ok(store),
-                Some(difference) => Err(Failure::NoAnswer(format!(
+                Some(difference) => Err(QueryError::failed(format!(
                     "{} holds another sweep: {difference}; give another directory",
                     directory.display()
                 ))),
@@ -40,7 +40,7 @@ impl Store {
         }
         let names = names(directory)?;
         if let Some(name) = names.iter().find(|name| !name.starts_with('.')) {
-            return Err(Failure::NoAnswer(format!(
+            return Err(QueryError::failed(format!(
                 "{} holds `{name}` and no sweep: give an empty directory, or a new one",
                 directory.display()
             )));
@@ -52,11 +52,11 @@ impl Store {
     }
 
     /// The sweep in a directory.
-    pub(crate) fn open(directory: &Path) -> Result<Self, Failure> {
+    pub(crate) fn open(directory: &Path) -> Result<Self, QueryError> {
         let path = directory.join(MANIFEST);
-        let no_sweep = |reason: String| Failure::NoAnswer(format!("{}: {reason}", path.display()));
+        let no_sweep = |reason: String| QueryError::failed(format!("{}: {reason}", path.display()));
         let text = fs::read(&path).map_err(|error| match error.kind() {
-            ErrorKind::NotFound => Failure::NoAnswer(format!(
+            ErrorKind::NotFound => QueryError::failed(format!(
                 "{} holds no sweep: it has no file {MANIFEST}",
                 directory.display()
             )),
@@ -77,23 +77,23 @@ impl Store {
     }
 
     /// Notes that the chunks of a shard are written here.
-    pub(crate) fn note(&self, shard: Shard) -> Result<(), Failure> {
+    pub(crate) fn note(&self, shard: Shard) -> Result<(), QueryError> {
         let path = self.directory.join(shard.note());
         if path.exists() { Ok(()) } else { file::write(&path, b"") }
     }
 
     /// The shards that are written here.
-    pub(crate) fn shards(&self) -> Result<BTreeSet<Shard>, Failure> {
+    pub(crate) fn shards(&self) -> Result<BTreeSet<Shard>, QueryError> {
         Ok(names(&self.directory)?.iter().filter_map(|name| Shard::of_note(name)).collect())
     }
 
     /// Whether the file of a chunk is there, and whole.
-    pub(crate) fn has(&self, chunk: usize) -> Result<bool, Failure> {
+    pub(crate) fn has(&self, chunk: usize) -> Result<bool, QueryError> {
         Ok(self.rows(chunk)?.is_some())
     }
 
     /// The lines of a chunk, below each other; `None` where it is not there, or damaged.
-    pub(crate) fn rows(&self, chunk: usize) -> Result<Option<String>, Failure> {
+    pub(crate) fn rows(&self, chunk: usize) -> Result<Option<String>, QueryError> {
         let path = self.path(chunk);
         let bytes = match fs::read(&path) {
             Ok(bytes) => bytes,
@@ -111,7 +111,7 @@ impl Store {
     }
 
     /// Writes a chunk, which is on the disk when this returns.
-    pub(crate) fn write(&self, chunk: usize, outcomes: &[Outcome]) -> Result<(), Failure> {
+    pub(crate) fn write(&self, chunk: usize, outcomes: &[Outcome]) -> Result<(), QueryError> {
         file::write(&self.path(chunk), &chunk::csv(&self.plan, chunk, outcomes)?)
     }
 
@@ -120,12 +120,12 @@ impl Store {
     }
 }
 
-fn names(directory: &Path) -> Result<BTreeSet<String>, Failure> {
+fn names(directory: &Path) -> Result<BTreeSet<String>, QueryError> {
     let fails = |error: io::Error| cannot(directory, "read", &error);
     let entries = fs::read_dir(directory).map_err(fails)?;
     entries.map(|entry| Ok(entry.map_err(fails)?.file_name().to_string_lossy().into_owned())).collect()
 }
 
-fn cannot(path: &Path, what: &str, error: &io::Error) -> Failure {
-    Failure::NoAnswer(format!("cannot {what} {}: {error}", path.display()))
+fn cannot(path: &Path, what: &str, error: &io::Error) -> QueryError {
+    QueryError::failed(format!("cannot {what} {}: {error}", path.display()))
 }

@@ -1,10 +1,10 @@
 //! The places of axes in a question.
 
-use libration_cli::Failure;
+use libration_cli::QueryError;
 use libration_cli::internals::sweep_axis::{Axis, axis};
 use libration_cli::internals::sweep_question::Template;
 
-fn template(words: &str, axes: &[&str]) -> Result<Vec<String>, Failure> {
+fn template(words: &str, axes: &[&str]) -> Result<Vec<String>, QueryError> {
     let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
     let axes: Vec<Axis> = axes.iter().map(|text| axis(text).unwrap()).collect();
     Template::new(&words, &axes).map(|template| template.0)

@@ -1,6 +1,6 @@
 //! Why an equation has no slow flow.
 
-use libration_motion::oscillator::OscillatorError;
+use libration_motion::oscillator::{OscillatorError, Remedy};
 use libration_numbers::expression::EquationError;
 
 /// Why the amplitude and the phase of a weakly damped oscillator are not expanded.
@@ -42,9 +42,7 @@ pub enum SlowFlowError {
         open: Vec<String>,
     },
     /// The time itself in the equation.
-    #[error(
-        "the acceleration depends on t: leave the driving out, or simulate the motion (libration simulate)"
-    )]
+    #[error("the acceleration depends on t: leave the driving out")]
     DependsOnTime,
     /// No oscillator is left at zero.
     #[error("at {parameter} = 0 there must be oscillations without damping: {error}")]
@@ -70,7 +68,7 @@ pub enum SlowFlowError {
     /// Kinks in the velocity without the symmetry that puts both half swings on the same footing.
     #[error(
         "a force with abs or sign of the velocity is averaged where the acceleration is the opposite at the opposite displacement and \
-         velocity, and here it is not proved to be: follow the motion (libration simulate)"
+         velocity, and here it is not proved to be"
     )]
     KinkedAndAsymmetric,
     /// The amplitude cannot mean this.
@@ -85,6 +83,18 @@ pub enum SlowFlowError {
     /// It was told to stop.
     #[error("interrupted")]
     Interrupted,
+}
+
+impl SlowFlowError {
+    /// The computations that have a result for such an equation.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<Remedy> {
+        match self {
+            Self::DependsOnTime | Self::KinkedAndAsymmetric => vec![Remedy::Simulation],
+            Self::Oscillator { error, .. } => error.remedies(),
+            _ => vec![],
+        }
+    }
 }
 
 /// The highest order in the amplitude.

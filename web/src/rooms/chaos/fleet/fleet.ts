@@ -1,7 +1,7 @@
 // A fleet: motions from neighbouring starts, some of which are followed a second time to see how far they can be trusted.
 
 import { Ensemble, type EnsembleFacts } from "../../../engine/ensemble.ts";
-import type { Engine } from "../../../engine/engine.ts";
+import type { Engine, QueryError } from "../../../engine/engine.ts";
 import type { Command } from "../../../parts/command.ts";
 import { some, starts } from "./starts.ts";
 
@@ -40,7 +40,7 @@ export class Fleet {
   }
 
   /** Begins the motions of a table of starts, each worker a part of them; or says why not. */
-  static async begin(engine: Engine, system: Command, tolerance: string, rows: string): Promise<Fleet | { readonly error: string }> {
+  static async begin(engine: Engine, system: Command, tolerance: string, rows: string): Promise<Fleet | { readonly error: QueryError }> {
     const count = rows.trimEnd().split("\n").length - 1;
     const checked = evenly(count, Math.min(CHECKED, count));
     // The first one alone: what is refused is refused once, and the others find the module compiled.
@@ -54,7 +54,7 @@ export class Fleet {
     const refused = begun.find((part) => "error" in part);
     if (refused === undefined) return new Fleet(parts, check, checked);
     for (const part of [check, ...parts]) part.close();
-    return refused as { readonly error: string };
+    return refused as { readonly error: QueryError };
   }
 
   /** The fleet at a time, not before one that was asked for already. */

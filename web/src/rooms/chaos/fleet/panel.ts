@@ -1,7 +1,7 @@
 // The part of the room where a fleet moves: its fields, buttons, pictures and words.
 
 import type { Address } from "../../../address.ts";
-import type { Engine } from "../../../engine/engine.ts";
+import { type Engine, plainError, type QueryError } from "../../../engine/engine.ts";
 import type { Command } from "../../../parts/command.ts";
 import { button, element } from "../../../parts/element.ts";
 import { choiceField, textField } from "../../../parts/field.ts";
@@ -100,7 +100,7 @@ export class FleetPanel {
     this.#end();
     this.#form.clear();
     const count = Number(this.#form.value("motions"));
-    if (!Number.isInteger(count) || count < 2 || count > MOST) return this.#refuse(`--motions: ${words.howMany}`);
+    if (!Number.isInteger(count) || count < 2 || count > MOST) return this.#refuse({ ...plainError(words.howMany), parameters: ["--motions"] });
     const [from, to] = asked.starts;
     const rows = from === undefined || to === undefined ? undefined : table(from, to, count);
     if (rows === undefined) return this.#fail("", words.twoStarts);
@@ -115,7 +115,7 @@ export class FleetPanel {
     this.#status.textContent = words.begins;
     const begun = await Fleet.begin(this.#engine, system, this.#form.value("tolerance"), rows);
     if (number !== this.#number) return begun instanceof Fleet ? begun.close() : undefined;
-    if (!(begun instanceof Fleet)) return this.#refuse(begun.error.replace(/^error: /, ""));
+    if (!(begun instanceof Fleet)) return this.#refuse(begun.error);
     this.#fleet = begun;
     this.#moving.hidden = false;
     const { facts } = begun;
@@ -218,8 +218,8 @@ export class FleetPanel {
     this.#label();
   }
 
-  #refuse(reason: string): void {
-    this.#fail(this.#form.blame({ status: 2, output: new Uint8Array(), error: reason, files: new Map() }));
+  #refuse(error: QueryError): void {
+    this.#fail(this.#form.blame({ status: 2, output: new Uint8Array(), error, files: new Map() }));
   }
 
   /** There is no fleet: what is wrong, or what is missing. */

@@ -6,10 +6,10 @@ mod table;
 pub(super) use fields::answers;
 
 use super::Answer;
-use crate::failure::Failure;
 use crate::output::number::short;
 use crate::output::{Form, json};
 use crate::parallel::until_asked;
+use crate::query_error::{QueryError, option};
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
 use libration::perturbation::SeriesEvaluation;
@@ -54,10 +54,10 @@ pub(super) fn write(
     oscillator: &Oscillator,
     quantity: SeriesQuantity,
     amplitude: &Displacement,
-) -> Result<Option<String>, Failure> {
+) -> Result<Option<String>, QueryError> {
     let relation = SeriesComparison::new(oscillator, &answer.expansion, quantity);
     if relation.series().iter().all(libration::algebra::Rational::is_zero) {
-        return Err(Failure::no_answer("--quantity", format!("{quantity} {}", absent(answer))));
+        return Err(QueryError::no_result(option("quantity"), format!("{quantity} {}", absent(answer))));
     }
     let numbers = Numbers::new(answer, &relation, amplitude)?;
     match form {
@@ -80,11 +80,11 @@ impl<'a> Numbers<'a> {
         answer: &'a Answer,
         relation: &'a SeriesComparison<'a>,
         exactly: &Displacement,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, QueryError> {
         let amplitude = exactly.to_f64();
         let exact = until_asked("the exact value", |watch| relation.exact_from_watched(exactly, watch));
         if let Some(Err(refusal @ NoExactValue::Amplitude(_))) = &exact {
-            return Err(Failure::no_answer("--evaluate", refusal));
+            return Err(QueryError::no_result(option("evaluate"), refusal));
         }
         let evaluation = relation.evaluation_at(amplitude);
         // A constant is its own approximant.

@@ -6,9 +6,9 @@ pub(crate) mod listing;
 
 use super::subject::{About, Subject};
 use crate::arguments::Asked;
-use crate::failure::Failure;
 use crate::output::description::Answers;
 use crate::output::{Form, json};
+use crate::query_error::{QueryError, option};
 use crate::{interrupt, parallel};
 use libration::comparison::{LeadingLimitCycles, NoLeadingLimitCycles};
 use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow_watched};
@@ -36,11 +36,11 @@ impl Answer {
         small: Option<&str>,
         [order, damping_order]: [usize; 2],
         gauge: &Gauge,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, QueryError> {
         let Asked { equation, about, key, title, values, read_as } = asked;
         if about.is_some() {
             let reason = "a slow flow is given about the stable equilibrium nearest to zero";
-            return Err(Failure::usage("--about", reason));
+            return Err(QueryError::usage(option("about"), reason));
         }
         let ask = |_| interrupt::go_on();
         let how_far = || format!("slow flow to order {order}");
@@ -66,22 +66,22 @@ impl About for Answer {
     }
 }
 
-fn failure(error: SlowFlowError) -> Failure {
+fn failure(error: SlowFlowError) -> QueryError {
     match error {
         SlowFlowError::Interrupted => {
-            Failure::Interrupted("interrupted before the slow flow was known".to_owned())
+            QueryError::cancelled("interrupted before the slow flow was known".to_owned())
         }
-        SlowFlowError::Gauge(_) => Failure::usage("--gauge", error),
-        SlowFlowError::UnknownParameter { .. } => Failure::usage("--small", error),
+        SlowFlowError::Gauge(_) => QueryError::usage(option("gauge"), error),
+        SlowFlowError::UnknownParameter { .. } => QueryError::usage(option("small"), error),
         SlowFlowError::WhichIsSmall { .. } => {
-            Failure::usage("--small", format!("{error}, such as --small c"))
+            QueryError::usage(option("small"), format!("{error}, such as <--small> c"))
         }
-        SlowFlowError::WithoutValue { .. } => Failure::usage("--set", error),
-        other => Failure::no_answer("slow flow", other),
+        SlowFlowError::WithoutValue { .. } => QueryError::usage(option("set"), error),
+        other => QueryError::no_result("slow flow", &other).with_remedies(&other.remedies()),
     }
 }
 
-pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), Failure> {
+pub(super) fn write(out: &mut dyn Write, form: Form, latex: bool, answer: &Answer) -> Result<(), QueryError> {
     match form {
         Form::Json => json::document(out, fields::of_flow().record(answer))?,
         Form::Csv => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,

@@ -4,12 +4,12 @@ mod fields;
 mod write;
 
 use crate::arguments::{self, RecordingOptions, finding_with_option};
-use crate::failure::Failure;
 use crate::figure;
 use crate::figure::measured_spectrum::{MeasuredSpectrum, measured_spectra};
 use crate::interrupt;
 use crate::output::{FormOptions, announce};
 use crate::parallel;
+use crate::query_error::{QueryError, option};
 use libration::watch::{Progress, Watch};
 use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, spectrum_watched};
 use libration_lab::measurement::{Trace, Traces};
@@ -59,7 +59,7 @@ impl SpectrumQuestion {
         recording: &RecordingOptions,
         form: &FormOptions,
         out: &mut dyn Write,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         let traces = recording.traces(file)?;
         let answer = self.found(&file.display().to_string(), &traces)?;
         let drawn = match &self.figure {
@@ -71,7 +71,7 @@ impl SpectrumQuestion {
     }
 
     /// An error only where no trace has harmonics.
-    fn found(&self, file: &str, traces: &Traces) -> Result<Answer, Failure> {
+    fn found(&self, file: &str, traces: &Traces) -> Result<Answer, QueryError> {
         interrupt::listen()?;
         let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
         let ask = |_: Progress| interrupt::go_on();
@@ -105,15 +105,15 @@ impl SpectrumQuestion {
     }
 }
 
-fn failure(file: &str, error: &SpectrumError) -> Failure {
+fn failure(file: &str, error: &SpectrumError) -> QueryError {
     use libration_lab::fit::cycles::CyclesError;
     match error {
         SpectrumError::Interrupted(_) | SpectrumError::Cycles(CyclesError::Interrupted(_)) => interrupted(),
-        SpectrumError::ShortWindows(_) => Failure::no_answer("--swings", error),
-        _ => Failure::no_answer(file, error),
+        SpectrumError::ShortWindows(_) => QueryError::no_result(option("swings"), error),
+        _ => QueryError::no_result(file, error),
     }
 }
 
-fn interrupted() -> Failure {
-    Failure::Interrupted("interrupted: nothing is written".to_owned())
+fn interrupted() -> QueryError {
+    QueryError::cancelled("interrupted: nothing is written".to_owned())
 }

@@ -1,16 +1,16 @@
 //! The harmonics as a sheet with a table for each trace, as JSON, and as CSV of all windows.
 
 use super::{Answer, fields};
-use crate::failure::Failure;
 use crate::figure::measured_spectrum::{MeasuredSpectrum, unit_scale};
 use crate::output::number::short;
 use crate::output::table::{sheet, write_text};
 use crate::output::{Form, json};
+use crate::query_error::QueryError;
 use libration_lab::measurement::Observable;
 use std::io::{self, Write};
 
 impl Answer {
-    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), Failure> {
+    pub(super) fn write(&self, out: &mut dyn Write, form: Form) -> Result<(), QueryError> {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,
             Form::Csv => {

@@ -3,15 +3,16 @@
 use super::super::Simulate;
 use super::{list, open_model, setting};
 use crate::arguments::MotionTable;
-use crate::failure::Failure;
+use crate::query_error::{Parameter, QueryError, option};
 use libration::systems::Model;
 use libration::taylor::{Ensemble, Moment};
 
 impl Simulate {
     /// The system with its values and the motions of the table, none of which has begun.
-    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), Failure> {
-        let usage = |option, reason: &str| Failure::usage(option, reason);
-        let path = self.each.as_deref().ok_or_else(|| usage("--each", "give a file with the starts"))?;
+    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
+        let usage = |about: Parameter, reason: &str| QueryError::usage(about, reason);
+        let path =
+            self.each.as_deref().ok_or_else(|| usage(option("each"), "give a file with the starts"))?;
         self.refuse_for_each()?;
         let system = self.system.given()?;
         let table = MotionTable::read(path, &system)?;
@@ -20,21 +21,24 @@ impl Simulate {
         let places = setting::places(self, path, &system, &table, &mut settings)?;
         if settings.len() > 1 {
             return Err(usage(
-                "--each",
+                option("each"),
                 "motions that go on together have the same parameters: give one value for each",
             ));
         }
         if !settings[0].watched.is_empty() {
-            return Err(usage("--events", "no events are looked for in motions that go on together"));
+            return Err(usage(option("events"), "no events are looked for in motions that go on together"));
         }
         if !self.sensitivity.is_empty() {
-            return Err(usage("--sensitivity", "no derivatives are followed of motions that go on together"));
+            return Err(usage(
+                option("sensitivity"),
+                "no derivatives are followed of motions that go on together",
+            ));
         }
         let listed = list::listed(self, path, &table, &places, &settings)?;
         let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();
         let (effort, setting) = (self.tolerance.effort(), &settings[0]);
         let ensemble = Ensemble::new(setting.system.clone(), &starts, &effort);
-        let ensemble = ensemble.map_err(|error| Failure::NoAnswer(error.to_string()))?;
+        let ensemble = ensemble.map_err(|error| QueryError::failed(error.to_string()))?;
         Ok((setting.model.clone(), ensemble))
     }
 }

@@ -4,7 +4,7 @@ use super::super::Simulate;
 use super::super::motion::SimulatedMotion;
 use super::setting::Setting;
 use crate::arguments::{Meaning, MotionRow, MotionTable, at_line};
-use crate::failure::Failure;
+use crate::query_error::QueryError;
 use std::path::Path;
 
 /// A row of a table and its motion.
@@ -23,7 +23,7 @@ pub(super) fn listed<'a>(
     table: &'a MotionTable,
     places: &[usize],
     settings: &'a [Setting],
-) -> Result<Vec<Listed<'a>>, Failure> {
+) -> Result<Vec<Listed<'a>>, QueryError> {
     let motions = (1..).zip(&table.rows).zip(places).map(|((number, row), place)| {
         let setting = &settings[*place];
         let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Initial).collect();

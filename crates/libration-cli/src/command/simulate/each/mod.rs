@@ -10,13 +10,13 @@ mod write;
 use super::Simulate;
 use super::ending::Ending;
 use crate::arguments::{GivenSystem, Meaning, MotionTable, Tolerances};
-use crate::failure::Failure;
 use crate::figure;
 use crate::figure::motions::{MOST_CURVES, Motions};
 use crate::figure::section::StateAxis;
 use crate::figure::simulation::POINTS;
 use crate::output::file::NewFile;
 use crate::output::{Form, announce};
+use crate::query_error::{Parameter, QueryError, option};
 use crate::{arguments, interrupt};
 use follow::Followed;
 use libration::systems::Model;
@@ -43,7 +43,7 @@ pub(super) struct Answer<'a> {
 
 impl Simulate {
     /// The motions of a table, each as it would be alone.
-    pub(super) fn answer_each(&self, path: &Path, out: &mut dyn Write) -> Result<(), Failure> {
+    pub(super) fn answer_each(&self, path: &Path, out: &mut dyn Write) -> Result<(), QueryError> {
         self.refuse_for_each()?;
         let system = self.system.given()?;
         let table = MotionTable::read(path, &system)?;
@@ -52,7 +52,8 @@ impl Simulate {
         let places = setting::places(self, path, &system, &table, &mut settings)?;
         let motions = list::listed(self, path, &table, &places, &settings)?;
         self.check_size(&motions)?;
-        let axes = self.axes.as_deref().map(|names| arguments::places_in_state(&model, "--axes", names));
+        let axes =
+            self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
         interrupt::listen()?;
         let followed = follow::all(&motions, self.figure.is_some());
@@ -79,7 +80,7 @@ impl Simulate {
         answer: &Answer<'_>,
         drawn: Vec<String>,
         out: &mut dyn Write,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), QueryError> {
         let form = self.form.form_of_file(self.output.as_deref());
         let listed = drawn.is_empty();
         let (on_screen, written) = match &self.output {
@@ -102,23 +103,23 @@ impl Simulate {
     }
 
     /// Refuses what only one motion has.
-    fn refuse_for_each(&self) -> Result<(), Failure> {
-        let refused = |option, reason: &str| Err(Failure::usage(option, reason));
+    fn refuse_for_each(&self) -> Result<(), QueryError> {
+        let refused = |about: Parameter, reason: &str| Err(QueryError::usage(about, reason));
         match () {
             () if self.resume.is_some() => refused(
-                "--resume",
-                "it continues one motion, and --each asks for many: run them again from 0",
+                option("resume"),
+                "it continues one motion, and <--each> asks for many: run them again from 0",
             ),
             () if self.animate => refused(
-                "--animate",
-                "it shows the bodies of one motion, and --each asks for many: give one of them",
+                option("animate"),
+                "it shows the bodies of one motion, and <--each> asks for many: give one of them",
             ),
             () => self.refuse_beside_sensitivities(),
         }
     }
 
     /// Refuses more than is kept, or can be told apart.
-    fn check_size(&self, motions: &[Listed<'_>]) -> Result<(), Failure> {
+    fn check_size(&self, motions: &[Listed<'_>]) -> Result<(), QueryError> {
         let points = if self.figure.is_some() { POINTS as usize + 1 } else { 0 };
         let of_one = |listed: &Listed<'_>| {
             let width = listed.motion.initial.state.len() + listed.motion.column_names().len() + 1;
@@ -130,24 +131,25 @@ impl Simulate {
                 "a picture keeps at most {MOST_CURVES} motions apart, and there are {}: give fewer, or list them",
                 motions.len()
             );
-            return Err(Failure::usage("--figure", reason));
+            return Err(QueryError::usage(option("figure"), reason));
         }
         if numbers > MOST_NUMBERS {
             let reason = format!(
-                "{} motions at {} times are {numbers} numbers, and at most {MOST_NUMBERS} are kept: give fewer --times or fewer motions",
+                "{} motions at {} times are {numbers} numbers, and at most {MOST_NUMBERS} are kept: give fewer <--times> or fewer motions",
                 motions.len(),
                 self.times.len()
             );
-            return Err(Failure::usage("--each", reason));
+            return Err(QueryError::usage(option("each"), reason));
         }
         Ok(())
     }
 }
 
 /// The model with the parameters of a table open.
-fn open_model(system: &GivenSystem<'_>, table: &MotionTable) -> Result<Model, Failure> {
+fn open_model(system: &GivenSystem<'_>, table: &MotionTable) -> Result<Model, QueryError> {
     let parameters = table.columns.iter().filter(|column| column.meaning == Meaning::Parameter);
-    system.model_with_open(&parameters.map(|column| column.title.as_str()).collect::<Vec<_>>())
+    system
+        .model_with_open(&parameters.map(|column| column.title.as_str()).collect::<Vec<_>>(), &option("each"))
 }
 
 impl Answer<'_> {
@@ -164,13 +166,13 @@ impl Answer<'_> {
     }
 
     /// What is left to be said when the answer is written: which of so many motions did not come to their ends.
-    fn into_result(self, all: usize) -> Result<(), Failure> {
+    fn into_result(self, all: usize) -> Result<(), QueryError> {
         /// More are not listed.
         const MOST: usize = 3;
         let is_interrupted = |followed: &Followed<'_>| matches!(followed.ending, Ending::Interrupted(_));
         let complete = self.motions.iter().filter(|(_, followed)| !is_interrupted(followed)).count();
         if complete < all {
-            return Err(Failure::Interrupted(format!(
+            return Err(QueryError::cancelled(format!(
                 "interrupted: {complete} of {all} motions are done, and what was computed of the others is written"
             )));
         }
@@ -187,7 +189,7 @@ impl Answer<'_> {
         };
         match reasons.as_slice() {
             [] => Ok(()),
-            some => Err(Failure::NoAnswer(some[..some.len().min(MOST)].join("; ") + &others)),
+            some => Err(QueryError::failed(some[..some.len().min(MOST)].join("; ") + &others)),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::super::Simulate;
 use super::super::events::Watched;
 use super::super::run::system_of;
 use crate::arguments::{self, GivenSystem, Meaning, MotionTable, at_line};
-use crate::failure::Failure;
+use crate::query_error::{QueryError, option};
 use libration::expression::Expression;
 use libration::systems::{Energy, Model, Observables};
 use libration::taylor::{Sensitivities, System};
@@ -30,7 +30,7 @@ pub(super) fn places(
     system: &GivenSystem<'_>,
     table: &MotionTable,
     settings: &mut Vec<Setting>,
-) -> Result<Vec<usize>, Failure> {
+) -> Result<Vec<usize>, QueryError> {
     let mut known: HashMap<Vec<&str>, usize> = HashMap::new();
     let mut places = vec![];
     for row in &table.rows {
@@ -60,13 +60,14 @@ fn model(system: &GivenSystem<'_>, cells: &[(&str, &str)]) -> Result<Model, Stri
 }
 
 impl Setting {
-    fn new(question: &Simulate, given: &GivenSystem<'_>, model: Model) -> Result<Self, Failure> {
+    fn new(question: &Simulate, given: &GivenSystem<'_>, model: Model) -> Result<Self, QueryError> {
         let watched = Watched::read(&question.events, &question.until, &model)?;
         let observables = question.columns.as_deref();
         let observables =
-            observables.map(|text| arguments::columns("--columns", text, &model)).transpose()?;
+            observables.map(|text| arguments::columns(&option("columns"), text, &model)).transpose()?;
         let sensitivities = arguments::sensitivities(&question.sensitivity, given, &model)?;
-        let system = system_of(&model, sensitivities.as_ref(), &question.tolerance, &watched, "--each")?;
+        let system =
+            system_of(&model, sensitivities.as_ref(), &question.tolerance, &watched, &option("each"))?;
         let energy = model.energy().map_err(|reason| reason.to_string());
         Ok(Self { model, system, sensitivities, watched, observables, energy })
     }

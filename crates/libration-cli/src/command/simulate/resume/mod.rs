@@ -12,9 +12,9 @@ mod state;
 use super::events::Happening;
 use crate::arguments::{self, Initial, Times};
 use crate::call;
-use crate::failure::Failure;
 use crate::output::destination::{self, Destination};
 use crate::output::leftover::{self, Leftover};
+use crate::query_error::{QueryError, option};
 use serde_json::Value;
 use std::fs::File;
 use std::io::Read;
@@ -43,15 +43,15 @@ pub(super) struct Earlier {
 /// Why an answer cannot be gone on from.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which records the system and where the integration stands: give a file that `libration simulate --output` wrote, with its .state file beside it", .0.display())]
+    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file beside it", .0.display())]
     NoState(PathBuf),
-    #[error("{} is not a record of an integration: give a file that `libration simulate --output` wrote", .0.display())]
+    #[error("{} is not a record of an integration: give a file that <libration simulate> with <--output> wrote", .0.display())]
     NotAState(PathBuf),
     #[error(
-        "the field `resume` is missing or damaged: give a file that this version of `libration simulate` wrote with --json or --csv"
+        "the field `resume` is missing or damaged: give a file that this version of <libration simulate> wrote with <--json> or <--csv>"
     )]
     NotInAnswer,
-    #[error("not valid JSON ({0}): give a file that `libration simulate` wrote")]
+    #[error("not valid JSON ({0}): give a file that <libration simulate> wrote")]
     NotJson(String),
     #[error(transparent)]
     Difference(#[from] Difference),
@@ -66,11 +66,11 @@ pub(super) enum ResumeError {
     #[error("line {0} is not a state of the system")]
     Unreadable(usize),
     #[error(
-        "it has a sample at t = {earlier:?} s where --times has {asked:?} s: give --times that begin with those of the file"
+        "it has a sample at t = {earlier:?} s where <--times> has {asked:?} s: give <--times> that begin with those of the file"
     )]
     Times { earlier: f64, asked: f64 },
     #[error(
-        "it already reaches t = {earlier:?} s, and --times ends earlier: give later times, or leave out --resume"
+        "it already reaches t = {earlier:?} s, and <--times> ends earlier: give later times, or leave out <--resume>"
     )]
     NotFarther { earlier: f64 },
 }
@@ -78,7 +78,7 @@ pub(super) enum ResumeError {
 impl Earlier {
     /// Finds what there is of an answer to this question: the file, or what a run that was ended by force has left beside its
     /// place, whichever goes farther.
-    pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, Failure> {
+    pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,
             _ => path.to_owned(),
@@ -96,8 +96,10 @@ impl Earlier {
             }
         }
         best.map_err(|reason| match reason {
-            Unusable::Failure(failure) => failure,
-            Unusable::Refused(reason) => Failure::no_answer(&format!("--resume {}", path.display()), reason),
+            Unusable::QueryError(failure) => failure,
+            Unusable::Refused(reason) => {
+                QueryError::no_result(&format!("--resume {}", path.display()), reason)
+            }
         })
     }
 
@@ -110,7 +112,7 @@ impl Earlier {
             // With the message that all files get which cannot be read.
             Err(_) => Err(arguments::read_at_most(path, LARGEST).err().map_or_else(
                 || Unusable::Refused(ResumeError::NotAState(path.to_owned())),
-                Unusable::Failure,
+                Unusable::QueryError,
             )),
         }
     }
@@ -129,7 +131,7 @@ impl Earlier {
     }
 
     fn of_json(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
-        let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::Failure)?;
+        let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::QueryError)?;
         let document: Value =
             serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;
         let state = State::from_json(&document["resume"]).ok_or(ResumeError::NotInAnswer)?;
@@ -146,11 +148,11 @@ impl Earlier {
     }
 
     /// The start, if none is asked for or it is the same.
-    pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, Failure> {
+    pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
-                let reason = "the run given to --resume started elsewhere: leave out --initial to continue that run, or --resume to start a new one";
-                Err(Failure::usage("--initial", reason))
+                let reason = "the run given to <--resume> started elsewhere: leave out <--initial> to continue that run, or <--resume> to start a new one";
+                Err(QueryError::usage(option("initial"), reason))
             }
             Some(asked) => Ok(asked),
             None => Ok(Initial { state: self.question.initial.clone(), assumed: vec![] }),
@@ -163,7 +165,10 @@ impl Earlier {
     }
 
     /// Shows one row after the other, as far as they are kept.
-    pub(super) fn each(&self, take: impl FnMut(&Happening) -> Result<(), Failure>) -> Result<(), Failure> {
+    pub(super) fn each(
+        &self,
+        take: impl FnMut(&Happening) -> Result<(), QueryError>,
+    ) -> Result<(), QueryError> {
         self.known.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
     }
 }
@@ -189,7 +194,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
 #[derive(Debug)]
 enum Unusable {
     /// It cannot be read at all.
-    Failure(Failure),
+    QueryError(QueryError),
     Refused(ResumeError),
 }
 
@@ -199,8 +204,8 @@ impl From<ResumeError> for Unusable {
     }
 }
 
-impl From<ResumeError> for Failure {
+impl From<ResumeError> for QueryError {
     fn from(error: ResumeError) -> Self {
-        Self::no_answer("--resume", error)
+        Self::no_result(option("resume"), error)
     }
 }

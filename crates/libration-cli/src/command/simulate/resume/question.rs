@@ -33,17 +33,17 @@ pub(crate) enum Difference {
         "its equations are `{earlier}`, not `{asked}`: give the system and the parameter values of that run"
     )]
     Equations { earlier: String, asked: String },
-    #[error("it was computed to the tolerance {earlier:e}, not {asked:e}: give --tolerance {earlier:e}")]
+    #[error("it was computed to the tolerance {earlier:e}, not {asked:e}: give <--tolerance> {earlier:e}")]
     Tolerance { earlier: f64, asked: f64 },
-    #[error("coordinates had other tolerances of their own: give the --tolerance of that run")]
+    #[error("coordinates had other tolerances of their own: give the <--tolerance> of that run")]
     OwnTolerances,
-    #[error("{}: give the same --events", events(.earlier, .asked))]
+    #[error("{}: give the same <--events>", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
-    #[error("it has errors of its states: leave out --no-errors")]
+    #[error("it has errors of its states: leave out <--no-errors>")]
     Errors,
-    #[error("it has no errors of its states: give --no-errors")]
+    #[error("it has no errors of its states: give <--no-errors>")]
     NoErrors,
-    #[error("its columns are {}, not {}: give the same --columns", listed(.earlier), listed(.asked))]
+    #[error("its columns are {}, not {}: give the same <--columns>", listed(.earlier), listed(.asked))]
     Columns { earlier: Vec<String>, asked: Vec<String> },
 }
 

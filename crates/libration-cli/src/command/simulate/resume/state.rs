@@ -1,9 +1,9 @@
 //! What an answer must say to be gone on from: in a JSON answer a field, beside a CSV file a file `NAME.csv.state`.
 
 use super::{Mark, Question, ResumeError};
-use crate::failure::Failure;
 use crate::output::field::{Field, Fields};
 use crate::output::{file, json};
+use crate::query_error::QueryError;
 use crate::{arguments, call};
 use serde_json::Value;
 use std::fs;
@@ -48,7 +48,7 @@ impl State {
         state.ok_or_else(|| ResumeError::NotAState(path.to_owned()))
     }
 
-    pub(crate) fn write(&self, path: &Path) -> Result<(), Failure> {
+    pub(crate) fn write(&self, path: &Path) -> Result<(), QueryError> {
         let mut text = vec![];
         json::document(&mut text, Self::fields().record(self))?;
         file::write(path, &text)
@@ -76,7 +76,7 @@ impl Keeper {
     }
 
     /// Keeps the state, when all that it counts is on its way to the disk.
-    pub(crate) fn keep(&mut self, state: &State) -> Result<(), Failure> {
+    pub(crate) fn keep(&mut self, state: &State) -> Result<(), QueryError> {
         state.write(&self.path)?;
         self.due = now() + Self::PAUSE;
         Ok(())

@@ -1,0 +1,67 @@
+//! The parameters of queries that errors are about.
+
+use crate::questions::{ParameterKind, Question};
+use std::borrow::Cow;
+use std::fmt::{Display, Formatter};
+
+/// A parameter of a query.
+///
+/// As text it is a mark, which a message in the words of a front end replaces by the parameter's name there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// In the help of the command without dashes: `over`, `OSCILLATOR|EQUATION`.
+    shown: Cow<'static, str>,
+    is_option: bool,
+    /// Of an argument among the parameters of its query, when that is known.
+    name: Option<String>,
+}
+
+/// The option of this name, which is without dashes.
+pub const fn option(name: &'static str) -> Parameter {
+    Parameter { shown: Cow::Borrowed(name), is_option: true, name: None }
+}
+
+/// The argument whose value has this name in the help.
+pub(crate) const fn argument(value: &'static str) -> Parameter {
+    Parameter { shown: Cow::Borrowed(value), is_option: false, name: None }
+}
+
+impl Parameter {
+    /// The parameter that clap writes in a usage line: `--over <NAME=FROM:TO>`, `[AMPLITUDE]...`.
+    pub(crate) fn of_usage(usage: &str) -> Option<Self> {
+        let of = |name: &str, is_option| Self { shown: Cow::Owned(name.to_owned()), is_option, name: None };
+        match usage.strip_prefix("--") {
+            Some(long) => long.split([' ', '=', '[']).next().map(|name| of(name, true)),
+            None if usage.starts_with(['<', '[']) => {
+                let name = usage.trim_start_matches(['<', '[']).split(['>', ']']).next();
+                name.map(|name| of(name, false))
+            }
+            None => None,
+        }
+    }
+
+    /// The name in the help of the command: `--over`, `OSCILLATOR|EQUATION`.
+    #[must_use]
+    pub fn in_help(&self) -> String {
+        if self.is_option { format!("--{}", self.shown) } else { self.shown.to_string() }
+    }
+
+    /// The name among the parameters of the query in [`crate::questions()`]: `over`, `oscillator`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.name.clone().unwrap_or_else(|| self.shown.to_string())
+    }
+
+    /// The argument with its name among the parameters of the query.
+    pub(super) fn named(self, query: &Question) -> Self {
+        let is_it = |it: &&crate::Parameter| it.kind == ParameterKind::Argument && it.value == *self.shown;
+        let name = query.parameters.iter().find(is_it).filter(|_| !self.is_option).map(|it| it.name.clone());
+        Self { name, ..self }
+    }
+}
+
+impl Display for Parameter {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write!(f, "<{}>", self.in_help())
+    }
+}

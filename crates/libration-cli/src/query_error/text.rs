@@ -1,0 +1,98 @@
+//! Messages that name parameters and queries, for front ends with words of their own.
+//!
+//! In the text of a message `<--over>` marks an option and `<libration expand>` a query.
+
+use super::parameter::Parameter;
+use serde_json::{Value, json};
+
+/// A message in parts.
+#[derive(Debug, Default)]
+pub(super) struct Text(Vec<Part>);
+
+#[derive(Debug)]
+enum Part {
+    Plain(String),
+    Option(Parameter),
+    Query(String),
+}
+
+/// The names of parameters and queries in a front end.
+pub trait Words {
+    /// The name of a parameter.
+    fn parameter(&self, parameter: &Parameter) -> String;
+    /// The name of a query, of which these are the words: `fit trace`.
+    fn query(&self, words: &str) -> String;
+}
+
+/// The words of the command line.
+pub(super) struct Terminal;
+
+impl Words for Terminal {
+    fn parameter(&self, parameter: &Parameter) -> String {
+        parameter.in_help()
+    }
+
+    fn query(&self, words: &str) -> String {
+        format!("libration {words}")
+    }
+}
+
+impl Text {
+    /// The parts of a text with marks.
+    pub(super) fn marked(text: &str) -> Self {
+        let mut parts = vec![];
+        let mut rest = text;
+        let mut plain = String::new();
+        while let Some(begin) = rest.find('<') {
+            let (before, from) = rest.split_at(begin);
+            plain.push_str(before);
+            match mark(from) {
+                Some((part, length)) => {
+                    parts.push(Part::Plain(std::mem::take(&mut plain)));
+                    parts.push(part);
+                    rest = &from[length..];
+                }
+                None => {
+                    plain.push('<');
+                    rest = &from[1..];
+                }
+            }
+        }
+        plain.push_str(rest);
+        parts.push(Part::Plain(plain));
+        Self(parts)
+    }
+
+    pub(super) fn to_json(&self) -> Vec<Value> {
+        let parts = self.0.iter().map(|part| match part {
+            Part::Plain(text) => Value::from(super::clean(text)),
+            Part::Option(parameter) => json!({ "parameter": parameter.in_help() }),
+            Part::Query(query) => json!({ "query": query }),
+        });
+        parts.collect()
+    }
+
+    pub(super) fn in_words(&self, words: &dyn Words) -> String {
+        let parts = self.0.iter().map(|part| match part {
+            Part::Plain(text) => text.clone(),
+            Part::Option(parameter) => words.parameter(parameter),
+            Part::Query(query) => words.query(query),
+        });
+        parts.collect()
+    }
+}
+
+/// The mark at the beginning of a text, and its length.
+fn mark(text: &str) -> Option<(Part, usize)> {
+    let end = text.find('>')?;
+    let inner = &text[1..end];
+    let is_name = |name: &str, more: char| {
+        name.starts_with(|it: char| it.is_ascii_lowercase())
+            && name.chars().all(|it| it.is_ascii_lowercase() || it.is_ascii_digit() || it == more)
+    };
+    if let Some(name) = inner.strip_prefix("--").filter(|name| is_name(name, '-')) {
+        return Parameter::of_usage(&format!("--{name}")).map(|it| (Part::Option(it), end + 1));
+    }
+    let query = inner.strip_prefix("libration ").filter(|query| is_name(query, ' '))?;
+    Some((Part::Query(query.to_owned()), end + 1))
+}
