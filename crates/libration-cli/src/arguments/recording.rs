@@ -167,9 +167,9 @@ fn failure(path: &Path, error: &MeasurementError) -> QueryError {
     QueryError::no_result(&path.display().to_string(), what_would_decide(error))
 }
 
-/// Why a file is refused, with the options that would decide.
+/// The reason why a file is refused, with marks of the options that would decide.
 pub(crate) fn what_would_decide(error: &MeasurementError) -> String {
-    let message = error.message(&|choice| format!("--{choice} "));
+    let message = error.message(&|choice| format!("<--{choice}> "));
     match error {
         MeasurementError::HeaderWidth { .. } | MeasurementError::NeitherHeaderNorNumbers { .. } => {
             message + " (<--header>)"

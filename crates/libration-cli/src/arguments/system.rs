@@ -6,7 +6,7 @@ use super::values::{borrowed, values};
 use crate::query_error::{Parameter, QueryError, argument, option};
 use libration::catalogue::is_like_a_key;
 use libration::expression::{EquationError, Expression};
-use libration::systems::{Model, ModelError, NamedSystem};
+use libration::systems::{Model, ModelError, NamedSystem, NoSuchPendulum};
 use std::fmt::Display;
 
 /// The system asked about.
@@ -138,7 +138,10 @@ impl PendulumSystemOptions {
             let reason = "only the pendulums of <libration systems> take it, such as damped_pendulum";
             QueryError::usage(argument, reason)
         })?;
-        named.values_of(self.length, self.gravity).map_err(|reason| QueryError::usage(argument, reason))
+        named.values_of(self.length, self.gravity).map_err(|error| match error {
+            NoSuchPendulum::Without { .. } => QueryError::usage(argument, format!("{error} by <--set>")),
+            _ => QueryError::usage(argument, error),
+        })
     }
 }
 

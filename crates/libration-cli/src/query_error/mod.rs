@@ -9,6 +9,7 @@ pub(crate) mod text;
 
 pub(crate) use echo::excerpt;
 pub(crate) use parameter::{Parameter, argument, option};
+pub(crate) use text::in_command_words;
 
 use clap::error::ErrorKind::MissingRequiredArgument;
 use clap::error::{ContextKind, ContextValue};

@@ -82,6 +82,11 @@ impl Text {
     }
 }
 
+/// A text with marks in the words of the command.
+pub(crate) fn in_command_words(marked: &str) -> String {
+    Text::marked(marked).in_words(&Terminal)
+}
+
 /// The mark at the beginning of a text, and its length.
 fn mark(text: &str) -> Option<(Part, usize)> {
     let end = text.find('>')?;

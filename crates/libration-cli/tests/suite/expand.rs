@@ -555,8 +555,12 @@ fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [
         (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one open"),
         (&["expand", "x''+0.1*x'+x=0"], 1, "libration expand with --damping-order 2"),
-        (&["expand", "x''+c*x'+x=0"], 1, "how the amplitude changes (--damping-order 2)"),
-        (&["expand", "theta''+c*theta'*abs(theta')+sin(theta)=0"], 1, "libration expand --damping-order 2"),
+        (&["expand", "x''+c*x'+x=0"], 1, "--damping-order 2 gives how the amplitude changes"),
+        (
+            &["expand", "theta''+c*theta'*abs(theta')+sin(theta)=0"],
+            1,
+            "libration expand with --damping-order 2",
+        ),
         (&["expand", "x''+x+c*x*sign(x')=0"], 1, "a polynomial in position and velocity"),
         (&["expand", "x''+x+a*x^3+c*sign(x')=0"], 1, "letters allow no expansion"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--damping-order", "2"], 2, "such as --small c"),

@@ -3,7 +3,7 @@
 use crate::command::{message, run};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
-use libration_cli::{AxisValues, Host, QueryError, SweepPlan, ask};
+use libration_cli::{AxisValues, Host, QueryError, QueryParameter, SweepPlan, Words, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -42,6 +42,18 @@ impl Host for Memory {
 
     fn goes_on(&self) -> bool {
         Some(self.looks.fetch_add(1, Ordering::Relaxed)) != self.patience
+    }
+}
+
+struct PlainWords;
+
+impl Words for PlainWords {
+    fn parameter(&self, parameter: &QueryParameter) -> String {
+        parameter.in_help()
+    }
+
+    fn query(&self, words: &str) -> String {
+        format!("libration {words}")
     }
 }
 
@@ -104,7 +116,9 @@ fn failures_have_the_reason_and_the_status_of_the_program() {
         let failure = answered.unwrap_err();
         assert_eq!(Some(i32::from(failure.status())), program.status.code(), "{question}");
         assert_eq!(program.status.code(), Some(status), "{question}");
-        assert!(message(&program).contains(&failure.to_string()), "{question}: {failure}");
+        // Before the reason clap has sentences of its own.
+        let said = message(&program);
+        assert!(said.contains(&failure.message(&PlainWords)), "{question}: {failure}");
         assert!(!failure.to_string().contains("--help"), "{question}: {failure}");
         assert_eq!(*host.answer.lock().unwrap(), program.stdout, "{question}");
     }
@@ -298,7 +312,7 @@ fn what_cannot_go_on_together_is_refused() {
     assert!(of(&each, b"phi\n1\n").contains("phi"));
     assert!(of(&["--each", "-", "--tolerance", "0"], b"theta\n1\n").contains("1e-18"));
     let other = ensemble(&["period", "60deg"], b"").map(|_| ()).unwrap_err();
-    assert_eq!(other.to_string(), "only `simulate --each` has motions that go on together");
+    assert_eq!(other.to_string(), "only libration simulate with --each has motions that go on together");
 }
 
 /// The relaxation oscillation takes a minute; it is ended as soon as the second line of progress has more steps than the first.

@@ -5,6 +5,7 @@ use crate::arguments::what_would_decide;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
+use crate::query_error::in_command_words;
 use libration_lab::measurement::{
     Channel, Finding, Format, MeasurementError, Observable, QuantityKind, Sheet, Trace,
 };
@@ -176,7 +177,7 @@ fn of_finding() -> Fields<Finding> {
 fn of_error() -> Fields<MeasurementError> {
     type Of = Field<MeasurementError>;
     Fields::from([
-        Of::value("why", "", "why there is no trace", |it| what_would_decide(it).into()),
+        Of::value("why", "", "why there is no trace", |it| in_command_words(&what_would_decide(it)).into()),
         Of::value("options[]", "", "options that would decide it", |it| match it {
             MeasurementError::Undecided { choices, .. } => {
                 json::list(choices.iter().map(|it| format!("--{} {}", it.choice, it.value)))

@@ -6,7 +6,7 @@ use crate::arguments::{finding_with_option, what_would_decide};
 use crate::output::number::short;
 use crate::output::table::{paragraph, sheet, write_text};
 use crate::output::{Form, json};
-use crate::query_error::QueryError;
+use crate::query_error::{QueryError, in_command_words};
 use libration_lab::measurement::{Choice, Gates, MeasurementError, Observable, Sheet, Trace};
 use std::io::{self, Write};
 
@@ -59,7 +59,11 @@ fn write_what_would_be_fitted(out: &mut dyn Write, answer: &Answer) -> io::Resul
         }
         (Err(_), Some(gates)) => write_text(out, "`libration fit gates` would fit ", &gates_line(gates)),
         (Err(error), None) => {
-            writeln!(out, "{}", paragraph("no trace yet: ", &what_would_decide(error), COLUMNS))?;
+            writeln!(
+                out,
+                "{}",
+                paragraph("no trace yet: ", &in_command_words(&what_would_decide(error)), COLUMNS)
+            )?;
             if has_no_time(error) {
                 let tables = "tables of periods are for `libration fit periods` and `libration fit lengths`";
                 writeln!(out, "{tables}")?;
