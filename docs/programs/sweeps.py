@@ -63,11 +63,11 @@ def exponents():
         "exponents",
         "lyapunov double_pendulum --transient 0 --time 50",
         {"theta1": angles, "theta2": angles},
-        keep=["exponent"],
+        keep=["exponent_per_s"],
     )
     # A dot of the picture for each of 400 × 400.
     figure, ax = plt.subplots(figsize=(7.2, 6))
-    image = ax.imshow(found.exponent.values.T, origin="lower", extent=(-180, 180, -180, 180), cmap="viridis", vmin=0)
+    image = ax.imshow(found.exponent_per_s.values.T, origin="lower", extent=(-180, 180, -180, 180), cmap="viridis", vmin=0)
     ax.set(xlabel="upper angle at the start / °", ylabel="lower angle at the start / °", xticks=range(-180, 181, 90), yticks=range(-180, 181, 90))
     figure.colorbar(image, label="finite-time Lyapunov exponent / (1/s)")
     picture("exponents", figure)

@@ -35,7 +35,7 @@ def _decay(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 def _motion(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, ("t / s", "θ / °"))
-    ax.plot(answer.samples.time_s, np.degrees(answer.samples.angle_rad))
+    ax.plot(answer.samples.time_s_s, np.degrees(answer.samples.angle_rad))
     return ax
 
 
@@ -110,9 +110,9 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
     phase = 2 * np.pi * np.linspace(0, 1, 361)
     ax = _plot.axes(ax, ("phase of the drive at the bottom / °", "M / (rad²/s²)"))
     for separatrix in answer.separatrices:
-        values = np.full_like(phase, separatrix["mean"])
+        values = np.full_like(phase, separatrix["mean_rad2_per_s2"])
         for term in separatrix["harmonics"]:
-            values += term["cosine"] * np.cos(term["n"] * phase) + term["sine"] * np.sin(term["n"] * phase)
+            values += term["cosine_rad2_per_s2"] * np.cos(term["n"] * phase) + term["sine_rad2_per_s2"] * np.sin(term["n"] * phase)
         ax.plot(np.degrees(phase), values, label="upper separatrix" if separatrix["direction"] > 0 else "lower separatrix")
     ax.axhline(0, color="grey", linewidth=0.8, linestyle="--")
     _plot.legend(ax)
@@ -172,7 +172,7 @@ def _bifurcation(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 def _lyapunov(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, ("t", "largest Lyapunov exponent"))
-    ax.plot(answer.convergence.time, answer.convergence.exponent)
+    ax.plot(answer.convergence.time_s, answer.convergence.exponent_per_s)
     ax.axhline(0, color="#888888", linewidth=0.8)
     return ax
 
@@ -182,7 +182,7 @@ def _modes(answer: "Answer", ax: "Axes | None") -> "Axes":
         return _followed_mode(answer, ax)
     ax = _plot.axes(ax, ("coordinate", "shape"))
     for mode in answer.modes:
-        ax.plot(answer["coordinates"], mode["shape"], marker="o", label=f"ω = {mode['frequency']:.6g}")
+        ax.plot(answer["coordinates"], mode["shape"], marker="o", label=f"ω = {mode['angular_frequency_rad_per_s']:.6g}")
     _plot.legend(ax)
     return ax
 
@@ -193,11 +193,11 @@ def _followed_mode(answer: "Answer", ax: "Axes | None") -> "Axes":
     for stable, marker, label in [(True, "o", "stable"), (False, "x", "unstable")]:
         here = points.stable == stable
         if here.any():
-            ax.plot(points.amplitude[here], points.frequency[here], linestyle="", marker=marker, markersize=4, label=label)
-    ax.plot(points.amplitude, points.frequency, linewidth=0.8, color="#888888", zorder=1)
+            ax.plot(points.amplitude[here], points.angular_frequency_rad_per_s[here], linestyle="", marker=marker, markersize=4, label=label)
+    ax.plot(points.amplitude, points.angular_frequency_rad_per_s, linewidth=0.8, color="#888888", zorder=1)
     # The series leaves the frame where it is far off.
     limits = ax.get_ylim()
-    ax.plot(points.amplitude, np.asarray(points.series_frequency, dtype=float), linestyle=":", color=_plot.COLOURS[2], label="ω + κa²")
+    ax.plot(points.amplitude, np.asarray(points.series_angular_frequency_rad_per_s, dtype=float), linestyle=":", color=_plot.COLOURS[2], label="ω + κa²")
     ax.set_ylim(limits)
     _plot.legend(ax)
     return ax
@@ -207,7 +207,7 @@ def _simulate(answer: "Answer", ax: "Axes | None") -> "Axes":
     names = [name for name in answer["state"] if not name.endswith("'")]
     ax = _plot.axes(ax, ("t", ", ".join(names)))
     for place, name in enumerate(names):
-        ax.plot(answer.samples.time, answer.samples.state[:, place], label=name)
+        ax.plot(answer.samples.time_s, answer.samples.state[:, place], label=name)
     if len(names) > 1:
         _plot.legend(ax)
     return ax

@@ -58,7 +58,7 @@ def sweep(
     store : path
         The directory, such as ``"sweep.zarr"``; one that holds another sweep is refused.
     keep : list of str or dict, optional
-        The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent"`` or ``"samples[-1].state[0]"``; a list has a range, such as
+        The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent_per_s"`` or ``"samples[-1].state[0]"``; a list has a range, such as
         ``"points[0:100].state[1]"``, and is a further dimension. In a dict by their names. All numbers that stand alone, if nothing is given;
         where all stand in lists, some have to be.
     chunk : int, optional

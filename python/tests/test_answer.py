@@ -106,7 +106,7 @@ def test_a_followed_mode_is_drawn_with_its_stability():
     lines = {line.get_label(): line for line in answer.plot().lines}
     assert np.degrees(lines["stable"].get_xdata()).round(9).tolist() == [30, 50]
     assert np.degrees(lines["unstable"].get_xdata()).round(9).tolist() == [60]
-    np.testing.assert_array_equal(lines["ω + κa²"].get_ydata(), answer.points.series_frequency)
+    np.testing.assert_array_equal(lines["ω + κa²"].get_ydata(), answer.points.series_angular_frequency_rad_per_s)
 
 
 def test_what_a_file_holds_has_no_picture_but_its_harmonics_have():

@@ -49,7 +49,8 @@ def test_errors_have_the_message_of_the_command(arguments, kind, status):
     answer, _, error = _native.ask(arguments)
     told = program(*arguments)
     assert type(error) is kind and answer == "" and told.returncode == status
-    assert told.stderr.startswith(f"error: {error}")
+    assert str(error).removeprefix("amplitudes: ") in told.stderr
+    assert error.parameter == "amplitudes" and error.hint is None
 
 
 def test_notes_come_beside_the_answer():

@@ -156,8 +156,14 @@ def test_objects_have_the_json_of_the_command():
 
 
 def test_errors_have_the_reason_in_the_words_of_python():
-    with pytest.raises(lb.errors.UsageError, match=r"^invalid value '60degg' for '<AMPLITUDE>'"):
+    with pytest.raises(lb.errors.UsageError, match=r"^amplitude: cannot read `60degg`") as refused:
         lb.decay("60degg", linear=0.1)
+    assert refused.value.parameters == ["amplitude"]
+    with pytest.raises(lb.errors.UsageError) as refused:
+        questions.simulate("driven_pendulum", set="c=k", initial={"theta": 1}, times=[0, 1])
+    assert (refused.value.parameter, refused.value.item) == ("set", "c")
+    with pytest.raises(lb.errors.NoAnswer, match="hint: questions.simulate follows the motion; questions.expand with damping_order 2"):
+        questions.expand("x'' + 0.1*x' + x = 0")
     with pytest.raises(lb.errors.NoAnswer, match="not below pi"):
         questions.period("200deg")
     with pytest.raises(lb.errors.UsageError, match=r"^initial: the system has no state variable `nothing`"):
@@ -198,11 +204,11 @@ def test_what_was_answered_is_the_same_in_arrays():
     answer = lb.section("driven_pendulum", set=DRIVE, initial={"theta": 0.2}, points=4, skip=0)
     assert answer.points.state.shape == (4, 2) and answer.points.motion.dtype == np.int64
     assert answer.points[1].state.tolist() == answer["points"][1]["state"]
-    assert answer.points["time"].tolist() == [it["time"] for it in answer["points"]]
+    assert answer.points["time_s"].tolist() == [it["time_s"] for it in answer["points"]]
     assert len(answer.points[1:]) == 3 and answer.points[-1] == answer.points[3]
     with pytest.raises(AttributeError, match="there are schema, system"):
         answer.nothing
-    with pytest.raises(KeyError, match="there are motion, time, state"):
+    with pytest.raises(KeyError, match="there are motion, time_s, state"):
         answer.points["nothing"]
     missing = lb.decay("60deg", linear=0.1, cycles=2).turning_points.exact_period_s
     assert np.isnan(missing[0]) and missing[2] > 2
@@ -213,7 +219,7 @@ def test_tables_for_pandas_and_xarray():
     pytest.importorskip("xarray")
     answer = lb.section("driven_pendulum", set=DRIVE, initial={"theta": 0.2}, points=4, skip=0)
     frame = answer.to_pandas()
-    assert list(frame) == ["motion", "time", "theta", "theta'"] and len(frame) == 4
+    assert list(frame) == ["motion", "time_s", "theta", "theta'"] and len(frame) == 4
     dataset = answer.to_xarray()
     assert dataset["theta'"].values.tolist() == frame["theta'"].tolist()
     assert dataset.attrs["system"] == "driven_pendulum" and dataset.attrs["question"].startswith("libration section")

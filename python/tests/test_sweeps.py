@@ -240,10 +240,10 @@ def test_what_is_kept_and_where_is_checked(tmp_path: Path) -> None:
     for keywords, told in [
         ({"over": {}}, "there is no axis"),
         ({"over": over, "chunk": 0}, "1 or more"),
-        ({"over": over, "keep": {"a/b": "modes[0].frequency"}}, "has no `/`"),
+        ({"over": over, "keep": {"a/b": "modes[0].angular_frequency_rad_per_s"}}, "has no `/`"),
         ({"over": over}, "all numbers of these answers stand in lists"),
         ({"over": over, "keep": ["modes[0].freq"]}, "they have lists that"),
     ]:
         with pytest.raises(lb.errors.UsageError, match=told):
             lb.sweep(question, store=tmp_path / "s.zarr", **keywords)
-    assert lb.sweep(question, over, tmp_path / "s.zarr", keep="omega=modes[0].frequency").omega.shape == (2,)
+    assert lb.sweep(question, over, tmp_path / "s.zarr", keep="omega=modes[0].angular_frequency_rad_per_s").omega.shape == (2,)

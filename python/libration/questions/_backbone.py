@@ -68,7 +68,7 @@ def backbone(
     --------
     >>> from libration import questions
     >>> backbone = questions.backbone("duffing", amplitudes=[0.5, 1.0], set={"epsilon": 1})
-    >>> backbone.points.frequency.round(9).tolist()
+    >>> backbone.points.angular_frequency_rad_per_s.round(9).tolist()
     [1.089158179, 1.317776065]
     """
     return answer(Answer, "backbone", locals())

@@ -30,7 +30,7 @@ def modes(
     Parameters
     ----------
     system : number or text
-        A key from ``libration systems`` or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
         order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
@@ -69,7 +69,7 @@ def modes(
     Examples
     --------
     >>> from libration import questions
-    >>> questions.modes("double_pendulum").modes.exact_frequency.tolist()
+    >>> questions.modes("double_pendulum").modes.exact_angular_frequency.tolist()
     ['sqrt(2 - sqrt(2))', 'sqrt(2 + sqrt(2))']
     """
     return answer(Answer, "modes", locals())

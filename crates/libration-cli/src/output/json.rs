@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 use std::io::{self, Write};
 
 /// The version of the field names, written with every answer.
-const SCHEMA: u64 = 1;
+pub(crate) const SCHEMA: u64 = 2;
 
 /// A number, or null when it is not finite.
 pub(crate) fn number(value: f64) -> Value {

@@ -41,7 +41,7 @@ pub(crate) fn announce(out: &mut dyn Write, form: Form, written: &[String]) -> i
 /// The options that choose the form.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct FormOptions {
-    /// Write JSON: unrounded numbers, stable names, "schema": 1
+    /// Write JSON: unrounded numbers, stable names, "schema": 2
     #[arg(long, conflicts_with = "csv")]
     json: bool,
     /// Write comma-separated values: unrounded numbers, one header line

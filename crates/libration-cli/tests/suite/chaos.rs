@@ -29,7 +29,7 @@ fn a_section_has_the_period_of_the_drive() {
     assert_eq!(answer["state"], serde_json::json!(["theta", "theta'"]));
     for (n, point) in (10..).zip(points) {
         let period = 3.0 * std::f64::consts::PI;
-        assert!((point["time"].as_f64().unwrap() - f64::from(n) * period).abs() < 1e-9);
+        assert!((point["time_s"].as_f64().unwrap() - f64::from(n) * period).abs() < 1e-9);
         assert!(numbers(&point["state"])[0].abs() <= std::f64::consts::PI);
     }
 }
@@ -43,7 +43,7 @@ fn several_motions_cross_a_plane() {
     let drawn = ["--figure", figure.to_str().unwrap(), "--csv"];
     let csv = String::from_utf8(answered(&[&arguments[..], &starts, &drawn].concat())).unwrap();
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("motion,time,x,y,x',y'"));
+    assert_eq!(lines.next(), Some("motion,time_s,x,y,x',y'"));
     let rows: Vec<Vec<f64>> =
         lines.map(|line| line.split(',').map(|it| it.parse().unwrap()).collect()).collect();
     assert_eq!(rows.iter().filter(|row| row[0] > 1.5).count(), 20);
@@ -77,9 +77,9 @@ fn sweeps_show_hysteresis_and_single_values_are_the_same_bits() {
 fn the_verdicts_are_said() {
     let answer = ask(&[&["lyapunov", "--intervals", "500"][..], &DRIVEN].concat());
     assert_eq!(answer["verdict"], "chaotic");
-    assert!((answer["exponent"].as_f64().unwrap() - 0.11).abs() < 0.02, "{}", answer["exponent"]);
+    assert!((answer["exponent_per_s"].as_f64().unwrap() - 0.11).abs() < 0.02, "{}", answer["exponent_per_s"]);
     let last = answer["convergence"].as_array().unwrap().last().unwrap();
-    assert_eq!(last["exponent"], answer["exponent"]);
+    assert_eq!(last["exponent_per_s"], answer["exponent_per_s"]);
     let pendulum = json("lyapunov pendulum --initial theta=179.999deg --intervals 50");
     assert_eq!(pendulum["verdict"], "regular");
     assert!(pendulum["reason"].as_str().unwrap().contains("Bendixson"), "{}", pendulum["reason"]);

@@ -18,7 +18,7 @@ pub(crate) fn json(arguments: &str) -> Value {
     let output = libration(&format!("{arguments} --json"));
     assert!(output.status.success(), "{arguments}: {}", message(&output));
     let value: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(value["schema"], 1, "{arguments}");
+    assert_eq!(value["schema"], 2, "{arguments}");
     value
 }
 

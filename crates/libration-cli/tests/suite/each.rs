@@ -120,7 +120,7 @@ fn rows_tell_whose_they_are_and_energies_are_kept_for_each() {
     }
     let csv = out(&asked("names", text, &["pendulum", "--times", "0:20:10", "--csv"]));
     let lines: Vec<&str> = csv.lines().collect();
-    assert_eq!(lines[0], "motion,name,time,theta,theta'");
+    assert_eq!(lines[0], "motion,name,time_s,theta,theta'");
     assert!(
         lines[1].starts_with("1,short; light,0.0,1.047") && lines[9].starts_with("3,long,20.0,"),
         "{csv}"

@@ -82,12 +82,16 @@ fn a_force_with_two_sides_has_powers_of_pi() {
 fn a_pure_power_has_a_scaling_law() {
     let answer = json("expand pure_cubic");
     assert_eq!((&answer["exponent"], &answer["amplitude_exponent"]), (&"3".into(), &"1".into()));
-    assert_eq!(answer["frequency_constant"], "sqrt(2*pi)*Gamma(3/4)/Gamma(1/4)");
-    close(&answer["frequency_factor"], 0.847_213_084_793_979, 1e-15);
+    assert_eq!(answer["angular_frequency_constant"], "sqrt(2*pi)*Gamma(3/4)/Gamma(1/4)");
+    close(&answer["angular_frequency_factor"], 0.847_213_084_793_979, 1e-15);
     close(&answer["period_factor"], 7.416_298_709_205_488, 1e-14);
     close(&answer["harmonics"][1]["ratio"], 0.043_049_495_577_492, 1e-13);
-    assert_eq!(answer["frequency"], Value::Null);
-    close(&json("expand pure_cubic --evaluate 2")["frequency"], 1.694_426_169_587_958, 1e-14);
+    assert_eq!(answer["angular_frequency_rad_per_s"], Value::Null);
+    close(
+        &json("expand pure_cubic --evaluate 2")["angular_frequency_rad_per_s"],
+        1.694_426_169_587_958,
+        1e-14,
+    );
     let shown = text("expand x''+k*x*abs(x)=0");
     for part in ["Ω = C·√k·A^(1/2)", "T = 2π/(C·√k)·A^(-1/2)", "C = √(3π/2)·Γ(5/6)/Γ(1/3)"] {
         assert!(shown.contains(part), "{part}: {shown}");
@@ -158,7 +162,7 @@ fn every_oscillator_of_the_catalogue_is_expanded_or_has_a_scaling_law() {
         let output = libration(&format!("expand {key} --order 5 --json"));
         if key == "pure_cubic" {
             let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
-            assert_eq!(answer["frequency_constant"], "sqrt(2*pi)*Gamma(3/4)/Gamma(1/4)");
+            assert_eq!(answer["angular_frequency_constant"], "sqrt(2*pi)*Gamma(3/4)/Gamma(1/4)");
             continue;
         }
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -521,8 +525,8 @@ fn slow_flows_tell_their_limit_cycles() {
     let answer = json(&format!("expand {question} --small k --order 7 --damping-order 3"));
     let cycle = &answer["limit_cycles"][0];
     close(&cycle["amplitude"][0], 2.0, 1e-14);
-    close(&cycle["frequency"][1], 1.5, 1e-13);
-    close(&cycle["exponent"][1], -1.0, 1e-13);
+    close(&cycle["angular_frequency_rad_per_s"][1], 1.5, 1e-13);
+    close(&cycle["exponent_per_s"][1], -1.0, 1e-13);
     let shown = text(&format!("expand {question} --small k --order 7 --damping-order 3"));
     assert!(shown.contains("limit cycle, in digits, attracting for k > 0:\nA = 2 "), "{shown}");
     assert_eq!(json("expand damped_pendulum --set n=2")["limit_cycles"], serde_json::json!([]));
@@ -537,7 +541,8 @@ fn limit_cycles_over_exact_orbits_stand_below_the_slow_flow() {
     close(&cycle["amplitude"], 1.935_091_977_5, 1e-9);
     close(&cycle["other_side"], -1.935_091_977_5, 1e-9);
     assert!(
-        cycle["amplitude_uncertainty"].as_f64().unwrap() < 1e-12 && cycle["exponent"].as_f64().unwrap() < 0.0
+        cycle["amplitude_uncertainty"].as_f64().unwrap() < 1e-12
+            && cycle["exponent_per_s"].as_f64().unwrap() < 0.0
     );
     assert_eq!(answer["limit_cycles"], serde_json::json!([]));
     let shown = text(&format!("expand {question} --small e --order 3"))

@@ -407,3 +407,47 @@ fn descriptions_are_fragments_with_units_apart() {
         }
     }
 }
+
+/// The endings of names by units.
+const ENDINGS: &[(&str, &str)] = &[
+    ("s", "_s"),
+    ("rad", "_rad"),
+    ("rad/s", "_rad_per_s"),
+    ("m", "_m"),
+    ("m/s²", "_m_per_s2"),
+    ("m²", "_m2"),
+    ("1/s", "_per_s"),
+    ("Hz", "_hz"),
+    ("rad²/s", "_rad2_per_s"),
+    ("rad²/s²", "_rad2_per_s2"),
+    ("rad²/s³", "_rad2_per_s3"),
+];
+/// Names that were settled without their unit.
+const SETTLED: &[&str] = &["exact", "exact_uncertainty"];
+/// A unit that depends on the exponent of the damping.
+const OPEN: &str = "rad¹⁻ⁿ sⁿ⁻²";
+
+#[test]
+fn names_of_fields_end_in_their_units() {
+    let mut wrong = vec![];
+    for entry in json("fields")["commands"].as_array().unwrap() {
+        for field in ["json", "csv"].iter().flat_map(|form| entry[*form].as_array().unwrap()) {
+            let [path, unit] = ["name", "unit"].map(|key| field[key].as_str().unwrap());
+            let name = path.rsplit('.').next().unwrap().trim_end_matches("[]");
+            let of_unit = ENDINGS.iter().find(|it| it.0 == unit).map(|it| it.1);
+            let longest =
+                ENDINGS.iter().map(|it| it.1).filter(|it| name.ends_with(it)).max_by_key(|it| it.len());
+            let is_right = match (unit, of_unit) {
+                ("" | "1" | OPEN, _) => longest.is_none(),
+                (_, Some(ending)) => longest == Some(ending) || SETTLED.contains(&name),
+                (_, None) => false,
+            };
+            let is_hertz =
+                !name.contains("frequency") || name.contains("angular_frequency") || unit != "rad/s";
+            if !is_right || !is_hertz {
+                wrong.push(format!("{} {}: {path} in `{unit}`", entry["command"], entry["option"]));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

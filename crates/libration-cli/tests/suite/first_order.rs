@@ -54,7 +54,7 @@ fn sections_diagrams_and_exponents_take_them() {
     assert!(run(&diagram).status.success());
     // 0.9056 over long times; over 300 intervals of 0.4 s the exponents of other paths scatter by 0.03.
     let arguments = [&["lyapunov", LORENZ, "--intervals", "300"], &FROM[..]].concat();
-    assert!((json(&arguments)["exponent"].as_f64().unwrap() - 0.9056).abs() < 0.2);
+    assert!((json(&arguments)["exponent_per_s"].as_f64().unwrap() - 0.9056).abs() < 0.2);
     let square =
         json(&["lyapunov", "x' = x - x*y; y' = x*y - y", "--initial", "x=2,y=1", "--intervals", "10"]);
     assert_eq!(square["verdict"], "regular", "{square}");

@@ -583,8 +583,8 @@ fn models_that_are_not_excluded_are_named_and_averaged_over() {
     let averaged = &answer["averaged"];
     assert_eq!(averaged["small_angle_period_s"], answer["small_angle_period_s"]);
     assert!(
-        number(&averaged["small_angle_period_s_spread"])
-            <= number(&averaged["small_angle_period_s_uncertainty"])
+        number(&averaged["small_angle_period_spread_s"])
+            <= number(&averaged["small_angle_period_uncertainty_s"])
     );
     assert!(
         answer["warning_kinds"].to_string().contains("damping_not_separated"),

@@ -34,7 +34,7 @@ fn parameters_without_a_value_stay_letters() {
     assert_eq!(list(&it["letters"]), ["a", "b", "w"]);
     assert_eq!((it["omega0_squared"].as_str(), it["omega0"].as_str()), (Some("w^2"), Some("w")));
     assert_eq!(list(&it["frequency_ratio"]), ["1", "0", "3*b/(8*w^2) - 5*a^2/(12*w^4)"]);
-    assert_eq!(list(&it["frequency"]), ["w", "0", "3*b/(8*w) - 5*a^2/(12*w^3)"]);
+    assert_eq!(list(&it["angular_frequency"]), ["w", "0", "3*b/(8*w) - 5*a^2/(12*w^3)"]);
     assert_eq!(list(&it["harmonics"]["2"]["cos"]), ["0", "0", "a/(6*w^2)", "0"]);
     assert_eq!((&it["certified"], &it["certificate"]), (&true.into(), &"potential".into()));
 }
@@ -57,7 +57,10 @@ fn parameters_of_built_in_oscillators_stay_letters_when_they_are_named() {
     let one = json("expand cubic_quintic --letters beta --set alpha=1/2 --order 5");
     assert_eq!((one["parameters"]["alpha"].as_str(), list(&one["letters"])), (Some("1/2"), vec!["beta"]));
     let greek = answer(&["pendulum", "--letters", "ω0", "--order", "3"]);
-    assert_eq!((list(&greek["frequency"])[2], list(&greek["letters"])), ("-omega0/16", vec!["omega0"]));
+    assert_eq!(
+        (list(&greek["angular_frequency"])[2], list(&greek["letters"])),
+        ("-omega0/16", vec!["omega0"])
+    );
     assert_eq!(list(&json("expand van_der_pol --order 2")["letters"]), Vec::<&str>::new());
 }
 

@@ -20,9 +20,11 @@ fn thresholds_are_found_over_a_parameter() {
     let tangency = |name: &str| thresholds[0][name].as_f64().unwrap();
     assert!((tangency("tangency") - 0.203_712_546_072_548).abs() <= tangency("tangency_error"));
     assert!(tangency("tangency_error") < 1e-12 && thresholds[0]["no_tangency"].is_null());
-    assert!((tangency("tangency_velocity_rad_s") - 2.0).abs() < 0.01 && tangency("tangency_phase_rad") > 6.0);
+    assert!(
+        (tangency("tangency_velocity_rad_per_s") - 2.0).abs() < 0.01 && tangency("tangency_phase_rad") > 6.0
+    );
     let separatrix = &answer["separatrices"][0];
-    assert!((separatrix["mean"].as_f64().unwrap() + 0.8).abs() < 1e-15);
+    assert!((separatrix["mean_rad2_per_s2"].as_f64().unwrap() + 0.8).abs() < 1e-15);
     assert_eq!((&separatrix["simple_zeros"], &answer["closed_form"]), (&Value::Null, &true.into()));
     assert!(
         words("melnikov driven_pendulum --set c=0.1,omega=2/3 --over A=0:0.1")

@@ -15,10 +15,10 @@ fn the_double_pendulum_is_exact() {
     assert_eq!(answer["coordinates"], serde_json::json!(["theta1", "theta2"]));
     assert_eq!(answer["exact_equilibrium"], serde_json::json!(["0", "0"]));
     let slow = &answer["modes"][0];
-    assert_eq!(slow["exact_frequency"], "sqrt(2 - sqrt(2))");
+    assert_eq!(slow["exact_angular_frequency"], "sqrt(2 - sqrt(2))");
     assert_eq!(slow["exact_shape"], serde_json::json!(["1/2*sqrt(2)", "1"]));
     assert_eq!(slow["exact_relative_shift"], "-31/64 + 5/16*sqrt(2)");
-    close(&slow["frequency"], (2.0 - 2.0_f64.sqrt()).sqrt(), 1e-15);
+    close(&slow["angular_frequency_rad_per_s"], (2.0 - 2.0_f64.sqrt()).sqrt(), 1e-15);
     let sheet = text("modes double_pendulum");
     assert!(sheet.contains("mode 2: ω = sqrt(2 + sqrt(2)) = 1.84775906502257"), "{sheet}");
     assert!(sheet.contains("Ω = ω(1 + (-31/64 - 5/16*sqrt(2)) a²)"), "{sheet}");
@@ -54,11 +54,13 @@ fn modes_about_another_equilibrium_are_found() {
     let answer = json("modes pendulum --about theta=170deg");
     assert_eq!(answer["modes"][0]["behaviour"], "unstable");
     close(&answer["equilibrium"][0], std::f64::consts::PI, 1e-15);
-    close(&answer["modes"][0]["growth"], 1.0, 1e-15);
+    close(&answer["modes"][0]["growth_rate_per_s"], 1.0, 1e-15);
     let csv = text("modes coupled_pendulums --csv");
     assert_eq!(
         csv.lines().next(),
-        Some("mode,behaviour,frequency,growth,exact_frequency,shape_theta1,shape_theta2,shift")
+        Some(
+            "mode,behaviour,angular_frequency_rad_per_s,growth_rate_per_s,exact_angular_frequency,shape_theta1,shape_theta2,shift"
+        )
     );
     assert_eq!(csv.lines().nth(1), Some("1,oscillating,1.0,0.0,1,1.0,1.0,-0.0625"));
 }
@@ -87,16 +89,17 @@ fn questions_about_modes_without_an_answer_are_refused() {
 #[test]
 fn the_backbone_of_the_pendulum_has_three_roads() {
     let answer = json("backbone pendulum --amplitudes 40deg,90deg --order 21");
-    close(&answer["omega0"], 1.0, 1e-15);
+    close(&answer["omega0_rad_per_s"], 1.0, 1e-15);
     close(&answer["series_radius"], std::f64::consts::PI, 1e-15);
     let point = &answer["points"][1];
     close(&point["exact"], 0.847_213_084_793_979_1, 1e-15);
-    close(&point["frequency"], 0.847_213_084_793_979_1, 1e-14);
-    close(&point["series"], 0.847_213_084_793_979_1, 1e-6);
+    close(&point["angular_frequency_rad_per_s"], 0.847_213_084_793_979_1, 1e-14);
+    close(&point["series_angular_frequency_rad_per_s"], 0.847_213_084_793_979_1, 1e-6);
     close(&point["other_turning_point"], -std::f64::consts::FRAC_PI_2, 1e-14);
     assert_eq!(point["series_remainder_is"], "proven");
-    let missing = (point["series"].as_f64().unwrap() - 0.847_213_084_793_979_1).abs();
-    assert!((missing..1e-5).contains(&point["series_remainder"].as_f64().unwrap()), "{point}");
+    let missing =
+        (point["series_angular_frequency_rad_per_s"].as_f64().unwrap() - 0.847_213_084_793_979_1).abs();
+    assert!((missing..1e-5).contains(&point["series_remainder_rad_per_s"].as_f64().unwrap()), "{point}");
     let morse = json("backbone morse --amplitudes 0.1 --order 21");
     assert_eq!(morse["points"][0]["series_remainder_is"], "estimated");
     assert!(point["exact_uncertainty"].as_f64().unwrap() < 1e-15);
@@ -107,11 +110,11 @@ fn the_backbone_of_the_pendulum_has_three_roads() {
 #[test]
 fn a_force_without_a_linear_part_has_orbits_only() {
     let answer = json_of(&["backbone", "x'' = -x^3", "--amplitudes", "0.5,2"]);
-    assert!(answer["no_series"].as_str().is_some() && answer["omega0"] == Value::Null);
+    assert!(answer["no_series"].as_str().is_some() && answer["omega0_rad_per_s"] == Value::Null);
     for (place, amplitude) in [0.5, 2.0].into_iter().enumerate() {
         // Γ(1/4)²/√π.
         let frequency = std::f64::consts::TAU * amplitude / 7.416_298_709_205_487_7;
-        close(&answer["points"][place]["frequency"], frequency, 1e-14);
+        close(&answer["points"][place]["angular_frequency_rad_per_s"], frequency, 1e-14);
     }
     // Beyond the barrier there is none, and the table goes on.
     let csv = text("backbone duffing_soft --amplitudes 0.9,1.1 --csv");
@@ -132,9 +135,11 @@ fn the_backbone_holds_its_uncertainty_next_to_a_separatrix() {
     for (question, periods) in cases {
         let answer = json(question);
         for (point, period) in answer["points"].as_array().unwrap().iter().zip(periods) {
-            let (stated, frequency) =
-                (point["uncertainty"].as_f64().unwrap(), std::f64::consts::TAU / period);
-            close(&point["frequency"], frequency, stated + 2e-16 * frequency);
+            let (stated, frequency) = (
+                point["angular_frequency_uncertainty_rad_per_s"].as_f64().unwrap(),
+                std::f64::consts::TAU / period,
+            );
+            close(&point["angular_frequency_rad_per_s"], frequency, stated + 2e-16 * frequency);
             assert!(stated < 1e-13, "{question}: {stated:e}");
         }
     }
@@ -161,11 +166,11 @@ fn the_backbone_says_where_orbits_are_of_another_family() {
 fn a_centre_that_has_no_series_has_its_orbits() {
     let falling = json_of(&["backbone", "x'' = -sign(x)", "--amplitudes", "0.5,2"]);
     // 2π over 4√(2A).
-    close(&falling["points"][0]["frequency"], std::f64::consts::FRAC_PI_2, 1e-14);
-    close(&falling["points"][1]["frequency"], std::f64::consts::FRAC_PI_4, 1e-14);
+    close(&falling["points"][0]["angular_frequency_rad_per_s"], std::f64::consts::FRAC_PI_2, 1e-14);
+    close(&falling["points"][1]["angular_frequency_rad_per_s"], std::f64::consts::FRAC_PI_4, 1e-14);
     let isochronous = json_of(&["backbone", "x'' + 3*x*x' + x^3 + x = 0", "--amplitudes", "0.5,1"]);
     for point in isochronous["points"].as_array().unwrap() {
-        close(&point["frequency"], 1.0, 1e-12);
+        close(&point["angular_frequency_rad_per_s"], 1.0, 1e-12);
     }
 }
 
@@ -208,7 +213,7 @@ fn amplitudes_count_from_an_equilibrium_without_expansion_and_that_is_said() {
         assert!(output.status.success(), "{}", message(&output));
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(answer["centre"] == 1.0 && answer["centre_is_equilibrium"] == true, "{answer:#}");
-        let frequency = answer["points"][1]["frequency"].as_f64().unwrap();
+        let frequency = answer["points"][1]["angular_frequency_rad_per_s"].as_f64().unwrap();
         // 2π/(4K(1/√2)).
         assert!((frequency - 0.847_213_084_793_979_1).abs() < 1e-14, "{answer:#}");
         let table = run(&[&arguments[..], about].concat());

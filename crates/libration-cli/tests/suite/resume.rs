@@ -152,7 +152,7 @@ fn a_file_that_does_not_say_how_it_goes_on_is_refused() {
     let json = directory.join("old.json");
     fs::write(
         &json,
-        r#"{"schema":1,"state":["theta","theta'"],"samples":[{"time":0.0,"state":[1.0,0.0]}],"events":[]}"#,
+        r#"{"schema":2,"state":["theta","theta'"],"samples":[{"time_s":0.0,"state":[1.0,0.0]}],"events":[]}"#,
     )
     .unwrap();
     let output = libration(&format!("{question} --resume {}", json.display()));

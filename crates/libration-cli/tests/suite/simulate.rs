@@ -41,7 +41,7 @@ fn a_damped_pendulum_is_that_of_the_reference() {
         (&answer["system"], &answer["state"]),
         (&"damped_pendulum".into(), &serde_json::json!(["theta", "theta'"]))
     );
-    close(&answer["samples"][0]["time"], 0.5, 0.0);
+    close(&answer["samples"][0]["time_s"], 0.5, 0.0);
     // damped.csv of the library.
     close(&answer["samples"][0]["state"][0], 0.896390819265663239817, 1e-15);
     close(&answer["samples"][1]["state"][0], -0.28686664229216129236, 1e-14);
@@ -76,7 +76,7 @@ fn every_form_has_the_same_numbers() {
     let answer = json(question);
     let table = text(&format!("{question} --csv"));
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("time,r,theta,r',theta',r_error,theta_error,r'_error,theta'_error"));
+    assert_eq!(lines.next(), Some("time_s,r,theta,r',theta',r_error,theta_error,r'_error,theta'_error"));
     for (place, line) in lines.enumerate() {
         let numbers: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
         assert_eq!(numbers[1..5], sample(&answer, place));
@@ -127,7 +127,8 @@ fn a_singularity_ends_the_answer_and_says_so() {
 
 /// Times and kinds of the events of an answer.
 fn events(answer: &Value) -> Vec<(f64, String)> {
-    let event = |event: &Value| (event["time"].as_f64().unwrap(), event["kind"].as_str().unwrap().to_owned());
+    let event =
+        |event: &Value| (event["time_s"].as_f64().unwrap(), event["kind"].as_str().unwrap().to_owned());
     answer["events"].as_array().unwrap().iter().map(event).collect()
 }
 
@@ -147,11 +148,11 @@ fn turning_points_passages_and_levels_are_found() {
     let levels = events(&json(&format!("{question} --events theta-0.5,c-0.2")));
     assert_eq!(levels.iter().map(|(_, kind)| kind.as_str()).collect::<Vec<_>>(), ["theta - 0.5"; 3]);
     let table = text(&format!("{question} --events turning --csv"));
-    let start = "time,theta,theta',time_error,theta_error,theta'_error,event\n0.0,1.0,0.0,,0.0,0.0,\n";
+    let start = "time_s,theta,theta',time_error_s,theta_error,theta'_error,event\n0.0,1.0,0.0,,0.0,0.0,\n";
     assert!(table.starts_with(start), "{table}");
     assert_eq!(table.lines().filter(|line| line.ends_with(",turning")).count(), 3);
     let without = text(&format!("{question} --events turning --csv --no-errors"));
-    assert!(without.starts_with("time,theta,theta',event\n0.0,1.0,0.0,\n"), "{without}");
+    assert!(without.starts_with("time_s,theta,theta',event\n0.0,1.0,0.0,\n"), "{without}");
     let coupled = "simulate double_pendulum --initial theta1=1 --times 0,3 --events turning";
     assert!(events(&json(coupled)).iter().any(|(_, kind)| kind == "turning of theta2"));
     let sheet = text(&format!("{question} --events turning"));
@@ -284,14 +285,14 @@ fn formulas_are_columns_in_every_form() {
     let answer: Value = serde_json::from_str(&ask(&["--json"])).unwrap();
     assert_eq!(answer["columns"], serde_json::json!(["energy", "x''", "max(x, t)"]));
     for row in answer["samples"].as_array().unwrap().iter().chain(answer["events"].as_array().unwrap()) {
-        let (x, time) = (row["state"][0].as_f64().unwrap(), row["time"].as_f64().unwrap());
+        let (x, time) = (row["state"][0].as_f64().unwrap(), row["time_s"].as_f64().unwrap());
         close(&row["columns"][0], 2.0, 1e-12);
         assert_eq!(row["columns"][1].as_f64(), Some(-4.0 * x));
         assert_eq!(row["columns"][2].as_f64(), Some(x.max(time)));
     }
     let table = ask(&["--csv"]);
     let mut lines = table.lines();
-    let names = "time,x,x',energy,x'',\"max(x, t)\",time_error,x_error,x'_error,event";
+    let names = "time_s,x,x',energy,x'',\"max(x, t)\",time_error_s,x_error,x'_error,event";
     assert_eq!(lines.next(), Some(names));
     let first: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert_eq!(first[..6], ["0.0", "1.0", "0.0", "2.0", "-4.0", "1.0"]);
@@ -322,7 +323,7 @@ fn a_motion_ends_at_an_event() {
     let until = "--until x=0 --direction rising --count 2";
     let answer = json(&format!("{question} {until} --set epsilon=0"));
     let expected = 3.5 * std::f64::consts::PI;
-    let (time, error) = (&answer["until"]["time"], answer["until"]["time_error"].as_f64().unwrap());
+    let (time, error) = (&answer["until"]["time_s"], answer["until"]["time_error_s"].as_f64().unwrap());
     assert!((time.as_f64().unwrap() - expected).abs() <= error && error < 1e-10, "{answer}");
     assert_eq!(answer["samples"].as_array().unwrap().len(), 11);
     assert_eq!(answer["events"].as_array().unwrap().len(), 2);
@@ -367,7 +368,7 @@ fn times_may_lie_on_both_sides_of_the_start() {
     assert!(output.status.success(), "{}", message(&output));
     let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
     let times: Vec<f64> =
-        answer["samples"].as_array().unwrap().iter().map(|row| row["time"].as_f64().unwrap()).collect();
+        answer["samples"].as_array().unwrap().iter().map(|row| row["time_s"].as_f64().unwrap()).collect();
     assert_eq!(times, [-10.0, -7.5, -5.0, -2.5, 0.0, 2.5, 5.0, 7.5, 10.0]);
     for (place, time) in times.iter().enumerate() {
         let exact = 1.0 / (1.0 + (-time).exp());
@@ -379,7 +380,7 @@ fn times_may_lie_on_both_sides_of_the_start() {
     assert_eq!(bits(0), bits(2));
     assert!((sample(&swing, 0)[1] + sample(&swing, 2)[1]).abs() <= 0.0);
     let passed: Vec<f64> =
-        swing["events"].as_array().unwrap().iter().map(|row| row["time"].as_f64().unwrap()).collect();
+        swing["events"].as_array().unwrap().iter().map(|row| row["time_s"].as_f64().unwrap()).collect();
     assert!(passed.len() == 4 && passed.is_sorted(), "{passed:?}");
     assert!((passed[0] + passed[3]).abs() < 1e-12 && (passed[1] + passed[2]).abs() < 1e-12, "{passed:?}");
     assert!(swing["energy_drift"].as_f64().unwrap() < 1e-13);
@@ -458,15 +459,14 @@ fn derivatives_by_parameters_and_starts_are_columns() {
         let rows = answer["samples"].as_array().unwrap().iter().chain(answer["events"].as_array().unwrap());
         for row in rows {
             assert_eq!(row["state"].as_array().unwrap().len(), 2);
-            let exact = exact(row["time"].as_f64().unwrap());
+            let exact = exact(row["time_s"].as_f64().unwrap());
             for (found, exact) in row["columns"].as_array().unwrap().iter().zip(exact) {
                 assert!((found.as_f64().unwrap() - exact).abs() < 1e-12, "{row}");
             }
         }
     }
     let csv = String::from_utf8(asked(&["--times", "0,1", "--csv"]).stdout).unwrap();
-    let begin =
-        "time,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0),x_error,x'_error\n0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0\n";
+    let begin = "time_s,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0),x_error,x'_error\n0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0\n";
     assert!(csv.starts_with(begin), "{csv}");
     let until = asked(&["--times", "0,9", "--until", "x = 0", "--json"]);
     let until: Value = serde_json::from_slice(&until.stdout).unwrap();
@@ -538,7 +538,7 @@ fn without_errors_the_answer_says_so() {
     assert!(text(&format!("{question} --no-errors")).contains("not estimated (--no-errors)"));
     assert!(!text(question).contains("not estimated"));
     let until = json(&format!("{question} --no-errors --until theta=0"));
-    assert!(until["until"]["time"].is_number() && until["until"]["time_error"].is_null(), "{until}");
+    assert!(until["until"]["time_s"].is_number() && until["until"]["time_error_s"].is_null(), "{until}");
 }
 
 /// The digits end where the error begins: at t = 50 four are left of thirteen.
@@ -549,7 +549,7 @@ fn no_digits_are_shown_beyond_the_error() {
     let sheet = text(question);
     let rows: Vec<Vec<&str>> = sheet.lines().map(|line| line.split_whitespace().collect()).collect();
     for (place, sample) in answer["samples"].as_array().unwrap().iter().enumerate().skip(1) {
-        let time = format!("{}", sample["time"].as_f64().unwrap());
+        let time = format!("{}", sample["time_s"].as_f64().unwrap());
         let row = rows.iter().find(|row| row.len() == 5 && row[0] == time).unwrap();
         for (cell, error) in row[1..].iter().zip(error(sample).unwrap()) {
             let places = cell.split_once('.').map_or(0, |(_, places)| places.len());

@@ -115,9 +115,12 @@ fn where_nothing_stands_alone_it_has_to_be_chosen() {
     let question = "modes|double_pendulum|--over|m2=1,2";
     let output = sweep(question, &place, &[]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("--keep") && message(&output).contains("modes[0].frequency"));
+    assert!(
+        message(&output).contains("--keep")
+            && message(&output).contains("modes[0].angular_frequency_rad_per_s")
+    );
     assert!(!place.exists());
-    succeeded(&sweep(question, &place, &["--keep", "omega=modes[0].frequency"]));
+    succeeded(&sweep(question, &place, &["--keep", "omega=modes[0].angular_frequency_rad_per_s"]));
 }
 
 #[test]
@@ -127,7 +130,7 @@ fn words_that_are_missing_are_no_numbers() {
     succeeded(&sweep("lyapunov|x'' = -x - {c} x'|--initial|x=1|--over|c=1,2|--time|5", &place, &[]));
     let status = json(&format!("sweep status {}", place.display()));
     let kept: Vec<&str> = status["kept"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();
-    assert!(kept.contains(&"exponent") && !kept.contains(&"system"), "{kept:?}");
+    assert!(kept.contains(&"exponent_per_s") && !kept.contains(&"system"), "{kept:?}");
 }
 
 #[test]

@@ -32,8 +32,8 @@ const FIRST = 50;
 
 /** An answer of `libration lyapunov`. */
 interface Exponent {
-  readonly exponent: number;
-  readonly uncertainty: number;
+  readonly exponent_per_s: number;
+  readonly exponent_uncertainty_per_s: number;
   readonly verdict: "regular" | "chaotic" | "undecided";
   readonly reason: string;
 }
@@ -199,7 +199,7 @@ class ChaosRoom {
     const { verdict } = value;
     this.#findings.verdict.show(
       element("p", { class: "verdict" }, words.because(words[verdict], value.reason)),
-      element("p", {}, words.exponent(digits(value.exponent, 4), digits(value.uncertainty, 2))),
+      element("p", {}, words.exponent(digits(value.exponent_per_s, 4), digits(value.exponent_uncertainty_per_s, 2))),
     );
     if (!signal.aborted) await this.#pictures.verdict.draw(this.#questions.lyapunov(), signal);
   }

@@ -15,14 +15,14 @@ interface Term {
   readonly imaginary: number;
   readonly exact: string | null;
   readonly kind: string;
-  readonly detuning: number;
+  readonly detuning_rad_per_s: number;
 }
 
 /** An answer of `libration resonance`. */
 interface SlowFlow {
-  readonly modes: readonly { readonly mode: number; readonly frequency: number }[];
+  readonly modes: readonly { readonly mode: number; readonly angular_frequency_rad_per_s: number }[];
   readonly slow_terms: readonly Term[];
-  readonly small_divisors: readonly { readonly mode: number; readonly monomial: string; readonly divisor: number }[];
+  readonly small_divisors: readonly { readonly mode: number; readonly monomial: string; readonly divisor_rad_per_s: number }[];
   readonly exchange?: {
     readonly period_s: number;
     readonly error_s: number;
@@ -39,16 +39,16 @@ export const exchange: Asking<SlowFlow> = { title: words.title, name: "resonance
 
 function said(flow: SlowFlow): (Node | string)[] {
   const { modes, slow_terms: terms, small_divisors: divisors, no_exchange: reason } = flow;
-  const frequencies = words.modes(modes.map(({ frequency }) => short(frequency)));
+  const frequencies = words.modes(modes.map((mode) => short(mode.angular_frequency_rad_per_s)));
   const resonant = terms.filter(({ kind }) => kind === "resonance").map(({ monomial, mode }) => words.term(monomial, mode));
-  const smallest = divisors[0] === undefined ? [] : [words.divisor(divisors[0].monomial, divisors[0].mode, short(divisors[0].divisor))];
+  const smallest = divisors[0] === undefined ? [] : [words.divisor(divisors[0].monomial, divisors[0].mode, short(divisors[0].divisor_rad_per_s))];
   const exchanged = flow.exchange === undefined ? (reason === null ? [] : [words.noExchange(reason)]) : exchangeSaid(flow.exchange);
   return [...exchanged, frequencies, resonant.length > 0 ? words.resonant(resonant) : words.noResonance, ...smallest, ...(terms.length > 0 ? [listed(terms)] : [])];
 }
 
 function listed(terms: readonly Term[]): HTMLElement {
   const columns = words.columns.map((title, place) => ({ title, isNumber: place === 3 }));
-  const rows = terms.map((term) => [words.term(term.monomial, term.mode), coefficient(term), words.kinds[term.kind] ?? term.kind, digits(term.detuning, 3)]);
+  const rows = terms.map((term) => [words.term(term.monomial, term.mode), coefficient(term), words.kinds[term.kind] ?? term.kind, digits(term.detuning_rad_per_s, 3)]);
   return element("details", {}, element("summary", {}, words.terms(terms.length)), table(words.caption, columns, rows));
 }
 

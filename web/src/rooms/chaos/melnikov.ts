@@ -24,9 +24,9 @@ interface Resonance {
   readonly motion_periods: number;
   readonly drive_periods: number;
   readonly direction: number;
-  readonly frequency_rad_s: number;
+  readonly angular_frequency_rad_per_s: number;
   readonly amplitude_rad: number | null;
-  readonly half_width_rad_s: number;
+  readonly angular_frequency_half_width_rad_per_s: number;
   readonly overlap: number | null;
 }
 
@@ -66,8 +66,8 @@ function listed(at: string, resonances: readonly Resonance[]): HTMLElement {
     `${it.motion_periods}:${it.drive_periods}`,
     it.direction === 0 ? words.libration : it.direction > 0 ? words.rotation : words.rotationBack,
     it.amplitude_rad === null ? "" : angle(it.amplitude_rad, "deg", 7),
-    digits(it.frequency_rad_s, 5),
-    digits(it.half_width_rad_s, 3),
+    digits(it.angular_frequency_rad_per_s, 5),
+    digits(it.angular_frequency_half_width_rad_per_s, 3),
     it.overlap === null ? "" : digits(it.overlap, 3),
   ]);
   return element("details", {}, element("summary", {}, words.resonances(resonances.length)), table(words.caption(at), columns, rows));

@@ -20,9 +20,9 @@ export interface Evaluation {
 export interface Backbone {
   readonly points: readonly {
     amplitude: number;
-    frequency: number | null;
-    uncertainty: number | null;
-    series: number | null;
+    angular_frequency_rad_per_s: number | null;
+    angular_frequency_uncertainty_rad_per_s: number | null;
+    series_angular_frequency_rad_per_s: number | null;
     exact?: number | null;
   }[];
 }

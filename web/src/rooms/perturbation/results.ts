@@ -33,14 +33,14 @@ export function backbone({ points }: Backbone, isAngle: boolean, unit: string): 
   const { amplitude, orbit, uncertainty, exact, series, error } = words.backboneColumns;
   const columns = [amplitude, orbit, uncertainty, exact, series, error].map((title) => ({ title, isNumber: true }));
   const rows = points.map((point) => {
-    const best = point.exact ?? point.frequency;
+    const best = point.exact ?? point.angular_frequency_rad_per_s;
     return [
       isAngle ? angle(point.amplitude, unit) : digits(point.amplitude),
-      digits(point.frequency, 13),
-      digits(point.uncertainty, 2),
+      digits(point.angular_frequency_rad_per_s, 13),
+      digits(point.angular_frequency_uncertainty_rad_per_s, 2),
       digits(point.exact, 13),
-      digits(point.series, 13),
-      best === null || best === undefined || point.series === null ? "–" : digits(point.series - best, 3),
+      digits(point.series_angular_frequency_rad_per_s, 13),
+      best === null || best === undefined || point.series_angular_frequency_rad_per_s === null ? "–" : digits(point.series_angular_frequency_rad_per_s - best, 3),
     ];
   });
   return table(words.backbone, columns, rows);

@@ -49,7 +49,7 @@ pub(super) fn of_backbone() -> Fields<Answer> {
             "whether it is a stable equilibrium; if not, amplitudes are measured from 0",
             |it| it.curve.has_equilibrium().into(),
         ),
-        Of::known("omega0", "rad/s", "angular frequency of small oscillations, or null", |it| {
+        Of::known("omega0_rad_per_s", "rad/s", "angular frequency of small oscillations, or null", |it| {
             it.curve.omega0().ok_or_else(|| no_series(it).unwrap_or_default())
         }),
         Of::value("no_series", "", "why there is no series, or null", |it| no_series(it).into()),
@@ -81,12 +81,12 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
     Fields::from([
         Of::number("amplitude", "", "amplitude, in rad for angles", |it| it.point.amplitude)
             .numeral(ORBIT[0], |it| it.answer.amplitude_text(it.point.amplitude, 10)),
-        Of::nullable("frequency", "rad/s", "angular frequency by the orbit, or null", |it| {
+        Of::nullable("angular_frequency_rad_per_s", "rad/s", "angular frequency by the orbit, or null", |it| {
             it.orbit().map(|orbit| orbit.frequency)
         })
         .rounded(ORBIT[1], 15)
         .or("none"),
-        Of::present("uncertainty", "rad/s", "bound on the error of that frequency", |it| {
+        Of::present("angular_frequency_uncertainty_rad_per_s", "rad/s", "bound on the error of that frequency", |it| {
             it.orbit().map(|orbit| orbit.uncertainty)
         })
         .numeral(ORBIT[2], |it| it.orbit().map_or_else(String::new, |orbit| at_most(orbit.uncertainty))),
@@ -104,14 +104,14 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
             it.point.orbit.as_ref().err().map(|reason| reason.to_string().into())
         })
         .only_json(),
-        Of::nullable("series", "rad/s", "angular frequency by the perturbation series, or null", |it| {
+        Of::nullable("series_angular_frequency_rad_per_s", "rad/s", "angular frequency by the perturbation series, or null", |it| {
             it.point.series.as_ref().map(|series| series.frequency)
         })
         .rounded(SERIES[0], 15)
         .or("none"),
         Of::unnamed().numeral(SERIES[1], error),
         Of::present_value(
-            "series_remainder",
+            "series_remainder_rad_per_s",
             "rad/s",
             "bound on what the series leaves out, or an estimate of it, too small in about 1 of 100 cases; or null",
             |it| it.point.series.as_ref().map(|series| json::number(series.remainder.size)),

@@ -131,7 +131,7 @@ fn of_row() -> Fields<Row> {
         Of::number("value", "", "value of the parameter, in its unit", |it| it.value)
             .in_csv_as("KEY")
             .short("KEY", 10),
-        Of::number("time", "s", "time of the point", |it| it.time).short("time", 10),
+        Of::number("time_s", "s", "time of the point", |it| it.time).short("time", 10),
         Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
     ])
 }

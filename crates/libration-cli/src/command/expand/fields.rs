@@ -112,7 +112,7 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     Fields::from([
         Of::<C>::present_value(
-            "frequency[]",
+            "angular_frequency[]",
             "",
             "with letters, where ω0 is a product of them: coefficients of the frequency itself",
             |it| {

@@ -114,13 +114,13 @@ fn of_law() -> Fields<Answer> {
         }),
         Of::value("exponent", "1", "p of that force", |it| it.law.force().exponent().to_string().into()),
         Of::value(
-            "frequency_constant",
+            "angular_frequency_constant",
             "",
             "C of the frequency Ω = C·√k·A^((p-1)/2) at the amplitude A, as a formula",
             |it| it.constant().into(),
         ),
-        Of::value("frequency_factor", "1", "C", |it| json::number(it.law.frequency_factor())),
-        Of::value("frequency_factor_uncertainty", "1", "C may be off by this much", |it| {
+        Of::value("angular_frequency_factor", "1", "C", |it| json::number(it.law.frequency_factor())),
+        Of::value("angular_frequency_factor_uncertainty", "1", "C may be off by this much", |it| {
             json::number(it.law.frequency_factor_uncertainty())
         }),
         Of::value("period_factor", "1", "2π/C of the period 2π/C·A^((1-p)/2)/√k", |it| {
@@ -136,7 +136,7 @@ fn of_law() -> Fields<Answer> {
         Of::value("amplitude", "", "amplitude that --evaluate gives, or null", |it| {
             it.at.map_or(serde_json::Value::Null, |(amplitude, _)| json::number(amplitude))
         }),
-        Of::value("frequency", "rad/s", "frequency at that amplitude, or null", |it| {
+        Of::value("angular_frequency_rad_per_s", "rad/s", "frequency at that amplitude, or null", |it| {
             it.at.map_or(serde_json::Value::Null, |(_, frequency)| json::number(frequency))
         }),
     ])

@@ -214,7 +214,7 @@ fn of_curve() -> Fields<OnCurve> {
     type Of = Field<OnCurve>;
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1", |it| it.branch.into()),
-        Of::number("frequency_rad_per_s", "rad/s", "frequency of the drive", |it| it.point.frequency),
+        Of::number("angular_frequency_rad_per_s", "rad/s", "frequency of the drive", |it| it.point.frequency),
         Of::number("amplitude", "", "as it was measured", |it| it.point.amplitude),
         Of::number("phase_rad", "rad", "by how much the answer lags behind the drive", |it| it.point.phase),
         Of::value("stable", "", "whether small deviations die out", |it| it.point.stable.into()),
@@ -225,10 +225,15 @@ pub(super) fn of_jump() -> Fields<FittedJump> {
     type Of = Field<FittedJump>;
     Fields::from([
         Of::value("rising", "", "whether it is met while the frequency rises", |it| it.rising.into()),
-        Of::number("frequency_rad_per_s", "rad/s", "where a slow sweep jumps", |it| it.frequency.value),
-        Of::number("frequency_uncertainty_rad_per_s", "rad/s", "standard uncertainty of that", |it| {
-            it.frequency.uncertainty
+        Of::number("angular_frequency_rad_per_s", "rad/s", "where a slow sweep jumps", |it| {
+            it.frequency.value
         }),
+        Of::number(
+            "angular_frequency_uncertainty_rad_per_s",
+            "rad/s",
+            "standard uncertainty of that",
+            |it| it.frequency.uncertainty,
+        ),
         Of::number("amplitude", "", "the largest displacement before the jump", |it| it.amplitude),
         Of::known("to_amplitude", "", "the largest displacement behind it, or null", |it| {
             it.to_amplitude.ok_or_else(|| "no stable answer with the period of the drive is there".to_owned())
@@ -239,7 +244,9 @@ pub(super) fn of_jump() -> Fields<FittedJump> {
 pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
     type Of<'a> = Field<Measurement<'a>>;
     Fields::from([
-        Of::number("frequency_rad_per_s", "rad/s", "the frequency that was measured", |it| it.frequency),
+        Of::number("angular_frequency_rad_per_s", "rad/s", "the frequency that was measured", |it| {
+            it.frequency
+        }),
         Of::number("amplitude", "", "the amplitude that was measured", |it| it.amplitude),
         Of::number("fitted_amplitude", "", "what the fit puts in its place, on the same branch", |it| {
             it.fitted.amplitude

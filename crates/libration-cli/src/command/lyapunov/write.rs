@@ -59,11 +59,11 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("initial[]", "", "state at the start, in the order of those names", |it| {
             json::numbers(&it.initial)
         }),
-        Of::number("transient", "s", "time that passed before measuring", |it| it.schedule.transient),
-        Of::number("interval", "s", "time between two measurements of the deviation", |it| {
+        Of::number("transient_s", "s", "time that passed before measuring", |it| it.schedule.transient),
+        Of::number("interval_s", "s", "time between two measurements of the deviation", |it| {
             it.schedule.interval
         }),
-        Of::number("exponent", "1/s", "largest Lyapunov exponent", |it| it.found.exponent).line_of(
+        Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |it| it.found.exponent).line_of(
             "largest Lyapunov exponent",
             |it| {
                 let exponent = number::rounded(it.found.exponent, 5);
@@ -74,7 +74,7 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
             },
         ),
         Of::number(
-            "uncertainty",
+            "exponent_uncertainty_per_s",
             "1/s",
             "standard error of the exponent from ten blocks of the time, or what the second half changed if that is more",
             |it| it.found.uncertainty,
@@ -90,8 +90,8 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
 fn of_point() -> Fields<(f64, f64)> {
     type Of = Field<(f64, f64)>;
     Fields::from([
-        Of::number("time", "s", "time measured so far", |(time, _)| *time).short("measured / s", 8),
-        Of::number("exponent", "1/s", "estimate of the exponent up to then", |(_, exponent)| *exponent)
+        Of::number("time_s", "s", "time measured so far", |(time, _)| *time).short("measured / s", 8),
+        Of::number("exponent_per_s", "1/s", "estimate of the exponent up to then", |(_, exponent)| *exponent)
             .rounded("exponent / (1/s)", 6),
     ])
 }

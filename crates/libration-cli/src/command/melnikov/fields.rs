@@ -59,12 +59,15 @@ pub(super) fn of_answer() -> Fields<Answer> {
                 .as_ref()
                 .map_or_else(String::new, |(name, value)| format!("{name} = {}", rounded(*value, 16)))
         }),
-        Of::number("omega0_rad_s", "rad/s", "angular frequency of the smallest swings", |it| {
+        Of::number("omega0_rad_per_s", "rad/s", "angular frequency of the smallest swings", |it| {
             it.pendulum.omega0()
         }),
-        Of::nullable("drive_rad_s", "rad/s", "angular frequency of the drive, or null without one", |it| {
-            it.pendulum.frequency()
-        })
+        Of::nullable(
+            "drive_angular_frequency_rad_per_s",
+            "rad/s",
+            "angular frequency of the drive, or null without one",
+            |it| it.pendulum.frequency(),
+        )
         .line_of("frequencies", |it| {
             let drive = it.pendulum.frequency();
             let drive =
@@ -88,16 +91,20 @@ fn of_separatrix() -> Fields<Melnikov> {
     type Of = Field<Melnikov>;
     Fields::from([
         Of::number("direction", "", "1 where the angle grows, -1 on the other separatrix", |it| it.direction),
-        Of::number("mean", "rad^2/s^2", "part of M that does not depend on the phase", |it| it.mean),
-        Of::number("mean_error", "rad^2/s^2", "bound on its error", |it| it.mean_error),
+        Of::number("mean_rad2_per_s2", "rad²/s²", "part of M that does not depend on the phase", |it| {
+            it.mean
+        }),
+        Of::number("mean_error_rad2_per_s2", "rad²/s²", "bound on its error", |it| it.mean_error),
         Of::nested("harmonics[].", &of_harmonic(), |it| {
             let terms = (1..).zip(&it.harmonics).zip(&it.harmonic_errors);
             let terms =
                 terms.map(|((number, value), error)| Harmonic { number, value: *value, error: *error });
             of_harmonic().records(&terms.collect::<Vec<_>>())
         }),
-        Of::number("minimum", "rad^2/s^2", "least value of M", |it| it.mean + it.extremes()[0]),
-        Of::number("maximum", "rad^2/s^2", "greatest value of M", |it| it.mean + it.extremes()[1]),
+        Of::number("minimum_rad2_per_s2", "rad²/s²", "least value of M", |it| it.mean + it.extremes()[0]),
+        Of::number("maximum_rad2_per_s2", "rad²/s²", "greatest value of M", |it| {
+            it.mean + it.extremes()[1]
+        }),
         Of::value(
             "simple_zeros",
             "",
@@ -123,9 +130,9 @@ fn of_harmonic() -> Fields<Harmonic> {
     type Of = Field<Harmonic>;
     Fields::from([
         Of::value("n", "1", "number of the harmonic of the drive", |it| it.number.into()),
-        Of::number("cosine", "rad^2/s^2", "coefficient of cos(n*phase)", |it| it.value.re),
-        Of::number("sine", "rad^2/s^2", "coefficient of sin(n*phase)", |it| -it.value.im),
-        Of::number("error", "rad^2/s^2", "bound on their error", |it| it.error),
+        Of::number("cosine_rad2_per_s2", "rad²/s²", "coefficient of cos(n*phase)", |it| it.value.re),
+        Of::number("sine_rad2_per_s2", "rad²/s²", "coefficient of sin(n*phase)", |it| -it.value.im),
+        Of::number("error_rad2_per_s2", "rad²/s²", "bound on their error", |it| it.error),
     ])
 }
 
@@ -162,7 +169,7 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
             "phase of the drive at which the motion in both manifolds passes the bottom, or null",
             |it| it.tangency.as_ref().ok().map(|it| it.phase),
         ),
-        Of::nullable("tangency_velocity_rad_s", "rad/s", "its velocity there, or null", |it| {
+        Of::nullable("tangency_velocity_rad_per_s", "rad/s", "its velocity there, or null", |it| {
             it.tangency.as_ref().ok().map(|it| it.velocity)
         }),
         Of::nullable(
@@ -193,7 +200,7 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
                 _ => it.own.motion.regime().to_string(),
             }),
         Of::number("direction", "", "1 or -1 for rotation, 0 for libration", |it| it.own.direction),
-        Of::number("frequency_rad_s", "rad/s", "frequency of the unperturbed motion", |it| {
+        Of::number("angular_frequency_rad_per_s", "rad/s", "frequency of the unperturbed motion", |it| {
             it.own.motion.frequency()
         })
         .rounded("frequency / (rad/s)", 8),
@@ -204,32 +211,40 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
         Of::number("energy_ratio", "1", "its energy over that of the separatrix", |it| {
             it.own.motion.energy_ratio()
         }),
-        Of::number("action", "rad^2/s", "its action per m*l^2", |it| it.own.motion.action())
+        Of::number("action_rad2_per_s", "rad²/s", "its action per m*l^2", |it| it.own.motion.action())
             .rounded("action / (rad²/s)", 8),
-        Of::number("frequency_slope", "1", "derivative of the frequency by the action", |it| {
+        Of::number("angular_frequency_slope", "1", "derivative of the frequency by the action", |it| {
             it.own.motion.frequency_slope()
         }),
         Of::number(
-            "mean_power",
-            "rad^2/s^3",
+            "mean_power_rad2_per_s3",
+            "rad²/s³",
             "energy per m*l^2 and time from the perturbation at any phase",
             |it| it.own.mean_power,
         ),
-        Of::number("resonant_power", "rad^2/s^3", "what the best phase adds", |it| it.own.resonant_power),
-        Of::number("error", "rad^2/s^3", "bound on the error of both powers", |it| it.own.error),
-        Of::number("half_width", "rad^2/s", "half the width in the action, without damping", |it| {
-            it.own.half_width
-        })
+        Of::number("resonant_power_rad2_per_s3", "rad²/s³", "what the best phase adds", |it| {
+            it.own.resonant_power
+        }),
+        Of::number("error_rad2_per_s3", "rad²/s³", "bound on the error of both powers", |it| it.own.error),
+        Of::number(
+            "half_width_rad2_per_s",
+            "rad²/s",
+            "half the width in the action, without damping",
+            |it| it.own.half_width,
+        )
         .rounded("half-width / (rad²/s)", 6),
         Of::number(
-            "half_width_error",
-            "rad^2/s",
+            "half_width_error_rad2_per_s",
+            "rad²/s",
             "bound on the error of half_width as one of the first order in the perturbation",
             |it| it.own.half_width_error(),
         ),
-        Of::number("half_width_rad_s", "rad/s", "half the width in the frequency", |it| {
-            it.own.half_width_in_frequency()
-        }),
+        Of::number(
+            "angular_frequency_half_width_rad_per_s",
+            "rad/s",
+            "half the width in the frequency",
+            |it| it.own.half_width_in_frequency(),
+        ),
         Of::number(
             "threshold_factor",
             "1",

@@ -52,15 +52,23 @@ pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
         Of::value("behaviour", "", "oscillating, free, unstable or damped", |it| {
             word(it.mode.behaviour).into()
         }),
-        Of::number("frequency", "rad/s", "angular frequency ω of small oscillations", |it| {
-            it.mode.exponent.im
+        Of::number(
+            "angular_frequency_rad_per_s",
+            "rad/s",
+            "angular frequency ω of small oscillations",
+            |it| it.mode.exponent.im,
+        ),
+        Of::number("growth_rate_per_s", "1/s", "rate of growth, negative where it decays", |it| {
+            it.mode.exponent.re
         }),
-        Of::number("growth", "1/s", "rate of growth, negative where it decays", |it| it.mode.exponent.re),
-        Of::value("frequency_squared", "", "ω² as a fraction or with a square root, or null", |it| {
-            it.mode.frequency_squared.as_ref().map(ToString::to_string).into()
-        })
+        Of::value(
+            "angular_frequency_squared",
+            "",
+            "ω² as a fraction or with a square root, or null",
+            |it| it.mode.frequency_squared.as_ref().map(ToString::to_string).into(),
+        )
         .only_json(),
-        Of::value("exact_frequency", "", "ω with square roots, or null", |it| {
+        Of::value("exact_angular_frequency", "", "ω with square roots, or null", |it| {
             exact_frequency(it.mode).into()
         }),
         Of::value("shape[]", "", "displacements of the coordinates, the largest 1, real part", |it| {

@@ -170,10 +170,15 @@ fn of_point() -> Fields<ModePoint> {
             .numeral("period / s", |it| to_its_error(it.orbit.period(), it.orbit.period_uncertainty(), 14)),
         Of::number("error_s", "s", "bound on its error", |it| it.orbit.period_uncertainty())
             .numeral("to", |it| at_most(it.orbit.period_uncertainty())),
-        Of::number("frequency", "rad/s", "angular frequency of the orbit", |it| it.orbit.frequency()),
-        Of::nullable("series_frequency", "rad/s", "ω + κa² of its first harmonic, or null", |it| {
-            it.series_frequency
-        })
+        Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of the orbit", |it| {
+            it.orbit.frequency()
+        }),
+        Of::nullable(
+            "series_angular_frequency_rad_per_s",
+            "rad/s",
+            "ω + κa² of its first harmonic, or null",
+            |it| it.series_frequency,
+        )
         .rounded("ω + κa²", 8),
         Of::value("stable", "", "whether no small deviation grows exponentially", |it| it.is_stable().into())
             .words("stable", |it| if it.is_stable() { "yes" } else { "no" }.to_owned()),

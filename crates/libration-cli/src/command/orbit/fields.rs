@@ -55,7 +55,7 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             "bound on its error, 0 where the drive sets it, null where the equations leave it open",
             |it| it.orbit.period_uncertainty(),
         ),
-        Of::number("frequency", "rad/s", "2π over the period", |it| it.orbit.frequency())
+        Of::number("angular_frequency_rad_per_s", "rad/s", "2π over the period", |it| it.orbit.frequency())
             .line("angular frequency", 15),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("start[]", "", "state at the start of the orbit, in the order of those names", |it| {

@@ -65,7 +65,9 @@ fn of_mode<'a>() -> Fields<Numbered<'a>> {
     type Of<'a> = Field<Numbered<'a>>;
     Fields::from([
         Of::value("mode", "1", "number of the mode, from 1", |it| it.number.into()),
-        Of::number("frequency", "rad/s", "angular frequency of small oscillations", |it| it.mode.frequency()),
+        Of::number("angular_frequency_rad_per_s", "rad/s", "angular frequency of small oscillations", |it| {
+            it.mode.frequency()
+        }),
         Of::value("shape[]", "", "displacements of the coordinates, the largest 1", |it| {
             json::list(it.mode.shape.iter().map(|part| part.re))
         }),
@@ -79,7 +81,7 @@ fn of_divisor() -> Fields<Divisor> {
         Of::value("monomial", "", "term that is taken out, ~ for conjugates", |it| {
             monomial(&it.powers, &it.conjugate_powers).into()
         }),
-        Of::number("divisor", "rad/s", "its frequency less that of the mode", |it| it.divisor),
+        Of::number("divisor_rad_per_s", "rad/s", "its frequency less that of the mode", |it| it.divisor),
     ])
 }
 
@@ -99,7 +101,7 @@ pub(super) fn of_term() -> Fields<SlowTerm> {
             .words("exactly", |it| it.exact.clone().unwrap_or_default()),
         Of::value("kind", "", "shift, of a frequency with an amplitude, or resonance", |it| kind(it).into())
             .words("kind", |it| kind(it).to_owned()),
-        Of::number("detuning", "rad/s", "its frequency less that of the mode", |it| it.detuning)
+        Of::number("detuning_rad_per_s", "rad/s", "its frequency less that of the mode", |it| it.detuning)
             .short("detuning", 4),
     ])
 }

@@ -111,7 +111,7 @@ fn of_row() -> Fields<Row> {
             it.motion.into()
         })
         .numeral("motion", |it| it.motion.to_string()),
-        Of::number("time", "s", "time of the point", |it| it.time).rounded("time", 10),
+        Of::number("time_s", "s", "time of the point", |it| it.time).rounded("time", 10),
         Of::value("state[]", "", "state there, in the order of the names", |it| json::numbers(&it.state)),
     ])
 }

@@ -55,7 +55,7 @@ pub(super) fn of_sample() -> Fields<Sample> {
 pub(super) fn of_sample_alone() -> Fields<Sample> {
     type Of = Field<Sample>;
     Fields::from([
-        Of::number("time", "s", "time of the sample", |it| it.moment.time),
+        Of::number("time_s", "s", "time of the sample", |it| it.moment.time),
         Of::value("state[]", "", "state then, in the order of the names", |it| {
             json::numbers(&it.moment.state)
         }),
@@ -72,7 +72,7 @@ pub(super) fn of_event() -> Fields<Happening> {
     type Of = Field<Happening>;
     of_event_alone().and([
         Of::present_value(
-            "time_error",
+            "time_error_s",
             "s",
             "estimate of the error of the time, null where the motion is not determined; left out where none is estimated",
             |it| it.error.as_ref().map(|error| json::number(error.time)),
@@ -90,7 +90,7 @@ pub(super) fn of_event() -> Fields<Happening> {
 pub(super) fn of_event_alone() -> Fields<Happening> {
     type Of = Field<Happening>;
     Fields::from([
-        Of::number("time", "s", "time of the event", |it| it.time),
+        Of::number("time_s", "s", "time of the event", |it| it.time),
         Of::value(
             "kind",
             "",
@@ -109,7 +109,7 @@ pub(super) fn of_event_alone() -> Fields<Happening> {
 
 /// What stands before the state in CSV.
 pub(super) fn of_time() -> Fields<f64> {
-    Fields::from([Field::number("time", "s", "time of the sample or event", |time| *time)])
+    Fields::from([Field::number("time_s", "s", "time of the sample or event", |time| *time)])
 }
 
 /// What stands behind it.
@@ -156,7 +156,7 @@ fn of_precision() -> Fields<Summary> {
 fn of_start_effect() -> Fields<Moment> {
     type Of = Field<Moment>;
     Fields::from([
-        Of::number("time", "s", "time of the last state that is determined", |it| it.time),
+        Of::number("time_s", "s", "time of the last state that is determined", |it| it.time),
         Of::value(
             "effect[]",
             "",
@@ -168,7 +168,7 @@ fn of_start_effect() -> Fields<Moment> {
 
 /// The errors in CSV.
 pub(super) const TIME_ERROR: Row = (
-    "time_error",
+    "time_error_s",
     "s",
     "estimate of the error of the time of an event, empty in samples; only with --events",
 );
@@ -228,8 +228,8 @@ fn of_ending() -> Fields<EventEnding> {
         Of::value("event", "", "event of --until that ended the motion; without it left out", |it| {
             it.name.as_str().into()
         }),
-        Of::number("time", "s", "when", |it| it.end.time),
-        Of::nullable("time_error", "s", "by how much that may be wrong, null with --no-errors", |it| {
+        Of::number("time_s", "s", "when", |it| it.end.time),
+        Of::nullable("time_error_s", "s", "by how much that may be wrong, null with --no-errors", |it| {
             Some(it.error.time).filter(|error| error.is_finite())
         }),
         Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.end.state)),

@@ -3,6 +3,7 @@
 use super::chunk::{self, Outcome};
 use super::plan::Plan;
 use super::shard::Shard;
+use crate::output::json::SCHEMA;
 use crate::output::{file, json};
 use crate::query_error::QueryError;
 use serde_json::Value;
@@ -63,6 +64,12 @@ impl Store {
             _ => no_sweep(error.to_string()),
         })?;
         let json: Value = serde_json::from_slice(&text).map_err(|error| no_sweep(error.to_string()))?;
+        if let Some(found) = json["schema"].as_u64().filter(|found| *found != SCHEMA) {
+            let reason = format!(
+                "its fields have the names of schema {found}, and those of this version are schema {SCHEMA}: sweep again into a new directory"
+            );
+            return Err(no_sweep(reason));
+        }
         let plan = Plan::read(&json).map_err(no_sweep)?;
         let version = json["version"].as_str().unwrap_or_default().to_owned();
         Ok(Self { directory: directory.to_owned(), plan, version })

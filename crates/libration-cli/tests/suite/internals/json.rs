@@ -15,5 +15,5 @@ fn a_streamed_list_is_one_json_document() {
     let items = (0..3).map(|n| Record::new().with("n", n));
     document_with_list(&mut text, Record::new().with("a", "b"), "items", items).unwrap();
     let read: Value = serde_json::from_slice(&text).unwrap();
-    assert_eq!(read, serde_json::json!({"schema": 1, "a": "b", "items": [{"n": 0}, {"n": 1}, {"n": 2}]}));
+    assert_eq!(read, serde_json::json!({"schema": 2, "a": "b", "items": [{"n": 0}, {"n": 1}, {"n": 2}]}));
 }

@@ -63,11 +63,14 @@ fn of_cycle() -> Fields<SlowLimitCycle> {
         Of::value("amplitude[]", "", "A of a limit cycle, by powers of the small parameter", |it| {
             numbers(&it.amplitude)
         }),
-        Of::value("frequency[]", "rad/s", "its angular frequency, by powers of the small parameter", |it| {
-            numbers(&it.frequency)
-        }),
         Of::value(
-            "exponent[]",
+            "angular_frequency_rad_per_s[]",
+            "rad/s",
+            "its angular frequency, by powers of the small parameter",
+            |it| numbers(&it.frequency),
+        ),
+        Of::value(
+            "exponent_per_s[]",
             "1/s",
             "rate at which distances from it grow, by powers of the small parameter",
             |it| numbers(&it.exponent),

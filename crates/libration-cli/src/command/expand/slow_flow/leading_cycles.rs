@@ -55,15 +55,15 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
             it.amplitude_uncertainty
         }),
         Of::number("other_side", "", "displacement at the other turning point", |it| it.other_side),
-        Of::number("period", "s", "its period, that of the exact orbit", |it| it.period),
-        Of::number("period_uncertainty", "s", "how far the period may be off", |it| it.period_uncertainty),
+        Of::number("period_s", "s", "its period, that of the exact orbit", |it| it.period),
+        Of::number("period_uncertainty_s", "s", "how far the period may be off", |it| it.period_uncertainty),
         Of::number(
-            "exponent",
+            "exponent_per_s",
             "1/s",
             "rate at which distances from it grow, over the small parameter",
             |it| it.exponent,
         ),
-        Of::number("exponent_uncertainty", "1/s", "how far the exponent may be off", |it| {
+        Of::number("exponent_uncertainty_per_s", "1/s", "how far the exponent may be off", |it| {
             it.exponent_uncertainty
         }),
     ])

@@ -145,7 +145,7 @@ pub(super) fn of_averages() -> Fields<ModelAverage> {
 
 fn of_period() -> Fields<ModelAverage> {
     let meaning = "T₀ over the models by their weights";
-    let names = ["small_angle_period_s", "small_angle_period_s_uncertainty", "small_angle_period_s_spread"];
+    let names = ["small_angle_period_s", "small_angle_period_uncertainty_s", "small_angle_period_spread_s"];
     of_values(names, "s", meaning)
 }
 

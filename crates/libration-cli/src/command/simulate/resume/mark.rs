@@ -25,13 +25,13 @@ impl Mark {
     pub(super) fn fields() -> Fields<Self> {
         type Of = Field<Mark>;
         Fields::from([
-            Of::value("time", "s", "time of the checkpoint that --resume continues from", |it| {
+            Of::value("time_s", "s", "time of the checkpoint that --resume continues from", |it| {
                 json::number(it.checkpoint.time)
             }),
             Of::value("state[][]", "", "state there, each number as the sum of two", |it| {
                 json::list(it.checkpoint.state.iter().map(|pair| json::numbers(pair)))
             }),
-            Of::value("unit", "s", "unit of time of the series of the next step", |it| {
+            Of::value("unit_s", "s", "unit of time of the series of the next step", |it| {
                 json::number(it.checkpoint.unit)
             }),
             Of::value(
@@ -73,9 +73,9 @@ impl Mark {
 
     pub(super) fn from_json(value: &Value) -> Option<Self> {
         let checkpoint = Checkpoint {
-            time: value["time"].as_f64()?,
+            time: value["time_s"].as_f64()?,
             state: list(&value["state"], |pair| Some([pair[0].as_f64()?, pair[1].as_f64()?]))?,
-            unit: value["unit"].as_f64()?,
+            unit: value["unit_s"].as_f64()?,
             moduli: list(&value["absolute_values"], modulus)?,
             events: list(&value["event_formulas"], event)?,
             steps: count(&value["steps"])?,

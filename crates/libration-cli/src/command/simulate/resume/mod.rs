@@ -23,6 +23,7 @@ use std::path::{Path, PathBuf};
 pub(super) use checksum::Checksum;
 pub(super) use mark::Mark;
 pub(super) use question::{Difference, Question};
+use state::check_schema;
 pub(super) use state::{Keeper, State};
 
 use rows::Rows;
@@ -53,6 +54,10 @@ pub(super) enum ResumeError {
     NotInAnswer,
     #[error("not valid JSON ({0}): give a file that <libration simulate> wrote")]
     NotJson(String),
+    #[error(
+        "its fields have the names of schema {found}, and those of this version are schema {expected}: run it again from the start"
+    )]
+    Schema { found: u64, expected: u64 },
     #[error(transparent)]
     Difference(#[from] Difference),
     #[error(
@@ -134,6 +139,7 @@ impl Earlier {
         let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::QueryError)?;
         let document: Value =
             serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;
+        check_schema(&document)?;
         let state = State::from_json(&document["resume"]).ok_or(ResumeError::NotInAnswer)?;
         question.check(&state.question).map_err(ResumeError::from)?;
         let known = match state.mark {

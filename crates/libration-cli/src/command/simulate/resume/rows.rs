@@ -88,10 +88,10 @@ fn of_record(value: &Value) -> Option<Happening> {
     let kind = value["kind"].as_str().unwrap_or_default().to_owned();
     let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
     let error = value["error"].as_array().map(|error| Moment {
-        time: number(&value["time_error"]),
+        time: number(&value["time_error_s"]),
         state: error.iter().map(number).collect(),
     });
-    Some(Happening { time: value["time"].as_f64()?, kind, state, columns: None, error })
+    Some(Happening { time: value["time_s"].as_f64()?, kind, state, columns: None, error })
 }
 
 impl Cells {

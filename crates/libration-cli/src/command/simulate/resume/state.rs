@@ -44,6 +44,7 @@ impl State {
         }
         let bytes = arguments::read_at_most(path, LARGEST).ok();
         let value: Option<Value> = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+        value.as_ref().map_or(Ok(()), check_schema)?;
         let state = value.as_ref().and_then(Self::from_json);
         state.ok_or_else(|| ResumeError::NotAState(path.to_owned()))
     }
@@ -52,6 +53,14 @@ impl State {
         let mut text = vec![];
         json::document(&mut text, Self::fields().record(self))?;
         file::write(path, &text)
+    }
+}
+
+/// Whether a document has the names of fields of this version.
+pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
+    match document["schema"].as_u64() {
+        Some(found) if found != json::SCHEMA => Err(ResumeError::Schema { found, expected: json::SCHEMA }),
+        _ => Ok(()),
     }
 }
 
