@@ -73,7 +73,7 @@ class Derivation:
 
 
 def derive(
-    road: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
+    method: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
     oscillator: Given | None = None,
     *,
     order: Given | None = None,
@@ -92,7 +92,7 @@ def derive(
 
     Parameters
     ----------
-    road : str
+    method : str
         Which: "elliptic", "formulas", "perturbation", "averaging" or "limit-cycle".
     oscillator : str, optional
         A key of the catalogue, or an equation.

@@ -105,7 +105,7 @@ def test_sweeps_are_those_of_the_command(tmp_path):
 
 
 def test_derivations_are_those_of_the_command():
-    line = ["derive", "--road", "perturbation", "--order", "3", "--amplitude", "40deg"]
+    line = ["derive", "--method", "perturbation", "--order", "3", "--amplitude", "40deg"]
     derivation = lb.derive("perturbation", order=3, amplitude="40deg")
     assert str(derivation) == command(line)
     assert derivation.to_html() == command([*line, "--format", "html"])

@@ -15,12 +15,12 @@ const inBody = (room, page) =>
 const shown = (room) => room.locator(".derivation").evaluate((it) => it.textContent.replaceAll(/\s/g, ""));
 
 for (const [fragment, words] of [
-  ["road=elliptic&amplitude=40deg&length=57cm", ["--road", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
-  ["road=elliptic&exercises=yes", ["--road", "elliptic", "--exercises"]],
-  ["road=formulas", ["--road", "formulas"]],
-  ["road=perturbation&oscillator=duffing&order=3", ["--road", "perturbation", "duffing", "--order", "3"]],
-  ["road=averaging&set=n%3D2&order=3", ["--road", "averaging", "--set", "n=2", "--order", "3"]],
-  ["road=limit-cycle", ["--road", "limit-cycle"]],
+  ["road=elliptic&amplitude=40deg&length=57cm", ["--method", "elliptic", "--amplitude", "40deg", "--length", "57cm"]],
+  ["road=elliptic&exercises=yes", ["--method", "elliptic", "--exercises"]],
+  ["road=formulas", ["--method", "formulas"]],
+  ["road=perturbation&oscillator=duffing&order=3", ["--method", "perturbation", "duffing", "--order", "3"]],
+  ["road=averaging&set=n%3D2&order=3", ["--method", "averaging", "--set", "n=2", "--order", "3"]],
+  ["road=limit-cycle", ["--method", "limit-cycle"]],
 ]) {
   test(`the derivation of ${fragment} is the command's, word by word`, () =>
     visit(`derivations?${fragment}`, async (room) => {
@@ -34,12 +34,12 @@ test("an amplitude without a unit is in the degrees that the derivation shows, a
     const unit = () => room.locator(".field", { has: room.getByLabel("Your amplitude", { exact: true }) }).locator(".unit").textContent();
     const derived = async (...words) => assert.equal(await shown(room), await inBody(room, command("derive", ...words, "--format", "html").output));
     assert.equal(await unit(), "°");
-    await derived("--road", "elliptic", "--amplitude", "45deg");
+    await derived("--method", "elliptic", "--amplitude", "45deg");
     await room.getByLabel("What to follow").selectOption("perturbation");
     await enter(room, "Oscillator or equation", "duffing");
     await enter(room, "Your amplitude", "0.4");
     assert.equal(await unit(), "");
-    await derived("--road", "perturbation", "duffing", "--amplitude", "0.4");
+    await derived("--method", "perturbation", "duffing", "--amplitude", "0.4");
   }));
 
 test("steps open one after the other by the keyboard, and a link leads to a formula", () =>
@@ -67,7 +67,7 @@ test("a derivation is saved in every form as the command writes it", () =>
   visit("derivations?road=limit-cycle", async (room) => {
     for (const [button, format] of [["a page", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["a Jupyter notebook", "ipynb"]]) {
       const { bytes } = await saved(room, button);
-      assert.equal(bytes.toString(), command("derive", "--road", "limit-cycle", "--format", format).output);
+      assert.equal(bytes.toString(), command("derive", "--method", "limit-cycle", "--format", format).output);
     }
   }));
 

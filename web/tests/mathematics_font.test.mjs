@@ -6,9 +6,9 @@ import { signs } from "../mathematics_font.mjs";
 import { command } from "./harness.mjs";
 
 const FORMULAS = [
-  ...["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"].map((road) => ["derive", "--road", road, "--format", "html"]),
-  ["derive", "--road", "perturbation", "x'' + x + x^3/10 = 0", "--order", "7", "--format", "html"],
-  ["derive", "--road", "elliptic", "--amplitude", "40deg", "--length", "1m", "--exercises", "--format", "html"],
+  ...["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"].map((road) => ["derive", "--method", road, "--format", "html"]),
+  ["derive", "--method", "perturbation", "x'' + x + x^3/10 = 0", "--order", "7", "--format", "html"],
+  ["derive", "--method", "elliptic", "--amplitude", "40deg", "--length", "1m", "--exercises", "--format", "html"],
 ];
 
 for (const words of FORMULAS) {

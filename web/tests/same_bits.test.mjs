@@ -56,7 +56,7 @@ const QUESTIONS = [
   ["simulate", "driven_pendulum", "--set", "A=1.2,c=1/2", "--initial", "theta=0.1", "--times", "0:60:1", "--json"],
   ["section", "driven_pendulum", "--set", "A=1.5,c=1/2", "--initial", "theta=0.2", "--points", "20", "--skip", "1", "--csv"],
   ["lyapunov", "driven_pendulum", "--set", "A=1.5,c=1/2", "--initial", "theta=0.2", "--time", "50", "--json"],
-  ["derive", "--road", "elliptic"],
+  ["derive", "--method", "elliptic"],
   ["inspect", "swing_synthetic.csv", "--json"],
   ["fit", "periods", "period_table_synthetic.csv", "--length", "0.9940(5) m", "--json"],
   ["fit", "lengths", "lengths_synthetic.csv", "--amplitude", "10deg", "--json"],

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 
 /// Those that take a value.
-const OPTIONS: [&str; 5] = ["--over", "--output", "--keep", "--shard", "--chunk"];
+const OPTIONS: [&str; 6] = ["--over", "--output", "-o", "--keep", "--shard", "--chunk"];
 
 /// Brings the options of a sweep before its question, which begins behind `--` then; all that stands behind a `--` is the question's.
 pub fn sweep_options_first(arguments: Vec<OsString>) -> Vec<OsString> {

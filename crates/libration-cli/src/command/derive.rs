@@ -21,26 +21,26 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several amplitudes. With --amplitude each step also shows its numbers for that pendulum.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  libration derive --road elliptic > period.md
-  libration derive --road elliptic --amplitude 40deg --length 1m \\
+  libration derive --method elliptic > period.md
+  libration derive --method elliptic --amplitude 40deg --length 1m \\
     --format html --output period.html
-  libration derive --road formulas --format latex --output formulas.tex
-  libration derive --road perturbation --order 7 --amplitude 60deg \\
+  libration derive --method formulas --format latex --output formulas.tex
+  libration derive --method perturbation --order 7 --amplitude 60deg \\
     --format html --output series.html
-  libration derive --road perturbation quadratic --order 4 --gauge A1=1,A2=1/2
-  libration derive --road perturbation quadratic --format ipynb \\
+  libration derive --method perturbation quadratic --order 4 --gauge A1=1,A2=1/2
+  libration derive --method perturbation quadratic --format ipynb \\
     --output quadratic.ipynb
-  libration derive --road averaging --set n=2 --order 5 --damping-order 2 \\
+  libration derive --method averaging --set n=2 --order 5 --damping-order 2 \\
     --format html --output damping.html
-  libration derive --road limit-cycle van_der_pol --order 4 --format ipynb \\
+  libration derive --method limit-cycle van_der_pol --order 4 --format ipynb \\
     --output van_der_pol.ipynb
-  libration derive --road elliptic --exercises --format html \\
+  libration derive --method elliptic --exercises --format html \\
     --output exercises.html
-  libration derive --road perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
+  libration derive --method perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
     /// Which derivation
-    #[arg(long, value_enum)]
-    road: Road,
+    #[arg(long, alias = "road", value_enum)]
+    method: Method,
     #[command(flatten)]
     series: SeriesOptions,
     /// Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number
@@ -59,7 +59,7 @@ pub(crate) struct Derive {
     output: Option<PathBuf>,
 }
 
-/// What only the roads to series have a choice of.
+/// What only the methods with series have a choice of.
 #[derive(Debug, clap::Args)]
 struct SeriesOptions {
     /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`, for limit-cycle `van_der_pol`]
@@ -86,7 +86,7 @@ struct SeriesOptions {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Road {
+enum Method {
     /// The exact period: energy, elliptic integral, series, mean
     Elliptic,
     /// Where the published formulas for the period come from
@@ -139,13 +139,13 @@ impl Derive {
                 "<--length> and <--gravity> show their numbers at an amplitude: add <--amplitude> 40deg";
             return Err(QueryError::misuse(reason.to_owned()));
         }
-        self.series.refuse(self.road)?;
-        let derivation = match self.road {
-            Road::Perturbation => return self.perturbation(),
-            Road::Averaging => return self.averaging(),
-            Road::LimitCycle => return self.limit_cycle(),
-            Road::Elliptic => libration_derivation::elliptic,
-            Road::Formulas => libration_derivation::formulas,
+        self.series.refuse(self.method)?;
+        let derivation = match self.method {
+            Method::Perturbation => return self.perturbation(),
+            Method::Averaging => return self.averaging(),
+            Method::LimitCycle => return self.limit_cycle(),
+            Method::Elliptic => libration_derivation::elliptic,
+            Method::Formulas => libration_derivation::formulas,
         };
         derivation(self.swing()?.as_ref()).map(|derivation| (derivation, true)).map_err(failure)
     }
@@ -256,22 +256,23 @@ fn failure(error: DerivationError) -> QueryError {
 }
 
 impl SeriesOptions {
-    /// Each road has something to choose that others have not.
-    fn refuse(&self, road: Road) -> Result<(), QueryError> {
-        const SERIES: &[Road] = &[Road::Perturbation, Road::Averaging, Road::LimitCycle];
+    /// Each method has something to choose that others have not.
+    fn refuse(&self, method: Method) -> Result<(), QueryError> {
+        const SERIES: &[Method] = &[Method::Perturbation, Method::Averaging, Method::LimitCycle];
         let given = [
             (argument("OSCILLATOR|EQUATION"), self.oscillator.is_some(), SERIES),
             (option("order"), self.order.is_some(), SERIES),
             (option("set"), !self.set.is_empty(), SERIES),
-            (option("gauge"), self.gauge.is_some(), &[Road::Perturbation]),
-            (option("about"), self.about.is_some(), &[Road::Perturbation]),
-            (option("damping-order"), self.damping_order.is_some(), &[Road::Averaging]),
-            (option("small"), self.small.is_some(), &[Road::Averaging, Road::LimitCycle]),
+            (option("gauge"), self.gauge.is_some(), &[Method::Perturbation]),
+            (option("about"), self.about.is_some(), &[Method::Perturbation]),
+            (option("damping-order"), self.damping_order.is_some(), &[Method::Averaging]),
+            (option("small"), self.small.is_some(), &[Method::Averaging, Method::LimitCycle]),
         ];
-        match given.iter().find(|(_, given, roads)| *given && !roads.contains(&road)) {
-            Some((name, _, roads)) => {
-                let names: Vec<&str> = roads.iter().map(|road| road.name()).collect();
-                let reason = format!("is for {} {} only: leave it out", option("road"), names.join(" and "));
+        match given.iter().find(|(_, given, methods)| *given && !methods.contains(&method)) {
+            Some((name, _, methods)) => {
+                let names: Vec<&str> = methods.iter().map(|method| method.name()).collect();
+                let reason =
+                    format!("is for {} {} only: leave it out", option("method"), names.join(" and "));
                 Err(QueryError::usage(name, reason))
             }
             None => Ok(()),
@@ -279,7 +280,7 @@ impl SeriesOptions {
     }
 }
 
-impl Road {
+impl Method {
     fn name(self) -> &'static str {
         match self {
             Self::Elliptic => "elliptic",

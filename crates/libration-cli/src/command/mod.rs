@@ -51,7 +51,7 @@ use std::io::Write;
 
 /// The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error.
 #[derive(Debug, clap::Parser)]
-#[command(name = "libration", version, arg_required_else_help = true, term_width = HELP_WIDTH, after_help = EXAMPLES)]
+#[command(name = "libration", version, arg_required_else_help = true, term_width = HELP_WIDTH, after_help = EXAMPLES, help_template = help_template())]
 pub(crate) struct Libration {
     #[command(subcommand)]
     question: Question,
@@ -63,23 +63,87 @@ const HELP_WIDTH: usize = 80;
 const EXAMPLES: &str = "\
 Examples:
   libration period 60deg                     # exact, and by every formula
-  libration period 1deg:179deg:1deg          # a table, one row per amplitude
-  libration motion 150deg --times 0:10:0.5   # angle and velocity in time
-  libration decay 60deg --linear 0.1         # how damped swings die down
-  libration formulas --amplitude 90deg --tolerance 1e-3
   libration expand duffing --order 9         # exact perturbation series
-  libration simulate double_pendulum --times 0:10:0.1 \\
-    --initial theta1=120deg,theta2=120deg
-  libration derive --road elliptic           # how the exact period is found
-  libration figure errors --output errors.svg
-  libration inspect examples/swing_synthetic.csv
-  libration fit trace examples/swing_synthetic.csv \\
-    --length 0.56m±0.002m --report swing.html
+  libration simulate pendulum --initial theta=179deg --times 0:20:1
+  libration fit trace swing.csv --length 0.56m±0.002m --report swing.html
 
-Angles are 60deg, 60°, 1.2rad, 1.2 (radians), or distances from the top:
-pi-1e-6, 180deg-1e-9deg. Tables are as wide as the terminal, or as COLUMNS says;
-files and pipes get 80 columns.
-Exit status: 0 success, 1 no answer, 2 usage error, 130 interrupted.";
+Angles: 60deg, 60°, 1.2rad, 1.2 (radians), pi-1e-6, 180deg-1e-9deg. Tables are
+as wide as the terminal, or as COLUMNS says; files and pipes get 80 columns.
+Exit status: 0 success, 1 no result, 2 usage error, 130 interrupted.";
+
+/// The commands in groups, each with a line.
+const GROUPS: &[(&str, &[(&str, &str)])] = &[
+    (
+        "Pendulum",
+        &[
+            ("period", "exact period, and every published formula with its error"),
+            ("motion", "angle and velocity in time"),
+            ("fourier", "Fourier coefficients of angle and velocity"),
+            ("formulas", "period formulas: sources, accuracy, where each holds"),
+            ("decay", "decay of damped swings, cycle by cycle"),
+        ],
+    ),
+    (
+        "Oscillators and series",
+        &[
+            ("expand", "exact perturbation series of frequency and harmonics"),
+            ("backbone", "frequency against amplitude: orbits, series, exact"),
+            ("oscillators", "built-in oscillators: equations, parameters, sources"),
+        ],
+    ),
+    (
+        "Motion and dynamics",
+        &[
+            ("simulate", "motion of any system in time, each state with its error"),
+            ("orbit", "periodic orbit: period, harmonics, Floquet multipliers"),
+            ("response", "periodic response over a parameter: folds, stability"),
+            ("stability", "stability over two parameters"),
+            ("modes", "normal modes, and how they change with the amplitude"),
+            ("resonance", "slow exchange of energy between modes"),
+            ("section", "Poincaré section"),
+            ("bifurcation", "bifurcation diagram"),
+            ("lyapunov", "largest Lyapunov exponent"),
+            ("melnikov", "Melnikov function: thresholds of chaos, resonances"),
+            ("systems", "built-in systems: equations, parameters, sources"),
+        ],
+    ),
+    (
+        "Laboratory",
+        &[
+            ("inspect", "contents of a file of measurements: columns, units, faults"),
+            ("fit", "fit of periods, lengths, gate times, swings, responses"),
+            ("plan", "plan of a measurement of g"),
+        ],
+    ),
+    (
+        "Derivations",
+        &[
+            ("derive", "worked derivation, every formula checked"),
+            ("paper", "equations of two published derivations, checked"),
+        ],
+    ),
+    (
+        "Tools",
+        &[
+            ("figure", "pictures: SVG or PNG"),
+            ("sweep", "any command at all points of a grid"),
+            ("fields", "meaning and unit of every field of JSON and CSV"),
+            ("page", "page for browsers, in one file"),
+            ("completions", "completion script for a shell"),
+            ("help", "help of a command"),
+        ],
+    ),
+];
+
+/// The groups of commands as clap's template of the help.
+fn help_template() -> String {
+    let mut template = "{about}\n\n{usage-heading} {usage}\n".to_owned();
+    for (title, commands) in GROUPS {
+        template += &format!("\n{title}:\n");
+        commands.iter().for_each(|(name, line)| template += &format!("  {name:<12} {line}\n"));
+    }
+    template + "\nOptions:\n{options}{after-help}"
+}
 
 /// The question of a command line, which begins behind the name of the program.
 pub(crate) fn question(arguments: Vec<OsString>) -> Result<Libration, clap::Error> {

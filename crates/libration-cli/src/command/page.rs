@@ -21,7 +21,7 @@ Examples:
   libration page --output lesson.html")]
 pub(crate) struct Page {
     /// The file to write; - for standard output
-    #[arg(long, value_name = "FILE", default_value = "libration.html")]
+    #[arg(long, short, value_name = "FILE", default_value = "libration.html")]
     output: PathBuf,
 }
 

@@ -14,6 +14,7 @@ pub(crate) use text::in_command_words;
 use clap::error::ErrorKind::MissingRequiredArgument;
 use clap::error::{ContextKind, ContextValue};
 use libration::oscillator::Remedy;
+use libration::quantity::Angle;
 use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Display;
@@ -159,7 +160,8 @@ impl QueryError {
             None => first_paragraphs(error),
         };
         let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
-        Self::new(Kind::Usage, about, &reason)
+        let hint = command_for(error).map(|hint| Text::marked(&hint));
+        Self { hint, ..Self::new(Kind::Usage, about, &reason) }
     }
 
     /// The kind of the error.
@@ -304,7 +306,31 @@ fn sentence(remedy: Remedy) -> &'static str {
 
 /// The message of clap; what it repeats of long arguments is shortened.
 pub(crate) fn refusal(error: &clap::Error) -> String {
-    echo::shortened(&echo::unprotected(&error.render().to_string()))
+    let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
+    match command_for(error) {
+        Some(hint) => message.replacen("\n\n", &format!("\nhint: {}\n\n", in_command_words(&hint)), 1),
+        None => message,
+    }
+}
+
+/// The command that may be meant by a first word that is none: an amplitude, or the name of a file.
+fn command_for(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    let is_amplitude = |text: &str| text.trim().parse::<Angle>().is_ok();
+    let query = match word {
+        word if word.split([':', ',']).all(is_amplitude) => "period",
+        word if is_recording(word) => "inspect",
+        _ => return None,
+    };
+    Some(format!("<libration {query}> {word}"))
+}
+
+/// Whether a name ends as files of measurements do.
+fn is_recording(word: &str) -> bool {
+    let end = word.rsplit_once('.').map(|it| it.1.to_ascii_lowercase());
+    end.is_some_and(|end| {
+        ["csv", "tsv", "txt", "dat", "xlsx", "xls", "ods", "zip", "json"].contains(&end.as_str())
+    })
 }
 
 /// The parameters that clap refuses.
@@ -320,7 +346,7 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
 
 /// The message of clap without usage and advice.
 fn first_paragraphs(error: &clap::Error) -> String {
-    let message = refusal(error);
+    let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
     let reason = message.strip_prefix("error: ").unwrap_or(&message);
     let end =
         ["\n\nUsage:", "\n\nFor more information"].iter().filter_map(|advice| reason.find(advice)).min();

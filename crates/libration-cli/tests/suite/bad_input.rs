@@ -190,7 +190,7 @@ fn bare_angles_above_half_a_turn_are_said_to_be_radians() {
         "section driven_pendulum --set A=1 --initial theta=60 --points 1 --skip 0",
         "expand pendulum --order 3 --evaluate 60",
         "modes pendulum --about theta=60",
-        "derive --road perturbation --order 2 --amplitude 60",
+        "derive --method perturbation --order 2 --amplitude 60",
     ] {
         let output = libration(question);
         assert_eq!(message(&output).matches(note).count(), 1, "{question}: {}", message(&output));

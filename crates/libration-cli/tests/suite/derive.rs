@@ -9,11 +9,11 @@ const ROADS: [&str; 5] = ["elliptic", "formulas", "perturbation", "averaging", "
 #[test]
 fn every_road_is_written_in_every_format() {
     for road in ROADS {
-        let markdown = text(&format!("derive --road {road}"));
+        let markdown = text(&format!("derive --method {road}"));
         assert!(markdown.starts_with("# ") && markdown.contains("```math"), "{road}");
-        let latex = text(&format!("derive --road {road} --format latex"));
+        let latex = text(&format!("derive --method {road} --format latex"));
         assert!(latex.starts_with("\\documentclass") && latex.ends_with("\\end{document}\n"), "{road}");
-        let html = text(&format!("derive --road {road} --format html"));
+        let html = text(&format!("derive --method {road} --format html"));
         assert!(html.starts_with("<!DOCTYPE html>") && html.contains("<math display=\"block\">"), "{road}");
         assert!(!html.contains("http"), "{road} fetches something");
     }
@@ -23,12 +23,12 @@ fn every_road_is_written_in_every_format() {
 fn braces_of_latex_and_tags_of_html_are_closed() {
     for road in ROADS {
         let numbers = if ["averaging", "limit-cycle"].contains(&road) { "" } else { "--amplitude 40deg" };
-        let latex = text(&format!("derive --road {road} {numbers} --format latex"));
+        let latex = text(&format!("derive --method {road} {numbers} --format latex"));
         let count = |mark: &str| latex.matches(mark).count();
         assert_eq!(count("{"), count("}"), "{road}");
         assert_eq!(count("\\left("), count("\\right)"), "{road}");
         assert_eq!(count("\\begin{"), count("\\end{"), "{road}");
-        let html = text(&format!("derive --road {road} {numbers} --format html"));
+        let html = text(&format!("derive --method {road} {numbers} --format html"));
         for tag in [
             "p", "math", "mrow", "mfrac", "msqrt", "msup", "msub", "msubsup", "mi", "mn", "mo", "table", "td",
         ] {
@@ -41,16 +41,16 @@ fn braces_of_latex_and_tags_of_html_are_closed() {
 
 #[test]
 fn numbers_are_those_of_the_pendulum() {
-    let derivation = text("derive --road elliptic --amplitude 40deg --length 57cm --gravity 9.81");
+    let derivation = text("derive --method elliptic --amplitude 40deg --length 57cm --gravity 9.81");
     // 2π√(l/g)/agm(1, cos 20°), by mpmath.
     assert!(derivation.contains("1.5620138239"));
-    assert!(!text("derive --road elliptic").contains("digits printed"));
+    assert!(!text("derive --method elliptic").contains("digits printed"));
 }
 
 #[test]
 fn a_file_is_written_in_place_of_the_screen() {
     let path = directory("derive").join("period.html");
-    let output = libration(&format!("derive --road elliptic --format html --output {}", path.display()));
+    let output = libration(&format!("derive --method elliptic --format html --output {}", path.display()));
     assert!(output.status.success(), "{}", message(&output));
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.lines().count() == 1 && said.contains("period.html written: "), "{said}");
@@ -61,39 +61,39 @@ fn a_file_is_written_in_place_of_the_screen() {
 #[test]
 fn questions_without_sense_are_refused() {
     let cases = [
-        ("derive", 2, "--road"),
-        ("derive --road straight", 2, "elliptic"),
-        ("derive --road elliptic --format pdf", 2, "latex"),
-        ("derive --road elliptic --length 1m", 2, "--amplitude"),
-        ("derive --road elliptic --amplitude 200deg", 1, "--amplitude"),
-        ("derive --road formulas --amplitude 179.99deg", 1, "179.9"),
-        ("derive --road elliptic --gauge x_max", 2, "--gauge"),
-        ("derive --road formulas duffing", 2, "OSCILLATOR"),
-        ("derive --road perturbation --order 1", 2, "2 to 9"),
-        ("derive --road perturbation --order 10", 2, "--order"),
-        ("derive --road perturbation --gauge best", 2, "fundamental"),
-        ("derive --road perturbation nonsense", 2, "nonsense"),
-        ("derive --road perturbation van_der_pol", 1, "velocity"),
-        ("derive --road perturbation duffing --amplitude 0.5 --length 1m", 2, "--length"),
-        ("derive --road perturbation duffing --gauge nome", 1, "nome"),
-        ("derive --road perturbation duffing --amplitude 0", 1, "--amplitude"),
-        ("derive --road averaging --amplitude 0.5", 2, "--amplitude"),
-        ("derive --road averaging --gauge energy", 2, "--gauge"),
-        ("derive --road averaging --about 1", 2, "--about"),
-        ("derive --road averaging --damping-order 5", 2, "--damping-order"),
-        ("derive --road averaging --order 10", 2, "--order"),
-        ("derive --road averaging duffing", 1, "no letter"),
-        ("derive --road averaging x''+a*x'+b*x'^3+x=0", 2, "--small"),
-        ("derive --road averaging x''+a*x'+x=0 --small b", 2, "--small"),
-        ("derive --road averaging x''+c*x'+2*x=0", 1, "unit of time"),
-        ("derive --road limit-cycle --amplitude 0.5", 2, "--amplitude"),
-        ("derive --road limit-cycle --damping-order 2", 2, "--damping-order"),
-        ("derive --road limit-cycle duffing", 1, "no letter"),
-        ("derive --road limit-cycle x''+c*(x'+x^3)+x=0", 1, "no limit cycle"),
-        ("derive --road limit-cycle rayleigh_cubic", 1, "fraction"),
-        ("derive --road perturbation --damping-order 2", 2, "--damping-order"),
-        ("derive --road formulas --small c", 2, "--small"),
-        ("derive --road elliptic --output /nonexistent/a/b.md", 1, "/nonexistent/a/b.md"),
+        ("derive", 2, "--method"),
+        ("derive --method straight", 2, "elliptic"),
+        ("derive --method elliptic --format pdf", 2, "latex"),
+        ("derive --method elliptic --length 1m", 2, "--amplitude"),
+        ("derive --method elliptic --amplitude 200deg", 1, "--amplitude"),
+        ("derive --method formulas --amplitude 179.99deg", 1, "179.9"),
+        ("derive --method elliptic --gauge x_max", 2, "--gauge"),
+        ("derive --method formulas duffing", 2, "OSCILLATOR"),
+        ("derive --method perturbation --order 1", 2, "2 to 9"),
+        ("derive --method perturbation --order 10", 2, "--order"),
+        ("derive --method perturbation --gauge best", 2, "fundamental"),
+        ("derive --method perturbation nonsense", 2, "nonsense"),
+        ("derive --method perturbation van_der_pol", 1, "velocity"),
+        ("derive --method perturbation duffing --amplitude 0.5 --length 1m", 2, "--length"),
+        ("derive --method perturbation duffing --gauge nome", 1, "nome"),
+        ("derive --method perturbation duffing --amplitude 0", 1, "--amplitude"),
+        ("derive --method averaging --amplitude 0.5", 2, "--amplitude"),
+        ("derive --method averaging --gauge energy", 2, "--gauge"),
+        ("derive --method averaging --about 1", 2, "--about"),
+        ("derive --method averaging --damping-order 5", 2, "--damping-order"),
+        ("derive --method averaging --order 10", 2, "--order"),
+        ("derive --method averaging duffing", 1, "no letter"),
+        ("derive --method averaging x''+a*x'+b*x'^3+x=0", 2, "--small"),
+        ("derive --method averaging x''+a*x'+x=0 --small b", 2, "--small"),
+        ("derive --method averaging x''+c*x'+2*x=0", 1, "unit of time"),
+        ("derive --method limit-cycle --amplitude 0.5", 2, "--amplitude"),
+        ("derive --method limit-cycle --damping-order 2", 2, "--damping-order"),
+        ("derive --method limit-cycle duffing", 1, "no letter"),
+        ("derive --method limit-cycle x''+c*(x'+x^3)+x=0", 1, "no limit cycle"),
+        ("derive --method limit-cycle rayleigh_cubic", 1, "fraction"),
+        ("derive --method perturbation --damping-order 2", 2, "--damping-order"),
+        ("derive --method formulas --small c", 2, "--small"),
+        ("derive --method elliptic --output /nonexistent/a/b.md", 1, "/nonexistent/a/b.md"),
     ];
     for (arguments, status, part) in cases {
         let output = libration(arguments);
@@ -105,7 +105,7 @@ fn questions_without_sense_are_refused() {
 
 #[test]
 fn perturbation_has_the_published_coefficients_in_both_published_gauges() {
-    let derivation = text("derive --road perturbation --order 5");
+    let derivation = text("derive --method perturbation --order 5");
     // B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), equations (38), (45), (46), (48)-(51), with the correct (46).
     for coefficient in [
         r"-\frac{1}{4096}",
@@ -132,7 +132,7 @@ fn other_oscillators_and_gauges_are_derived() {
         "rotating_hoop --set gamma=1/3",
         "pendulum --order 9 --gauge nome --amplitude 60deg --length 57cm",
     ] {
-        let derivation = text(&format!("derive --road perturbation {arguments}"));
+        let derivation = text(&format!("derive --method perturbation {arguments}"));
         assert!(derivation.contains("enough to decide for all"), "{arguments}");
     }
 }
@@ -140,7 +140,7 @@ fn other_oscillators_and_gauges_are_derived() {
 /// A page of exercises in every form, with its answers on a page of their own.
 #[test]
 fn exercises_have_their_answers_at_the_end() {
-    let question = "derive --road perturbation --order 3 --exercises --format";
+    let question = "derive --method perturbation --order 3 --exercises --format";
     for (form, answers) in
         [("markdown", "## Answers"), ("latex", "\\part*{Answers}"), ("html", "id=\"answers\"")]
     {
@@ -154,22 +154,22 @@ fn exercises_have_their_answers_at_the_end() {
 #[test]
 fn notebooks_check_their_formulas_again() {
     let questions = [
-        "--road elliptic",
-        "--road elliptic --amplitude 40deg",
-        "--road formulas --amplitude 170deg",
-        "--road perturbation --order 7 --amplitude 60deg",
-        "--road perturbation --order 4 --gauge A1=1,A2=1/2 --exercises",
-        "--road perturbation helmholtz_duffing --order 5",
-        "--road perturbation double_well --order 4 --gauge energy",
-        "--road averaging --order 3",
-        "--road averaging --set n=2",
-        "--road damping --set n=3 --order 3 --exercises",
-        "--road averaging --set n=0 --order 3",
-        "--road averaging van_der_pol --order 7 --damping-order 3",
-        "--road limit-cycle --order 5",
-        "--road limit-cycle rayleigh --order 4 --exercises",
-        "--road limit-cycle x''+4*x=e*((1-x^2)*x'-x^3+x^2) --order 4",
-        "--road averaging x''+c*x'-2*x+2*x^3=0 --order 2",
+        "--method elliptic",
+        "--method elliptic --amplitude 40deg",
+        "--method formulas --amplitude 170deg",
+        "--method perturbation --order 7 --amplitude 60deg",
+        "--method perturbation --order 4 --gauge A1=1,A2=1/2 --exercises",
+        "--method perturbation helmholtz_duffing --order 5",
+        "--method perturbation double_well --order 4 --gauge energy",
+        "--method averaging --order 3",
+        "--method averaging --set n=2",
+        "--method damping --set n=3 --order 3 --exercises",
+        "--method averaging --set n=0 --order 3",
+        "--method averaging van_der_pol --order 7 --damping-order 3",
+        "--method limit-cycle --order 5",
+        "--method limit-cycle rayleigh --order 4 --exercises",
+        "--method limit-cycle x''+4*x=e*((1-x^2)*x'-x^3+x^2) --order 4",
+        "--method averaging x''+c*x'-2*x+2*x^3=0 --order 2",
     ];
     let notebooks = questions.map(|question| {
         let cells = code_cells(&format!("derive {question} --format ipynb"));
@@ -184,10 +184,10 @@ fn notebooks_check_their_formulas_again() {
 /// The polynomials of a few harmonics and the formulas of the catalogue are checked by cells too.
 #[test]
 fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
-    let cells = code_cells("derive --road perturbation --order 3 --format ipynb").join("\n");
+    let cells = code_cells("derive --method perturbation --order 3 --format ipynb").join("\n");
     let few = ["few.has_ratio", "few.leaves", "few.is_at_zero", "few.begins", "few.asks(5"];
     assert!(few.iter().all(|call| cells.contains(call)));
-    let cells = code_cells("derive --road formulas --format ipynb");
+    let cells = code_cells("derive --method formulas --format ipynb");
     let formulas = |call: &str| cells.iter().skip(1).filter(|cell| cell.contains(call)).count();
     assert_eq!((formulas("error_begins("), formulas("error_vanishes_at_the_top(")), (8, 1));
     let changes = [("64)/(16*", "64)/(17*"), ("Q(3, 8)", "Q(3, 7)"), ("exact(8)/(pi", "exact(9)/(pi")];
@@ -209,7 +209,7 @@ fn notebooks_find_wrong_formulas() {
         ("averaging van_der_pol --order 5", 10),
         ("limit-cycle --order 3", 8),
     ] {
-        let wrong = with_a_wrong_cell(&code_cells(&format!("derive --road {question} --format ipynb")));
+        let wrong = with_a_wrong_cell(&code_cells(&format!("derive --method {question} --format ipynb")));
         assert!(wrong.len() > least, "{question}: {}", wrong.len());
         all.extend(wrong);
     }
@@ -302,7 +302,7 @@ fn the_decay_of_every_power_of_the_velocity_is_derived() {
         (2, r"A'=-\frac{4cA^{2}}{3\pi }", r":=\frac{A_{0}}{1+\beta A_{0}\tau }"),
         (3, r"A'=-\frac{3}{8}cA^{3}", r":=\frac{A_{0}}{\sqrt{1+2\beta A_{0}^{2}\tau }}"),
     ] {
-        let page = text(&format!("derive --road averaging --set n={n} --order 3 --damping-order 1"));
+        let page = text(&format!("derive --method averaging --set n={n} --order 3 --damping-order 1"));
         assert!(page.contains(rate) && page.contains(law), "{n}: {page}");
     }
 }
@@ -310,7 +310,7 @@ fn the_decay_of_every_power_of_the_velocity_is_derived() {
 /// The second document leaves the physical pendulum to its centre of mass; the moment of inertia belongs to it.
 #[test]
 fn the_period_of_any_rigid_body_is_derived() {
-    let derivation = text("derive --road elliptic");
+    let derivation = text("derive --method elliptic");
     let law = r"\omega _{0}^{2}:=\frac{Mgd}{I}";
     assert!(derivation.contains(law) && derivation.contains(r"\frac{2L}{3}"));
 }

@@ -66,9 +66,9 @@ fn what_needs_an_acceleration_refuses_them() {
         &["expand", "x' = -x"][..],
         &["backbone", "x' = -x", "--amplitudes", "1"],
         &["modes", "x'' = -x; q' = x"],
-        &["derive", "--road", "averaging", "x' = -e*x"],
-        &["derive", "--road", "limit-cycle", "x' = -e*x"],
-        &["derive", "--road", "perturbation", "x' = -x^3"],
+        &["derive", "--method", "averaging", "x' = -e*x"],
+        &["derive", "--method", "limit-cycle", "x' = -e*x"],
+        &["derive", "--method", "perturbation", "x' = -x^3"],
         &["figure", "series", "x' = -x"],
     ] {
         let output = run(arguments);

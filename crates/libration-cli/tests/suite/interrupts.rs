@@ -179,7 +179,7 @@ fn ctrl_c_keeps_what_of_a_picture_is_known() {
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_keeps_the_steps_of_a_derivation() {
-    let arguments = ["derive", "--road", "perturbation", SLOW, "--order", "3", "--amplitude", "20"];
+    let arguments = ["derive", "--method", "perturbation", SLOW, "--order", "3", "--amplitude", "20"];
     let output = interrupted(&arguments, 3 * BETWEEN);
     assert!(message(&output).contains("the steps up to then are written"), "{}", message(&output));
     let text = String::from_utf8(output.stdout).unwrap();

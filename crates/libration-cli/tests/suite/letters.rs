@@ -139,7 +139,7 @@ fn what_letters_cannot_say_is_refused() {
     }
     // Other questions need numbers as before.
     for command in
-        [&["backbone", MIXED, "--amplitudes", "1"][..], &["derive", "--road", "perturbation", MIXED]]
+        [&["backbone", MIXED, "--amplitudes", "1"][..], &["derive", "--method", "perturbation", MIXED]]
     {
         let output = run(command);
         assert_eq!(output.status.code(), Some(1), "{command:?}");

@@ -55,13 +55,13 @@ const REFUSED: &[(&[&str], &[&str], bool)] = &[
     (&["expand", "x'' + c*x' + x = t", "--damping-order", "2"], &[], true),
     (&["backbone", "x''+y=0;y''+x=0", "--amplitudes", "1"], &[], true),
     (&["backbone", "pendulum", "--amplitudes", "a"], &["amplitudes"], false),
-    (&["derive", "--road", "perturbation", "--small", "c"], &["small"], false),
-    (&["derive", "--road", "perturbation", "--order", "15"], &["order"], false),
-    (&["derive", "--road", "averaging", "x'' + c*x' + d*x'^3 + x = 0"], &["small"], false),
-    (&["derive", "--road", "perturbation", "x''+x+0.1*x'=0"], &[], true),
-    (&["derive", "--road", "elliptic", "--length", "1m"], &[], false),
-    (&["derive", "--road", "elliptic", "--amplitude", "179.99deg"], &["amplitude"], true),
-    (&["derive", "--road", "limit-cycle", "x''+x=0"], &[], false),
+    (&["derive", "--method", "perturbation", "--small", "c"], &["small"], false),
+    (&["derive", "--method", "perturbation", "--order", "15"], &["order"], false),
+    (&["derive", "--method", "averaging", "x'' + c*x' + d*x'^3 + x = 0"], &["small"], false),
+    (&["derive", "--method", "perturbation", "x''+x+0.1*x'=0"], &[], true),
+    (&["derive", "--method", "elliptic", "--length", "1m"], &[], false),
+    (&["derive", "--method", "elliptic", "--amplitude", "179.99deg"], &["amplitude"], true),
+    (&["derive", "--method", "limit-cycle", "x''+x=0"], &[], false),
     (&["decay", "60deg"], &[], false),
     (&["simulate", "pendulum", "--times", "0:1:0.1"], &["initial"], false),
     (&["simulate", "x''+a*x=0", "--initial", "x=1", "--times", "0:1:0.1"], &["set"], false),
@@ -190,4 +190,35 @@ fn pages_get_an_error_as_json() {
     assert!(hint.contains(&serde_json::json!({ "query": "simulate" })), "{json}");
     assert!(hint.contains(&serde_json::json!({ "parameter": "--damping-order" })), "{json}");
     assert_eq!(read["suggestion"], "");
+}
+
+#[test]
+fn a_first_word_that_is_no_command_gets_the_one_that_is_meant() {
+    for (word, hint) in [
+        ("60deg", Some("[period] 60deg")),
+        ("1deg:9deg:1deg", Some("[period] 1deg:9deg:1deg")),
+        ("pi-1e-6", Some("[period] pi-1e-6")),
+        ("swing.csv", Some("[inspect] swing.csv")),
+        ("data/Swing.XLSX", Some("[inspect] data/Swing.XLSX")),
+        ("periode", None),
+        ("", None),
+    ] {
+        assert_eq!(error(&[word]).hint(&OtherWords).as_deref(), hint, "{word}");
+    }
+    let output = crate::command::libration("60deg");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(crate::command::message(&output).contains("hint: libration period 60deg"));
+}
+
+#[test]
+fn every_command_stands_in_one_group_of_the_help() {
+    let help = crate::command::text("--help");
+    for query in questions() {
+        let name = query.words.split(' ').next().unwrap();
+        let lines = help
+            .lines()
+            .filter(|line| line.strip_prefix("  ").is_some_and(|it| it.split(' ').next() == Some(name)));
+        assert_eq!(lines.count(), 1, "{name}");
+    }
+    assert!(help.lines().count() <= 66 && help.lines().all(|line| line.chars().count() <= 80), "{help}");
 }

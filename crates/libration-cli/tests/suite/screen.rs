@@ -39,7 +39,7 @@ fn files_are_announced() {
     let place = directory("announced-files");
     let page = place.join("period.html");
     assert_eq!(
-        text(&format!("derive --road formulas --format html --output {}", page.display())).lines().count(),
+        text(&format!("derive --method formulas --format html --output {}", page.display())).lines().count(),
         1
     );
     let samples = place.join("long.csv");

@@ -117,7 +117,7 @@ class DerivationsRoom {
     if (road === "paper") return { question: "paper", options: given(options) };
     const { exercises, ...others } = options;
     const oscillator = taken(road).includes("oscillator") ? this.#form.value("oscillator") : "";
-    return { question: "derive", arguments: oscillator === "" ? [] : [oscillator], options: given({ road, ...others, exercises: exercises === "yes" }) };
+    return { question: "derive", arguments: oscillator === "" ? [] : [oscillator], options: given({ method: road, ...others, exercises: exercises === "yes" }) };
   }
 
   async #derive(signal: AbortSignal): Promise<void> {

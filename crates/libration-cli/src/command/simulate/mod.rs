@@ -127,7 +127,7 @@ pub(crate) struct Simulate {
     sizes: figure::Sizes,
     /// Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the
     /// format, - is standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one
     #[arg(long, value_name = "FILE")]

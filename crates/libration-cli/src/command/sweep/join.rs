@@ -27,7 +27,7 @@ pub(crate) struct Join {
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
     /// The file, whose ending says its form: .csv or .json [default: CSV on the standard output]
-    #[arg(long, value_name = "FILE", value_parser = table)]
+    #[arg(long, short, value_name = "FILE", value_parser = table)]
     output: Option<PathBuf>,
     #[command(flatten)]
     form: FormOptions,

@@ -78,7 +78,7 @@ struct Run {
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis, required = true)]
     over: Vec<Axis>,
     /// The directory for the chunks; that of the same sweep is gone on with
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, short, value_name = "DIR")]
     output: PathBuf,
     /// Keep this number of the answer, by its way in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
     #[arg(long, value_name = "[NAME=]PATH")]
