@@ -14,9 +14,10 @@ use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 use libration_testing::sweep::{self, Limits};
 use std::cell::Cell;
+use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
+const DEGREE: f64 = PI / 180.0;
 
 fn found_in(trace: &Trace) -> Cycles {
     cycles(trace, &CyclesOptions::default()).unwrap()
@@ -432,6 +433,13 @@ fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
     assert_eq!(beyond_a_turn(&span(low)), None);
     let beyond = beyond_a_turn(&span(high)).unwrap();
     assert!(beyond.in_degrees && beyond.to_string().contains("no free pendulum"), "{beyond}");
+    // Radians of swings about ±π, of which some jumps were taken out.
+    let about_pi = Synthetic { omega0: 9.0, amplitude: 2.6, offset: PI, ..Synthetic::USUAL };
+    let half_whole = changed(&about_pi.trace(&mut Random::seeded(1)), |row, value| {
+        Some(value - TAU * libm::round(value / TAU) + if row / 40 % 2 == 1 { TAU } else { 0.0 })
+    });
+    let beyond = beyond_a_turn(&half_whole).unwrap();
+    assert!(beyond.wrapped && !beyond.in_degrees && beyond.to_string().contains("whole turns"), "{beyond}");
     let counts = beyond_a_turn(&span(1000.0)).unwrap();
     assert!(!counts.in_degrees, "{counts}");
     let velocities = Synthetic { observable: Observable::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };
