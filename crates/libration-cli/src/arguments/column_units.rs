@@ -47,10 +47,10 @@ impl<const N: usize> ColumnsInSi<N> {
         chosen: &ChosenColumns<N>,
         wanted: &[Wanted; N],
     ) -> Result<Self, String> {
-        let ChosenColumns { columns: chosen, note } = chosen;
+        let ChosenColumns { columns: chosen, note, is_said } = chosen;
         let asked: Vec<Column> = chosen.iter().flatten().cloned().collect();
         let selection = table.select(&asked).map_err(|error| error.to_string())?;
-        let units = ColumnUnits::from_headings(table, chosen, wanted)?;
+        let units = ColumnUnits::from_headings(table, chosen, wanted, *is_said)?;
         let columns = units.in_si(selection.columns, chosen);
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
         Ok(Self {
@@ -109,16 +109,23 @@ impl Wanted {
         }
     }
 
-    fn written(self, table: &Table, column: &Column) -> Result<WrittenUnit, MeasurementError> {
+    fn written(self, table: &Table, column: &Column, is_said: bool) -> Result<WrittenUnit, MeasurementError> {
         match self.uncertainties_of {
+            _ if is_said => table.unit_of_chosen(column, self.role),
             Some(_) => table.unit_of_uncertainty(column, self.role),
             None => table.unit(column, self.role),
         }
     }
 
     /// The unit of a column, with a sentence where the header says one.
-    fn unit(self, table: &Table, column: &Column, usual: Unit) -> Result<(Unit, Option<String>), String> {
-        let written = self.written(table, column).map_err(refusal)?;
+    fn unit(
+        self,
+        table: &Table,
+        column: &Column,
+        usual: Unit,
+        is_said: bool,
+    ) -> Result<(Unit, Option<String>), String> {
+        let written = self.written(table, column, is_said).map_err(refusal)?;
         let place = table.describe(column).map_err(refusal)?;
         let said = self.option.and_then(|(option, said)| Some((option, said?)));
         Ok(match (said, written) {
@@ -164,12 +171,13 @@ impl<const N: usize> ColumnUnits<N> {
         table: &Table,
         columns: &[Option<Column>; N],
         wanted: &[Wanted; N],
+        is_said: bool,
     ) -> Result<Self, String> {
         let (mut units, mut counts, mut inferences) = (wanted.map(Wanted::usual), [1.0; N], Vec::new());
         for (place, (column, wanted)) in columns.iter().zip(wanted).enumerate() {
             let Some(column) = column else { continue };
             let usual = wanted.uncertainties_of.map_or(units[place], |of| units[of]);
-            let (unit, sentence) = wanted.unit(table, column, usual)?;
+            let (unit, sentence) = wanted.unit(table, column, usual, is_said)?;
             units[place] = unit;
             inferences.extend(sentence);
             if let Some(counted) = wanted.counted {

@@ -18,6 +18,8 @@ pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) columns: [Option<Column>; N],
     /// Which columns are not used, where that was not said.
     pub(super) note: Option<String>,
+    /// `true` if an option names them, which wins over the names in the header.
+    pub(super) is_said: bool,
 }
 
 impl ColumnsOption {
@@ -55,7 +57,7 @@ impl ColumnsOption {
             return Err(QueryError::usage(option("columns"), reason));
         }
         let columns = std::array::from_fn(|index| columns.get(index).cloned().flatten());
-        Ok(ChosenColumns { columns, note: None })
+        Ok(ChosenColumns { columns, note: None, is_said: true })
     }
 }
 
@@ -95,5 +97,5 @@ fn inferred<const N: usize>(table: &Table) -> Option<ChosenColumns<N>> {
             unused.join(", ")
         )
     });
-    Some(ChosenColumns { columns, note })
+    Some(ChosenColumns { columns, note, is_said: false })
 }

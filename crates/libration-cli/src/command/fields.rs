@@ -33,8 +33,11 @@ pub(crate) struct FieldsQuestion {
 
 /// What the JSON of every command has.
 const FIRST: &[Row] = &[("schema", "1", "version of the names of the fields")];
-const LAST: &[Row] =
-    &[("note", "", "why numbers beside it are null, in any object; left out where there is nothing to say")];
+const LAST: &[Row] = &[(
+    "note",
+    "",
+    "why numbers beside it are null, in any object; left out where there is nothing to say. In CSV the cell of a number that is not known or not finite is empty",
+)];
 
 /// The answers of all commands, in the order of the help.
 fn catalogue() -> Vec<Answers> {

@@ -1,5 +1,6 @@
 //! Comma-separated values, quoted where needed (RFC 4180, with bare line feeds).
 
+use super::number;
 use std::io::{self, Write};
 
 /// Writes one line.
@@ -11,6 +12,11 @@ pub fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Result<()> 
         out.write_all(quoted(field.as_ref()).as_bytes())?;
     }
     out.write_all(b"\n")
+}
+
+/// The cell of a number, which is empty where that is not finite.
+pub(crate) fn number(value: f64) -> String {
+    if value.is_finite() { number::exact(value) } else { String::new() }
 }
 
 /// The fields of a line without its end, as [`line`] writes it.

@@ -17,6 +17,7 @@ mod beta;
 pub(crate) mod budget;
 mod contradiction;
 pub mod cycles;
+mod damped_pendulum;
 mod damping_model;
 pub(crate) mod effective_weights;
 mod error;

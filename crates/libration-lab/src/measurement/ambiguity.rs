@@ -22,7 +22,7 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result
     let is_said = options.delimiter.is_some() || options.decimal.is_some();
     let are_whole = || rows.iter().all(|row| of_whole_numbers(row));
     match sheet.dialect {
-        Dialect { delimiter: Delimiter::Comma, mark: DecimalMark::Point } => {
+        Dialect { delimiter: Delimiter::Comma, mark: DecimalMark::Point, .. } => {
             let is_open = !is_said && sheet.header_line.is_none() && are_whole();
             if is_open { Err(commas_between_digits(sheet)) } else { Ok(()) }
         }
@@ -30,7 +30,7 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result
         Dialect { mark: DecimalMark::Comma, .. } if !is_said && are_whole() => {
             Err(commas_between_digits(sheet))
         }
-        Dialect { mark: DecimalMark::Comma, delimiter } if options.decimal.is_none() => {
+        Dialect { mark: DecimalMark::Comma, delimiter, .. } if options.decimal.is_none() => {
             only_thousands(&rows, delimiter).map_or(Ok(()), |number| Err(thousands(&number)))
         }
         _ => Ok(()),
@@ -63,7 +63,7 @@ fn commas_between_digits(sheet: &Sheet) -> MeasurementError {
 
 /// A number, if every comma has just three digits after it and one to three before it that do not begin with zero.
 fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
-    let dialect = Dialect { delimiter, mark: DecimalMark::Comma };
+    let dialect = Dialect::new(delimiter, DecimalMark::Comma);
     let (mut found, text) = (None, rows.join("\n"));
     for row in dialect.rows(&text) {
         for cell in row.cells.iter().filter(|cell| cell.contains(',')) {

@@ -4,7 +4,8 @@ use std::fmt;
 
 use csv::{Position, ReaderBuilder, StringRecord, Trim};
 
-use super::number::{Cell, DecimalMark};
+use super::Unit;
+use super::number::{Cell, DecimalMark, without_unit};
 use super::text::{COMMENT, is_blank_or_comment};
 
 /// Lines looked at to tell the dialect.
@@ -62,6 +63,8 @@ pub struct Dialect {
     pub delimiter: Delimiter,
     /// What stands within numbers.
     pub mark: DecimalMark,
+    /// `true` if cells have units, as `10cm` has.
+    pub units: bool,
 }
 
 /// A row that is neither blank nor a comment, with the number of its first line.
@@ -69,6 +72,8 @@ pub struct Dialect {
 pub(super) struct Row {
     pub(super) line: u64,
     pub(super) cells: StringRecord,
+    /// Of cells that had one, which is taken off; empty where cells have none.
+    pub(super) units: Vec<Option<Unit>>,
 }
 
 impl Row {
@@ -97,12 +102,40 @@ impl Row {
 }
 
 impl Dialect {
+    /// Plain numbers.
+    pub(super) const fn new(delimiter: Delimiter, mark: DecimalMark) -> Self {
+        Self { delimiter, mark, units: false }
+    }
+
+    /// The same, with units in its cells if this text has a column of which most cells have one.
+    pub(super) fn with_units_of(self, text: &str) -> Self {
+        let units = self.units || self.has_units(&sample(text));
+        Self { units, ..self }
+    }
+
+    fn has_units(self, sample: &str) -> bool {
+        let plain = Self { units: false, ..self };
+        let mut balance: Vec<(i64, u32)> = vec![];
+        for row in plain.rows(sample) {
+            balance.resize(balance.len().max(row.cells.len()), (0, 0));
+            for (cell, (more, with_unit)) in row.cells.iter().zip(&mut balance) {
+                match without_unit(cell, self.mark) {
+                    Some(_) => (*more, *with_unit) = (*more + 1, *with_unit + 1),
+                    None if Cell::parse(cell, self.mark).is_number() => *more -= 1,
+                    None => {}
+                }
+            }
+        }
+        balance.into_iter().any(|(more, with_unit)| more > 0 && with_unit >= 2)
+    }
+
     /// The dialect under which the most sample rows are rows of at least two numbers, or failing that the most cells
     /// are numbers; of several that do equally well the first. What is given stays.
     pub(super) fn sniff(text: &str, delimiter: Option<Delimiter>, mark: Option<DecimalMark>) -> Self {
         let sample = sample(text);
-        let mut best = (Self { delimiter: Delimiter::Whitespace, mark: DecimalMark::Point }, None);
-        for dialect in Self::all() {
+        let mut best = (Self::new(Delimiter::Whitespace, DecimalMark::Point), None);
+        let with_units = Self::all().map(|dialect| Self { units: true, ..dialect });
+        for dialect in Self::all().chain(with_units.filter(|dialect| dialect.has_units(&sample))) {
             let is_given = delimiter.is_none_or(|given| given == dialect.delimiter)
                 && mark.is_none_or(|given| given == dialect.mark);
             let merit = is_given.then(|| dialect.merit(&sample));
@@ -117,7 +150,7 @@ impl Dialect {
     fn all() -> impl Iterator<Item = Self> {
         let delimiters = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Whitespace];
         let marks = [DecimalMark::Point, DecimalMark::Comma];
-        delimiters.into_iter().flat_map(move |delimiter| marks.map(|mark| Self { delimiter, mark }))
+        delimiters.into_iter().flat_map(move |delimiter| marks.map(|mark| Self::new(delimiter, mark)))
     }
 
     /// The number of rows of two numbers or more, of cells with numbers, and of rows of one number. Above the first row of numbers there are names,
@@ -153,8 +186,16 @@ impl Dialect {
             Delimiter::Comma => Box::new(delimited_rows(text, b',')),
             Delimiter::Whitespace => Box::new(spaced_rows(text)),
         };
-        rows.filter(Row::is_data)
+        let rows = rows.filter(Row::is_data);
+        rows.map(move |row| if self.units { without_units(row, self.mark) } else { row })
     }
+}
+
+/// The row with plain numbers in the place of those with units.
+fn without_units(row: Row, mark: DecimalMark) -> Row {
+    let split = |cell| without_unit(cell, mark).map_or((cell, None), |(number, unit)| (number, Some(unit)));
+    let (cells, units): (Vec<&str>, Vec<Option<Unit>>) = row.cells.iter().map(split).unzip();
+    Row { line: row.line, cells: StringRecord::from(cells), units }
 }
 
 /// Where commas are decimal commas and between cells too, a row of whole numbers is one of pairs: `0,5,1,2` is 0.5 and 1.2.
@@ -170,7 +211,7 @@ fn with_pairs_joined(row: Row) -> Row {
         return row;
     }
     let joined = pairs.iter().map(|[whole, fraction]| format!("{whole},{fraction}")).collect();
-    Row { line: row.line, cells: joined }
+    Row { line: row.line, cells: joined, units: vec![] }
 }
 
 fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
@@ -184,6 +225,7 @@ fn delimited_rows(text: &str, delimiter: u8) -> impl Iterator<Item = Row> {
     let row = |cells: StringRecord| Row {
         line: cells.position().map_or(0, |position| first_line(text, position)),
         cells,
+        units: vec![],
     };
     reader
         .into_records()
@@ -202,5 +244,5 @@ fn first_line(text: &str, position: &Position) -> u64 {
 
 fn spaced_rows(text: &str) -> impl Iterator<Item = Row> {
     let cells = |line: &str| StringRecord::from_iter(line.split_whitespace());
-    (1..).zip(text.lines()).map(move |(line, text)| Row { line, cells: cells(text) })
+    (1..).zip(text.lines()).map(move |(line, text)| Row { line, cells: cells(text), units: vec![] })
 }

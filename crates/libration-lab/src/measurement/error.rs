@@ -62,6 +62,14 @@ pub enum MeasurementError {
         /// Counted from one.
         line: u64,
     },
+    /// A column whose cells have units that do not go together.
+    #[error("{column} has {found}: write all of them in one unit")]
+    MixedUnits {
+        /// The column, as messages name it.
+        column: String,
+        /// What is mixed.
+        found: String,
+    },
     /// A cell that is no finite number.
     #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
     NotANumber {

@@ -1,6 +1,7 @@
-//! What angles owe to a pivot that was found from positions: where it is wrong, all of them are wrong together.
+//! What angles owe to a pivot that is uncertain: where it is wrong, all of them are wrong together.
 
-/// The centre of the circle through the positions of a bob, and how the angles about it depend on where it is.
+/// The pivot about which the angles of positions are, and how they depend on where it is: the centre of the circle through the positions, or a place
+/// that was given and that contradicts the positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedPivot {
     /// Where, in the unit of the positions.
@@ -9,6 +10,9 @@ pub struct FittedPivot {
     pub covariance: [[f64; 2]; 2],
     /// What each angle changes by with the place, in radians per unit.
     pub derivatives: Vec<[f64; 2]>,
+    /// The centre of the circle through the positions, where the place was given and is not that centre. The difference is then the half-width of a rectangular
+    /// distribution, whose covariance is above.
+    pub contradicted_by: Option<[f64; 2]>,
 }
 
 impl FittedPivot {
@@ -26,9 +30,12 @@ impl FittedPivot {
         [along([first, both]), along([0.0, second])]
     }
 
-    /// Whether both are the same centre of one circle.
+    /// `true` if both are the same centre of one circle, or the same place that was given.
     #[must_use]
     pub fn is_shared_with(&self, other: &Self) -> bool {
+        if self.contradicted_by.is_some() && other.contradicted_by.is_some() {
+            return self.place.map(f64::to_bits) == other.place.map(f64::to_bits);
+        }
         let bits = |pivot: &Self| {
             let [[xx, xy], [_, yy]] = pivot.covariance;
             [pivot.place[0], pivot.place[1], xx, xy, yy].map(f64::to_bits)

@@ -74,7 +74,7 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
     let lines = (1..first_line).zip(text.lines()).filter(|(_, line)| line.trim_start().starts_with(COMMENT));
     let (line, comment) = lines.last()?;
     let row = dialect.rows(comment.trim_start().trim_start_matches(COMMENT)).next()?;
-    let row = Row { line, cells: row.cells };
+    let row = Row { line, ..row };
     let (cells, beyond) = name_cells(&row, comment, dialect, width).ok()?;
     let knows = |cell: &String| Heading::read(cell, None, None).quantity != QuantityKind::Other;
     (cells.len() == width && beyond.is_empty() && row.filled() == width && cells.iter().any(knows))

@@ -9,6 +9,7 @@
 //! [`Table`] is for columns that are asked for by name or number; each has a [`Role`], which its heading may contradict.
 
 mod ambiguity;
+mod cell_units;
 mod choices;
 pub(crate) mod container;
 pub(crate) mod counted_periods;

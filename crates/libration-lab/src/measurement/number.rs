@@ -1,5 +1,7 @@
 //! A cell → a number, missing, or neither.
 
+use super::Unit;
+
 /// What a cell holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
@@ -41,6 +43,16 @@ impl Cell {
     pub(super) fn is_number(self) -> bool {
         matches!(self, Self::Number(_))
     }
+}
+
+/// A number and the unit behind it, as in `10cm` and `0.68 s`; none where either is missing or the unit is not one of measured quantities.
+pub(super) fn without_unit(cell: &str, mark: DecimalMark) -> Option<(&str, Unit)> {
+    let cell = cell.trim();
+    let is_of_number =
+        |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '−' | '.' | ',' | 'e' | 'E' | ' ');
+    let (number, unit) = cell.split_at(cell.find(|c| !is_of_number(c))?);
+    let unit = unit.parse().ok().filter(|unit| !matches!(unit, Unit::Count | Unit::Pixel))?;
+    Cell::parse(number, mark).is_number().then_some((number.trim_end(), unit))
 }
 
 /// A decimal comma stands between digits, once, and there is no point: all else may be a mark of thousands.

@@ -145,7 +145,7 @@ fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, Measuremen
 impl Sheet {
     /// What was told in reading it; of a workbook there is no dialect to tell.
     fn findings(&self, of_text: bool) -> Vec<Finding> {
-        let Dialect { delimiter, mark } = self.dialect;
+        let Dialect { delimiter, mark, .. } = self.dialect;
         let of = if self.name.is_empty() { String::new() } else { format!("`{}`: ", self.name) };
         let mut findings = Vec::new();
         if of_text {

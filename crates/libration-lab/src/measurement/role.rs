@@ -52,8 +52,12 @@ const NAMES: [(Role, &[&str]); 3] = [
 impl Role {
     /// What the heading says the column holds, when that is not this.
     pub(super) fn contradicted_by(self, heading: &Heading) -> Option<&'static str> {
-        let by_unit = heading.unit.and_then(|unit| self.other_than(unit.measures()));
-        by_unit.or_else(|| self.contradicted_by_name(heading))
+        self.contradicted_by_unit(heading).or_else(|| self.contradicted_by_name(heading))
+    }
+
+    /// What the unit in the heading says the column holds, when that is not this.
+    pub(super) fn contradicted_by_unit(self, heading: &Heading) -> Option<&'static str> {
+        heading.unit.and_then(|unit| self.other_than(unit.measures()))
     }
 
     fn other_than(self, measured: Measures) -> Option<&'static str> {

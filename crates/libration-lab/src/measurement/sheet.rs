@@ -1,12 +1,13 @@
 //! One table of a recording: channels of numbers under their headings.
 
+use super::cell_units::CellUnits;
 use super::dialect::{Dialect, Row};
 use super::heading::Heading;
 use super::layout::Layout;
 use super::number::Cell;
 use super::options::ReadOptions;
 use super::{Column, MeasurementError};
-use libration::quantity::excerpt;
+use libration::quantity::{excerpt, printable};
 
 /// A column: its heading and its cells.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,21 +95,40 @@ impl Sheet {
         dialect: Dialect,
         options: &ReadOptions,
     ) -> Result<Self, MeasurementError> {
+        let dialect = dialect.with_units_of(text);
         let layout = Layout::read(text, dialect, options.header)?;
         let channel = |heading| Channel { heading, cells: Vec::new(), words: Vec::new() };
         let mut sheet = Self {
-            name: name.into(),
+            name: printable(name),
             dialect,
             header_line: layout.header_line,
-            preamble: layout.preamble,
-            names_without_column: layout.beyond,
+            preamble: layout.preamble.into_iter().map(|(line, text)| (line, printable(&text))).collect(),
+            names_without_column: layout.beyond.iter().map(|name| printable(name)).collect(),
             channels: layout.headings.into_iter().map(channel).collect(),
             lines: Vec::new(),
         };
+        let mut units = CellUnits::of(sheet.channels.len());
         for row in dialect.rows(text).skip_while(|row| row.line < layout.first_line) {
             sheet.push(&row)?;
+            units.push(&row);
         }
+        sheet.take_units(&units)?;
         Ok(sheet)
+    }
+
+    /// Brings the numbers of each column whose cells have units to the unit of its header, or of its first cell.
+    fn take_units(&mut self, units: &CellUnits) -> Result<(), MeasurementError> {
+        for place in 0..self.channels.len() {
+            let Some(first) = units.first(place) else { continue };
+            let column = self.describe(place);
+            let channel = &mut self.channels[place];
+            let unit = channel.heading.unit.unwrap_or(first);
+            units
+                .bring(place, &mut channel.cells, unit)
+                .map_err(|found| MeasurementError::MixedUnits { column, found })?;
+            channel.heading.set_unit(unit);
+        }
+        Ok(())
     }
 
     fn push(&mut self, row: &Row) -> Result<(), MeasurementError> {

@@ -124,7 +124,7 @@ impl Trace {
         Ok(Self { fitted_pivot: Some(pivot), ..self })
     }
 
-    /// The pivot, where it was fitted to positions.
+    /// The pivot, where it was fitted to positions or contradicts them.
     #[must_use]
     pub fn fitted_pivot(&self) -> Option<&FittedPivot> {
         self.fitted_pivot.as_ref()

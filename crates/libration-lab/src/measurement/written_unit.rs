@@ -30,6 +30,19 @@ impl Table {
         }
     }
 
+    /// The unit that is written over a column that the user has chosen for such values, whatever its name is.
+    ///
+    /// # Errors
+    /// No such column; a unit of something else.
+    pub fn unit_of_chosen(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
+        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
+        let heading = &sheet.channels[place].heading;
+        match role.contradicted_by_unit(heading) {
+            Some(other) => Err(holds_other(sheet, place, other, role)),
+            None => Ok(role.unit_written_in(heading)),
+        }
+    }
+
     /// The unit that is written over a column of uncertainties of such values.
     ///
     /// # Errors

@@ -14,9 +14,10 @@ use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 use libration_testing::sweep::{self, Limits};
 use std::cell::Cell;
+use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
+const DEGREE: f64 = PI / 180.0;
 
 fn found_in(trace: &Trace) -> Cycles {
     cycles(trace, &CyclesOptions::default()).unwrap()
@@ -170,7 +171,7 @@ fn swings_over_the_top_are_left_out_and_said() {
     let case = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, ..Synthetic::USUAL };
     let found = of(&case, 1);
     assert!(found.cycles.len() > 20, "{}", found.cycles.len());
-    let turns = found.offset.value / std::f64::consts::TAU;
+    let turns = found.offset.value / TAU;
     assert!(turns > 0.5 && (turns - libm::round(turns)).abs() < 1e-3, "{turns}");
     assert!((found.t0.value / case.t0() - 1.0).abs() < 1e-3, "{}", found.t0);
 }
@@ -292,11 +293,10 @@ fn exact_swings_have_cycles_however_they_are_sampled_in_a_sweep() {
     let mut failures = vec![];
     // Five has no factor in common with the numbers of amplitudes, steps and lengths, so that each of them comes.
     for (degrees, step, seconds) in sweep::part(cases, 5) {
-        let pendulum = Pendulum::from_angular_frequency(std::f64::consts::TAU / 1.5).unwrap();
+        let pendulum = Pendulum::from_angular_frequency(TAU / 1.5).unwrap();
         let motion = pendulum.released_from(format!("{degrees}deg").parse().unwrap()).unwrap();
         let swing = exact(1.0, step, seconds, |time| motion.state_at(time).angle);
-        let cosine =
-            exact(degrees * DEGREE, step, seconds, |time| libm::cos(std::f64::consts::TAU / 1.5 * time));
+        let cosine = exact(degrees * DEGREE, step, seconds, |time| libm::cos(TAU / 1.5 * time));
         for (name, trace) in [("swing", swing), ("cosine", cosine)] {
             match cycles(&trace, &CyclesOptions::default()) {
                 Ok(found) if found.cycles.len() > 4 => {}
@@ -428,10 +428,17 @@ fn angles_beyond_a_turn_are_told_from_swings_over_the_top() {
     assert_eq!(beyond_a_turn(&swing), None);
     // Just below and just above 1.1 turns from side to side; the bound heeds the noise of the extremes.
     let span = |factor: f64| changed(&swing, |_, value| Some(value * factor));
-    let [low, high] = [0.9, 1.3].map(|part| part * 1.1 * std::f64::consts::PI / 1.0472);
+    let [low, high] = [0.9, 1.3].map(|part| part * 1.1 * PI / 1.0472);
     assert_eq!(beyond_a_turn(&span(low)), None);
     let beyond = beyond_a_turn(&span(high)).unwrap();
     assert!(beyond.in_degrees && beyond.to_string().contains("no free pendulum"), "{beyond}");
+    // Radians of swings about ±π, of which some jumps were taken out.
+    let about_pi = Synthetic { omega0: 9.0, amplitude: 2.6, offset: PI, ..Synthetic::USUAL };
+    let half_whole = changed(&about_pi.trace(&mut Random::seeded(1)), |row, value| {
+        Some(value - TAU * libm::round(value / TAU) + if row / 40 % 2 == 1 { TAU } else { 0.0 })
+    });
+    let beyond = beyond_a_turn(&half_whole).unwrap();
+    assert!(beyond.wrapped && !beyond.in_degrees && beyond.to_string().contains("whole turns"), "{beyond}");
     let counts = beyond_a_turn(&span(1000.0)).unwrap();
     assert!(!counts.in_degrees, "{counts}");
     let velocities = Synthetic { observable: Observable::AngularVelocity, velocity: 5.0, ..Synthetic::USUAL };

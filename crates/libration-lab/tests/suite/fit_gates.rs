@@ -6,7 +6,7 @@ use libration_lab::fit::gates::{
     GateGeometry, GateGeometryError, GateOptions, GateSignals, GatesError, GatesFit, GatesWarning, T0Source,
     gates, gates_watched,
 };
-use libration_lab::fit::{Apparatus, BudgetInput};
+use libration_lab::fit::{Apparatus, BudgetInput, PeriodDamping};
 
 use crate::random::Random;
 use crate::synthetic_gate::{GateRecord, jittered};
@@ -357,5 +357,39 @@ fn fits_of_gates_stop_at_any_question() {
     assert_eq!(whole, gates(&times, Some(&blocked), &with_width()));
     for last in [1, 2, questions / 3, questions - 1, questions] {
         assert_eq!(asked_until(last), (Err(GatesError::Interrupted(Interrupted)), last));
+    }
+}
+
+/// A width 1 to 5 % too large or too small refutes the model: the first thing that is said, a row of the budget, and at most 2.5 uncertainties.
+#[test]
+fn a_wrong_width_is_a_row_of_the_budget() {
+    let (times, blocked) = split(&edges(0.0, 1e-5));
+    let length = Quantity { value: 0.958, uncertainty: Some(1e-4) };
+    let geometry = GateGeometry::new(Apparatus::of_length(length), None, None).unwrap();
+    let with = |width: f64| {
+        let options = GateOptions { width: Some(exactly(width)), ..GateOptions::default() };
+        let fit = gates(&times, Some(&blocked), &options).unwrap();
+        let budget = fit.gravity(&geometry, None, None, PeriodDamping::Unknown, &[]).unwrap().unwrap();
+        (fit, budget)
+    };
+    let (right, without) = with(WIDTH);
+    assert_eq!(right.contradiction, None);
+    assert!(without.rows.iter().all(|row| row.name != "model"));
+    for part in [0.95, 0.97, 0.99, 1.01, 1.03, 1.05] {
+        let (fit, budget) = with(part * WIDTH);
+        let t0 = fit.t0.unwrap();
+        assert!(
+            t0.deviation_from(T0) < 2.5 && t0.uncertainty > right.t0.unwrap().uncertainty,
+            "{part}: {t0:?}"
+        );
+        let model = fit.contradiction.as_ref().unwrap().uncertainty();
+        let row = budget.rows.iter().find(|row| row.name == "model").unwrap();
+        assert!(
+            (row.uncertainty.unwrap() / (2.0 * budget.g * model / t0.value) - 1.0).abs() < 1e-3,
+            "{row:?}"
+        );
+        if (part - 1.0_f64).abs() > 0.025 {
+            assert!(matches!(fit.warnings[0], GatesWarning::BetaNotOne { .. }), "{part}: {:?}", fit.warnings);
+        }
     }
 }

@@ -10,6 +10,7 @@ mod synthetic_trace;
 mod zip_archive;
 
 mod continuation;
+mod damping_bias;
 mod fit;
 mod fit_budget;
 mod fit_cycles;

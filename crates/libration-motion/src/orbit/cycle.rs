@@ -156,7 +156,10 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> NoOrbit {
                 (false, false) => Lost::Slow { time, steps },
             }
         }
-        Some(IntegrationError::Stopped { cause: Cause::NoWayOn, .. }) => Lost::Rest,
+        Some(IntegrationError::Stopped { cause: Cause::NoWayOn, .. }) if maxima.is_still() => Lost::Rest,
+        Some(IntegrationError::Stopped { cause: Cause::NoWayOn, solution }) => {
+            Lost::Sticks(solution.end.time)
+        }
         None if maxima.goes_away() => Lost::OneWay(time),
         None => Lost::Rest,
         Some(error @ IntegrationError::Stopped { .. }) => Lost::Stopped(error),

@@ -156,6 +156,9 @@ pub enum Lost {
     /// Rest.
     #[error("it comes to rest at an equilibrium")]
     Rest,
+    /// Motion along a jump of the force on both sides of which the force leads back, as of a mass that sticks to a moving belt.
+    #[error("it sticks or slides along a jump of the force from t = {0:?}, which is not followed")]
+    Sticks(f64),
     /// Newton's method that ends at a rest to which the motion does not come.
     #[error(
         "Newton's method leads from there to an equilibrium that does not attract the motion: give a start nearer to the orbit, or a guess of its period"

@@ -624,3 +624,17 @@ fn extrema_are_those_of_the_motion() {
     assert!((fast - 2.0 * libm::sin(0.5)).abs() <= swing.state_errors()[1], "{fast:?}");
     assert_within(-slow, fast, 1e-15, "both ways");
 }
+
+/// A mass on a belt, whose friction falls with the sliding speed so that the equilibrium is unstable, sticks to the belt: no rest.
+#[test]
+fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
+    let belt = |start: &[f64]| {
+        let text = "x'' = -x + sign(0.5 - x')*(0.4 + 0.6*exp(-4*abs(0.5 - x')))";
+        Orbit::limit_cycle(&equation(text), start).unwrap_err()
+    };
+    for start in [[1.0, 0.0], [0.41, 0.0], [0.0, 0.5]] {
+        let found = belt(&start);
+        eprintln!("{found}");
+        assert!(!found.to_string().contains("comes to rest"), "{start:?}: {found}");
+    }
+}

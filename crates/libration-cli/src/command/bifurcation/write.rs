@@ -56,7 +56,7 @@ impl Diagram<'_> {
         let names = fields.csv_names_for(&self.parameter.name);
         csv::line(out, &[names, self.model.state_names()].concat())?;
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| number::exact(value));
+            let state = row.state.iter().map(|&value| csv::number(value));
             csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
         }
         Ok(())

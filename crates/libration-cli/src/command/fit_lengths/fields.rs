@@ -97,13 +97,11 @@ pub(super) fn of_law() -> Fields<LengthFit> {
         Of::number("g_uncertainty_m_per_s2", "m/s²", "standard uncertainty of that", |it| it.g.uncertainty)
             .numeral(COLUMNS[2], |it| or_dash(Some(it.g.uncertainty), 2)),
         Of::known("offset_m", "m", OFFSET, |it| it.offset.map(|offset| offset.value).ok_or_else(not_free))
-            .numeral(COLUMNS[3], |it| or_dash(it.offset.map(|offset| 1e3 * offset.value), 4))
-            .or_nan_in_csv(),
+            .numeral(COLUMNS[3], |it| or_dash(it.offset.map(|offset| 1e3 * offset.value), 4)),
         Of::known("offset_uncertainty_m", "m", "standard uncertainty of that length, or null", |it| {
             it.offset.map(|offset| offset.uncertainty).ok_or_else(not_free)
         })
-        .numeral(COLUMNS[4], |it| or_dash(it.offset.map(|offset| 1e3 * offset.uncertainty), 2))
-        .or_nan_in_csv(),
+        .numeral(COLUMNS[4], |it| or_dash(it.offset.map(|offset| 1e3 * offset.uncertainty), 2)),
         Of::known("gyration_m2", "m²", "square of the radius of gyration of the bob, or null", |it| {
             it.gyration.map(|gyration| gyration.value).ok_or_else(not_free)
         })
@@ -123,15 +121,13 @@ pub(super) fn of_law() -> Fields<LengthFit> {
             it.chi2_per_dof().ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
         })
         .rounded(COLUMNS[5], 4)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
         Of::known("aicc", "1", "Akaike's criterion, corrected for few rows, or null", |it| {
             it.aicc.ok_or_else(|| "too few rows".to_owned())
         })
         .rounded(COLUMNS[6], 5)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::known(
             "chance_of_last_parameter",
             "1",

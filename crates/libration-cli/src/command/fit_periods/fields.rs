@@ -116,25 +116,21 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
             it.fit.ok().map(|law| law.t0.value)
         })
         .rounded("T₀ / s", 8)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::nullable("t0_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
             it.fit.ok().map(|law| law.t0.uncertainty)
         })
         .rounded("± / s", 2)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
             let chi2 = it.fit.map_err(|_| String::new())?.chi2_per_dof();
             chi2.ok_or_else(|| "the table has no uncertainties of the periods".to_owned())
         })
         .rounded("χ²/dof", 4)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::nullable("rms_s", "s", "root mean square of the residuals", |it| it.fit.ok().map(|law| law.rms))
             .rounded("rms residual / s", 3)
-            .or("–")
-            .or_nan_in_csv(),
+            .or("–"),
         Of::note(|it| it.fit.err().map(ToString::to_string)),
     ])
 }

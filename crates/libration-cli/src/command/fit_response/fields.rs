@@ -147,12 +147,10 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
         Of::number("drive_uncertainty", "", "standard uncertainty of A", |it| it.drive.uncertainty)
             .numeral(COLUMNS[6], |it| number::rounded(it.drive.uncertainty, 2)),
         Of::known("cubic", "", CUBIC, |it| it.cubic.map(|cubic| cubic.value).ok_or_else(not_free))
-            .numeral(COLUMNS[7], |it| it.cubic.map_or("–".to_owned(), value))
-            .or_nan_in_csv(),
+            .numeral(COLUMNS[7], |it| it.cubic.map_or("–".to_owned(), value)),
         Of::known("cubic_uncertainty", "", "standard uncertainty of κ, or null", |it| {
             it.cubic.map(|cubic| cubic.uncertainty).ok_or_else(not_free)
-        })
-        .or_nan_in_csv(),
+        }),
         Of::number("quality", "1", "ω0/c", |it| it.quality().value),
         Of::number("quality_uncertainty", "1", "standard uncertainty of ω0/c", |it| {
             it.quality().uncertainty
@@ -163,8 +161,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
                 .ok_or_else(|| "no uncertainties are stated, or there is no row to spare".to_owned())
         })
         .rounded(COLUMNS[8], 4)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         Of::value("dof", "1", "degrees of freedom", |it| it.dof.into()).only_json(),
         Of::known(
             "amplitude_scatter",
@@ -177,8 +174,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
             it.aicc.ok_or_else(|| "too few rows".to_owned())
         })
         .rounded(COLUMNS[9], 5)
-        .or("–")
-        .or_nan_in_csv(),
+        .or("–"),
         scatter::birge_ratio_field(|it: &ResponseFit| scatter::birge_ratio(it.scatter())),
         scatter::enlargement_field(|it: &ResponseFit| Some(scatter::enlargement(it.scatter()))),
     ])

@@ -8,6 +8,7 @@ pub(super) fn warning(warning: &Warning) -> String {
     let options = match warning {
         Warning::AnglesAreRadians { .. } => "--unit rad",
         Warning::AnglesAreDegrees { .. } => "--unit deg",
+        Warning::PivotContradicted { .. } => "--pivot",
         Warning::PoorFit { .. } => "--from, --to, --unit",
         Warning::FeedsEnergy { .. } => "--model",
         Warning::ImplausibleLength { .. } => "--time-unit",

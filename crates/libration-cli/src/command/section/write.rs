@@ -43,7 +43,7 @@ impl Answer<'_> {
         let fields = of_row();
         csv::line(out, &[fields.csv_names(), self.model.state_names()].concat())?;
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| number::exact(value));
+            let state = row.state.iter().map(|&value| csv::number(value));
             csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
         }
         Ok(())

@@ -4,8 +4,8 @@ use super::events::Happening;
 use super::fields;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
+use crate::output::csv;
 use crate::output::field::Fields;
-use crate::output::{csv, number};
 use std::io::{self, Write};
 
 /// If events are looked for they stand among the samples in the order of time, with their kind in a last column, which is empty in
@@ -30,9 +30,9 @@ impl Csv {
         out: &mut dyn Write,
     ) -> io::Result<()> {
         let mut cells = self.of_time.csv_cells(&time);
-        cells.extend(numbers.concat().into_iter().map(number::exact));
+        cells.extend(numbers.concat().into_iter().map(csv::number));
         // What is not determined has no error.
-        let known = |error: &f64| if error.is_nan() { String::new() } else { number::exact(*error) };
+        let known = |error: &f64| csv::number(*error);
         if self.with_errors && self.with_events {
             cells.push(time_error.and_then(|error| error.first()).map_or(String::new(), known));
         }

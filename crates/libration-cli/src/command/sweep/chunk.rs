@@ -3,7 +3,7 @@
 use super::plan::Plan;
 use super::point;
 use crate::interrupt;
-use crate::output::{csv, number};
+use crate::output::csv;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -42,9 +42,7 @@ pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[Outcome]) -> io::Result
             plan.axes.iter().zip(place).map(|(axis, place)| axis.shown(place)).collect();
         match outcome {
             Ok(numbers) => {
-                cells.extend(
-                    numbers.iter().map(|it| if it.is_nan() { String::new() } else { number::exact(*it) }),
-                );
+                cells.extend(numbers.iter().map(|it| csv::number(*it)));
                 cells.extend(["0".to_owned(), String::new()]);
             }
             Err((status, message)) => {

@@ -65,7 +65,7 @@ impl Datum {
     /// As a cell of CSV; none where there is nothing.
     pub(super) fn to_cell(&self) -> Option<String> {
         match self {
-            Self::Number(value) => Some(number::exact(*value)),
+            Self::Number(value) => value.is_finite().then(|| number::exact(*value)),
             Self::Value(Value::String(text)) => Some(text.clone()),
             Self::Unknown(_) | Self::Note(_) | Self::Absent | Self::Value(Value::Null) => None,
             Self::Value(other) => Some(other.to_string()),

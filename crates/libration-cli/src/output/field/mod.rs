@@ -137,13 +137,7 @@ impl<A> Field<A> {
 
     /// What stands in tables where there is nothing.
     pub(crate) fn or(mut self, blank: &'static str) -> Self {
-        self.plan.blanks[0] = blank;
-        self
-    }
-
-    /// `nan` in CSV where there is nothing.
-    pub(crate) fn or_nan_in_csv(mut self) -> Self {
-        self.plan.blanks[1] = "nan";
+        self.plan.blank = blank;
         self
     }
 

@@ -22,8 +22,8 @@ pub(super) struct Plan {
     pub(super) in_json: bool,
     /// The name of its column, which may have `KEY` in it.
     pub(super) in_csv: Option<&'static str>,
-    /// Stands in tables, and in CSV, where there is nothing.
-    pub(super) blanks: [&'static str; 2],
+    /// Stands in tables where there is nothing.
+    pub(super) blank: &'static str,
     /// The place of its value.
     value: usize,
     columns: Vec<Shown>,
@@ -41,7 +41,7 @@ impl Plan {
             described: vec![Description::new(name, unit, meaning)],
             in_json: true,
             in_csv: (key == name).then_some(name),
-            blanks: ["", ""],
+            blank: "",
             value: 0,
             columns: vec![],
             lines: vec![],
@@ -71,7 +71,7 @@ impl Plan {
 
     fn text(&self, look: &Look, values: Values<'_>) -> String {
         let value = values(self.value).to_f64();
-        look.text(value, self.unit, values).unwrap_or_else(|| self.blanks[0].to_owned())
+        look.text(value, self.unit, values).unwrap_or_else(|| self.blank.to_owned())
     }
 
     /// The cell behind a text, quoted where needed; numbers, of which there may be millions, without a text of their own.
@@ -83,7 +83,7 @@ impl Plan {
     }
 
     fn cell_of(&self, value: &Datum) -> String {
-        value.to_cell().unwrap_or_else(|| self.blanks[1].to_owned())
+        value.to_cell().unwrap_or_default()
     }
 }
 

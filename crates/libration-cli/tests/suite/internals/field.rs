@@ -42,7 +42,7 @@ fn what_is_not_there_is_null_left_out_or_empty() {
     let record = Value::from(fields.record(&swing)).to_string();
     let note = "period_s is not defined; amplitude_rad is null: it rotates";
     assert_eq!(record, format!(r#"{{"period_s":null,"amplitude_rad":null,"note":"{note}"}}"#));
-    assert_eq!(fields.csv_cells(&swing), ["nan", "", ""]);
+    assert_eq!(fields.csv_cells(&swing), ["", "", ""]);
     assert_eq!(fields.cells(&swing), ["nan", "", "swing"]);
     assert_eq!(fields.lines(&swing), [("period", "none".to_owned())]);
 }

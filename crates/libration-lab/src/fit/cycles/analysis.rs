@@ -1,18 +1,17 @@
 //! From the landmarks of all stretches to cycles and what they say.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
+use super::bias::{Apparatus, Bias};
 use super::centre::Centre;
-use super::envelope::envelope;
+use super::envelope::{Envelope, envelope};
+use super::found::Found;
 use super::generalised::Scatter;
 use super::landmarks::{Landmarks, landmarks};
-use super::passage::Passage;
-use super::period_law;
+use super::period_law::{self, PeriodLaw};
 use super::pivot;
-use super::row::{Row, Side};
-use super::shape::{amplitude_of_velocity, slope_of_amplitude};
+use super::row::Row;
 use super::swings::{Swings, swings};
-use super::turning_point::Extreme;
 use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing};
 use crate::fit::Uncertain;
 use crate::measurement::{Observable, Trace};
@@ -22,9 +21,6 @@ use libration::watch::{Interrupted, Watch};
 
 /// With fewer rows in a period, two in each quarter, passages and extremes cannot be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
-/// Extremes below so many standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
-/// the noisiest, a swing of three standard deviations, had 25 for none.
-const FAINTEST: f64 = 4.0;
 
 /// The cycles of a trace.
 ///
@@ -68,7 +64,7 @@ fn about_a_known_pivot(
 ) -> Result<Cycles, CyclesError> {
     let swings = swings(trace)?;
     let stretches: Vec<Landmarks> =
-        swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch, watch)).collect();
+        swings.stretches.iter().filter_map(|stretch| landmarks(trace, stretch, None, watch)).collect();
     let turning_points = swings.stretches.iter().map(|stretch| stretch.turns.len().saturating_sub(2)).max();
     let too_short = CyclesError::TooShort { turning_points: turning_points.unwrap_or(0) };
     let longest = stretches.iter().max_by_key(|stretch| stretch.passages.len()).ok_or(too_short.clone())?;
@@ -82,17 +78,27 @@ fn about_a_known_pivot(
     if rows.is_empty() {
         return Err(too_short);
     }
-    let outliers = period_law::outliers(&rows, options.outlier_threshold);
-    let kept: Vec<Row> =
-        (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect();
-    let law = period_law::exact(&kept, watch).ok_or(too_short)?;
+    let half: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
+    let (law, _) = law(&rows, options, watch).ok_or(too_short.clone())?;
+    let envelope = envelope(&half, TAU / law.t0.value, watch);
+    let apparatus = Apparatus {
+        observable: trace.observable(),
+        omega0: TAU / law.t0.value,
+        rows_per_period,
+        noise: longest.noise * typical_uncertainty(trace),
+    };
+    let rows = match &envelope {
+        Ok(envelope) => unbiased(rows, apparatus, envelope, watch),
+        Err(_) => rows,
+    };
+    let (law, outliers) = self::law(&rows, options, watch).ok_or(too_short)?;
+    let kept = without(&rows, &outliers);
     let cycles =
         rows.iter().enumerate().map(|(k, row)| Cycle::new(row, law.scatter, outliers.contains(&k))).collect();
-    let half_swings: Vec<HalfSwing> = half_swings.into_iter().flatten().collect();
     Ok(Cycles {
         cycles,
-        envelope: envelope(&half_swings, TAU / law.t0.value, watch),
-        half_swings,
+        envelope,
+        half_swings: half,
         offset: longest.centre.value,
         offset_wander: longest.centre.wander,
         noise: longest.noise,
@@ -105,6 +111,27 @@ fn about_a_known_pivot(
     })
 }
 
+/// The exact law through the rows, and which of them are outliers.
+fn law(rows: &[Row], options: &CyclesOptions, watch: &Watch<'_>) -> Option<(PeriodLaw, Vec<usize>)> {
+    let outliers = period_law::outliers(rows, options.outlier_threshold);
+    let law = period_law::exact(&without(rows, &outliers), watch)?;
+    Some((law, outliers))
+}
+
+fn without(rows: &[Row], outliers: &[usize]) -> Vec<Row> {
+    (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect()
+}
+
+/// The rows without what the damping of the preferred law and the local fits do to their periods.
+fn unbiased(rows: Vec<Row>, apparatus: Apparatus, envelope: &Envelope, watch: &Watch<'_>) -> Vec<Row> {
+    let amplitudes = || rows.iter().map(Row::amplitude);
+    let range = [amplitudes().fold(f64::INFINITY, f64::min), amplitudes().fold(0.0, f64::max)];
+    match Bias::new(apparatus, envelope.preferred(), range, watch) {
+        Some(bias) => rows.iter().map(|row| bias.removed_from(row, apparatus.omega0)).collect(),
+        None => rows,
+    }
+}
+
 fn rows_per_period(trace: &Trace, period: f64) -> f64 {
     let steps = trace.times().windows(2).map(|pair| pair[1] - pair[0]).collect();
     median(steps).map_or(f64::INFINITY, |step| period / step)
@@ -113,71 +140,6 @@ fn rows_per_period(trace: &Trace, period: f64) -> f64 {
 /// One where rows have none.
 fn typical_uncertainty(trace: &Trace) -> f64 {
     trace.uncertainties().and_then(|column| median(column.to_vec())).unwrap_or(1.0)
-}
-
-impl Landmarks {
-    fn period(&self) -> Option<f64> {
-        let periods = self.passages.windows(3).filter_map(|three| Some(three[2]?.time - three[0]?.time));
-        median(periods.collect())
-    }
-}
-
-/// What all stretches show together; passages and extremes are numbered through.
-#[derive(Default)]
-struct Found {
-    passages: Vec<Option<Passage>>,
-    extremes: Vec<Option<Extreme>>,
-    /// Numbers of the first passage and of the first extreme of each possible cycle.
-    cycles: Vec<(usize, usize)>,
-}
-
-impl Found {
-    /// Of stretches whose noise is in units of these uncertainties of the rows.
-    fn new(stretches: &[Landmarks], uncertainty: f64) -> Self {
-        let mut found = Self::default();
-        for stretch in stretches {
-            let (passage, extreme) = (found.passages.len(), found.extremes.len());
-            let cycles = stretch.passages.len().saturating_sub(2);
-            found.cycles.extend((0..cycles).map(|k| (passage + k, extreme + k)));
-            found.passages.extend(&stretch.passages);
-            let bright = |extreme: &Extreme| extreme.value.abs() >= FAINTEST * stretch.noise * uncertainty;
-            found.extremes.extend(stretch.extremes.iter().map(|extreme| extreme.filter(bright)));
-        }
-        found
-    }
-
-    /// The half swings by number, where they are known and do not lead over the top.
-    fn half_swings(&self, observable: Observable, omega0: f64) -> Vec<Option<HalfSwing>> {
-        let half_swing = |extreme: &Extreme| {
-            let (time, size) = (extreme.time, extreme.value.abs());
-            let (amplitude, slope) = match observable {
-                Observable::Angle => (size, 1.0),
-                Observable::AngularVelocity => {
-                    let amplitude = amplitude_of_velocity(size, omega0)?;
-                    (amplitude, slope_of_amplitude(amplitude, omega0))
-                }
-            };
-            let amplitude = Uncertain { value: amplitude, uncertainty: slope * extreme.uncertainty };
-            (amplitude.value < PI).then_some(HalfSwing { time, amplitude })
-        };
-        self.extremes.iter().map(|extreme| half_swing(extreme.as_ref()?)).collect()
-    }
-
-    /// The cycles that are complete.
-    fn rows(&self, half_swings: &[Option<HalfSwing>]) -> Vec<Row> {
-        let row = |&(passage, extreme): &(usize, usize)| {
-            let ends = [passage, passage + 2].map(|k| self.passages[k].map(|found| (k, found)));
-            let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|found| (k, found)));
-            let ([Some(begin), Some(end)], [Some(one), Some(two)]) = (ends, sides) else { return None };
-            let square = |x: f64| x * x;
-            Some(Row::new(
-                [begin.1.time, end.1.time],
-                [begin, end].map(|(k, passage)| (k, square(passage.uncertainty))),
-                [one, two].map(|(k, side)| Side::new(k, side.amplitude)),
-            ))
-        };
-        self.cycles.iter().filter_map(row).collect()
-    }
 }
 
 /// The half swings and the cycles; of a trace of velocities with the ω0 that goes with both.
@@ -216,7 +178,7 @@ impl Cycle {
                 uncertainty: (scatter.noise * row.period_variance() + scatter.fluctuation).sqrt(),
             },
             amplitude: Uncertain {
-                value: 0.5 * (one.amplitude + two.amplitude),
+                value: row.amplitude(),
                 uncertainty: 0.5 * (one.variance + two.variance).sqrt(),
             },
             period_ratio: row.ratio,

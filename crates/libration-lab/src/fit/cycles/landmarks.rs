@@ -42,13 +42,20 @@ struct Guess {
     noise: Option<f64>,
 }
 
-/// The landmarks of a stretch.
-pub(super) fn landmarks(trace: &Trace, stretch: &Stretch, watch: &Watch<'_>) -> Option<Landmarks> {
+/// The landmarks of a stretch, whose noise is found with them where it is not given.
+pub(super) fn landmarks(
+    trace: &Trace,
+    stretch: &Stretch,
+    noise: Option<f64>,
+    watch: &Watch<'_>,
+) -> Option<Landmarks> {
     let mut guess = first_guess(trace, stretch)?;
+    guess.noise = noise;
     let mut found = None;
     for _ in 0..ROUNDS {
         let measured = guess.measure(trace, watch)?;
         guess.take(&measured);
+        guess.noise = noise.or(guess.noise);
         found = Some(measured);
     }
     found

@@ -66,6 +66,11 @@ impl Share {
 }
 
 impl Row {
+    /// The mean of its two extremes, in radians.
+    pub(super) fn amplitude(&self) -> f64 {
+        0.5 * (self.sides[0].amplitude + self.sides[1].amplitude)
+    }
+
     /// Above those of its errors and its extremes.
     pub(super) fn next_number(&self) -> usize {
         let errors = self.errors.iter().map(|share| share.source.number());

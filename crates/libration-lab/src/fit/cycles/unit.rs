@@ -6,6 +6,7 @@ use super::Cycle;
 use super::swings::{turns, without_spikes};
 use crate::fit::{MistakenUnit, PeriodTable, Uncertainties};
 use crate::measurement::{Observable, Trace};
+use crate::statistics::median;
 
 /// An angle that is not followed over the top jumps by a turn, and by its noise more.
 const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
@@ -17,7 +18,9 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 #[error(
     "{name} swings to and fro by {:.0}° to each side, and no free pendulum turns back beyond 180°: {}",
     half.to_degrees(),
-    if *in_degrees {
+    if *wrapped {
+        "these angles jump by whole turns between rows too far apart to tell where: record faster, or write angles that are not wrapped"
+    } else if *in_degrees {
         "these angles are degrees, not radians: give their unit as deg"
     } else {
         "check the unit of the angles, or leave out whatever is not a free swing"
@@ -30,6 +33,8 @@ pub struct BeyondATurn {
     pub half: f64,
     /// Whether the numbers are angles of a pendulum if they are degrees.
     pub in_degrees: bool,
+    /// `true` if steps jump by whole turns, as those of angles that are wrapped at ±180° do.
+    pub wrapped: bool,
 }
 
 /// Whether a trace of angles goes to and fro by more than a turn, twice in a row at least.
@@ -43,11 +48,23 @@ pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
     let swings: Vec<f64> = turns.windows(2).map(|pair| (calm[pair[1]] - calm[pair[0]]).abs()).collect();
     let both = swings.windows(2).map(|pair| pair[0].min(pair[1])).fold(0.0, f64::max);
     let largest = swings.iter().copied().fold(0.0, f64::max);
-    (both > MORE_THAN_A_TURN).then(|| BeyondATurn {
-        name: trace.name().to_owned(),
-        half: 0.5 * both,
-        in_degrees: largest < TAU * DEGREES_PER_RADIAN,
+    (both > MORE_THAN_A_TURN).then(|| {
+        let wrapped = is_wrapped(trace.values());
+        let in_degrees = !wrapped && largest < TAU * DEGREES_PER_RADIAN;
+        BeyondATurn { name: trace.name().to_owned(), half: 0.5 * both, in_degrees, wrapped }
     })
+}
+
+/// `true` if at least two steps differ by nearly a turn from those before them, and by many times what steps usually do: of a smooth motion in any
+/// unit the largest difference is 1.4 times the median.
+fn is_wrapped(values: &[f64]) -> bool {
+    const UNUSUAL: f64 = 3.0;
+    const NEARLY: f64 = 1.5;
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let changes: Vec<f64> = steps.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    let Some(usual) = median(changes.clone()) else { return false };
+    let is_turn = |change: &&f64| (**change - TAU).abs() < NEARLY && **change > UNUSUAL * usual;
+    changes.iter().filter(is_turn).count() >= 2
 }
 
 /// The unit that the angles of these cycles have, of one trace or of several, where it is not the one that was said: the period changes with

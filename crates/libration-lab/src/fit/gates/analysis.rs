@@ -7,7 +7,8 @@ use super::passages::{Passages, passages};
 use super::swings::Swings;
 use super::trend::at_the_beginning;
 use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
-use crate::fit::{Law, Uncertain};
+use crate::fit::contradiction::Estimate;
+use crate::fit::{Beta, Contradiction, Law, Uncertain};
 use crate::statistics::count;
 use libration::quantity::Quantity;
 use libration::watch::{Interrupted, Watch};
@@ -92,6 +93,9 @@ impl Swings {
             (None, Some(t0)) => (Some(t0), Some(T0Source::FirstAmplitude)),
             (None, None) => (None, None),
         };
+        let contradiction =
+            by_speeds.as_ref().and_then(|speeds| contradicting(speeds.t0, speeds.beta.as_ref()?));
+        let model = contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);
         let amplitude_of = |cycle: usize| amplitudes.as_ref().and_then(|a| a.of_cycle(cycle));
         let cycle = |&cycle: &usize| GateCycle {
             time: 0.5 * (self.time(cycle) + self.time(cycle + 2)),
@@ -110,7 +114,9 @@ impl Swings {
             timing: self.timing(),
             mean_period: Uncertain { value: mean, uncertainty: spread },
             first_period,
-            t0,
+            t0: t0.map(|t0| t0.with_error(model)),
+            contradiction,
+            t0_by_times: t0,
             t0_source,
             t0_by_width: by_speeds.as_ref().map(|speeds| speeds.t0_by_width),
             // Neighbouring periods share their passages.
@@ -126,6 +132,15 @@ impl Swings {
         fit.warnings = warning::warnings(&fit, both_sides.last().copied(), options.width.is_some());
         fit
     }
+}
+
+/// T0 under the exact law and with β free, where β differs from 1.
+fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
+    /// Of T0: what amplitudes by the speeds of single passages leave out of it.
+    const LEAST: f64 = 4e-5;
+    let [exact, free] =
+        [("β = 1", t0), ("β free", beta.t0)].map(|(name, t0)| Estimate { name: name.to_owned(), t0 });
+    Contradiction::of([&exact, &free], beta.deviation()).filter(|it| it.half_width() > LEAST * t0.value)
 }
 
 /// T0 from the first period and the amplitude it had.

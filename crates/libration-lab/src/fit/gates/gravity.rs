@@ -156,7 +156,7 @@ impl GatesFit {
     /// where T0 does not come from the width.
     #[must_use]
     pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
-        let spread = Some(self.t0?.uncertainty).filter(|spread| *spread > 0.0)?;
+        let spread = Some(self.t0_by_times?.uncertainty).filter(|spread| *spread > 0.0)?;
         Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
     }
 
@@ -183,14 +183,14 @@ impl GatesFit {
         damping: PeriodDamping,
         correlations: &[Correlation],
     ) -> Result<Option<Budget>, BudgetError> {
-        let Some(t0) = self.t0 else { return Ok(None) };
+        let Some(t0) = self.t0_by_times else { return Ok(None) };
         let angle_scale = match self.t0_source {
             // What the width of the bob is worth is part of T0 already.
             Some(T0Source::Speeds) => Some(0.0),
             _ => angle_scale,
         };
         let period = MeasuredPeriod {
-            model: None,
+            model: self.contradiction.as_ref().map(|it| it.uncertainty() / t0.value),
             t0: t0.into(),
             amplitude: self.amplitude,
             angle_scale,

@@ -33,7 +33,7 @@ pub use error::GatesError;
 pub use gravity::{FlagShape, GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;
 
-use crate::fit::{Beta, Uncertain};
+use crate::fit::{Beta, Contradiction, Uncertain};
 use libration::quantity::Quantity;
 
 /// What the times of a gate without states are.
@@ -104,8 +104,10 @@ pub struct GatesFit {
     pub mean_period: Uncertain,
     /// The period at the turning point before the first passage, in seconds.
     pub first_period: Option<Uncertain>,
-    /// The period of small swings, in seconds.
+    /// The period of small swings, in seconds; uncertain also by the contradiction.
     pub t0: Option<Uncertain>,
+    /// T0 under the exact law and with β free, where they contradict each other.
+    pub contradiction: Option<Contradiction>,
     /// Where it comes from.
     pub t0_source: Option<T0Source>,
     /// The derivative of T0 with respect to the angular width of the bob, in s/rad; none where T0 does not come from the width.
@@ -118,4 +120,6 @@ pub struct GatesFit {
     pub beta: Option<Beta>,
     /// What a reader should know.
     pub warnings: Vec<GatesWarning>,
+    /// T0 without what the contradiction adds to its uncertainty.
+    t0_by_times: Option<Uncertain>,
 }

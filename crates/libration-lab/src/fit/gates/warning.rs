@@ -109,17 +109,17 @@ impl fmt::Display for GatesWarning {
     }
 }
 
-/// In the order in which the times are gone through; of a fit with the width of the bob or without.
+/// A refuted model first, then in the order in which the times are gone through; of a fit with the width of the bob or without.
 pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool) -> Vec<GatesWarning> {
     let speeds_failed = has_width && fit.t0_source != Some(T0Source::Speeds);
     [
+        fit.beta.as_ref().and_then(doubtful_beta),
         (fit.unpaired > 0).then_some(GatesWarning::UnpairedEdges { edges: fit.unpaired }),
         (fit.double_triggers > 0).then_some(GatesWarning::DoubleTriggers { passages: fit.double_triggers }),
         (fit.missed > 0).then_some(GatesWarning::MissedPassages { passages: fit.missed }),
         speeds_failed.then_some(GatesWarning::WidthUnused { edges: fit.edges }),
         fit.t0.is_none().then_some(GatesWarning::NoAmplitude),
         is_scatter_unknown(fit).then_some(GatesWarning::ScatterUnknown),
-        fit.beta.as_ref().and_then(doubtful_beta),
         last_period.and_then(|last| period_below_t0(fit, last)),
     ]
     .into_iter()

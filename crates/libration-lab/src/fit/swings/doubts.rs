@@ -5,7 +5,7 @@ use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, Cycles, CyclesError};
 use crate::fit::trace::{Comparison, DampingKind, TraceFit};
 use crate::fit::{Contradiction, MistakenUnit, SIGNIFICANT};
-use crate::measurement::Trace;
+use crate::measurement::{FittedPivot, Trace};
 
 /// The warnings, the gravest first.
 pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
@@ -17,6 +17,7 @@ pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = (!fit.converged).then_some(Warning::NotConverged).into_iter().collect();
     warnings.extend(mistaken_unit(found));
     warnings.extend(refuted(found));
+    warnings.extend(pivot(traces));
     warnings.extend(budget.into_iter().map(Warning::Budget));
     warnings.extend(found.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
     warnings.extend((!fit.dissipates()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
@@ -46,6 +47,15 @@ fn mistaken_unit(found: &SwingsFit) -> Option<Warning> {
 /// Where a strong damping does not explain it.
 fn refuted(found: &SwingsFit) -> Option<Warning> {
     found.contradiction.clone().filter(Contradiction::refutes).map(Warning::ModelRefuted)
+}
+
+/// The first that contradicts the positions.
+fn pivot(traces: &[Trace]) -> Option<Warning> {
+    let mut pivots = traces.iter().filter_map(Trace::fitted_pivot);
+    let contradicted = |pivot: &FittedPivot| {
+        Some(Warning::PivotContradicted { given: pivot.place, found: pivot.contradicted_by? })
+    };
+    pivots.find_map(contradicted)
 }
 
 fn negative_damping(fit: &TraceFit) -> Option<Warning> {

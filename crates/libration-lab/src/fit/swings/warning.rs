@@ -22,6 +22,14 @@ pub enum Warning {
     },
     /// Fits of the same data contradict each other by more than [chance](crate::fit::SIGNIFICANT).
     ModelRefuted(Contradiction),
+    /// The pivot that was given is not the centre of the circle that the positions are on, by more than
+    /// [the noise explains](crate::measurement::FittedPivot::contradicted_by). The difference is in the uncertainties.
+    PivotContradicted {
+        /// The pivot that was given, in the unit of the positions.
+        given: [f64; 2],
+        /// The centre of the circle, in the same unit.
+        found: [f64; 2],
+    },
     /// Of gravity and its uncertainty.
     Budget(BudgetWarning),
     /// The residuals are more than a tenth of the swing itself, where errors of reading are a hundredth or so.
@@ -138,6 +146,7 @@ impl Warning {
             Self::AnglesAreRadians { .. } => "angles_are_radians",
             Self::AnglesAreDegrees { .. } => "angles_are_degrees",
             Self::ModelRefuted(_) => "model_refuted",
+            Self::PivotContradicted { .. } => "pivot_contradicted",
             Self::Budget(warning) => warning.name(),
             Self::PoorFit { .. } => "poor_fit",
             Self::FeedsEnergy { .. } => "feeds_energy",

@@ -25,6 +25,13 @@ impl fmt::Display for Warning {
                 f,
                 "the model is refuted: {contradiction}. The uncertainty of T₀ includes the difference"
             ),
+            Self::PivotContradicted { given: [x, y], found: [u, v] } => write!(
+                f,
+                "the pivot that was given, ({x}, {y}), contradicts the positions: they are on a circle about ({}, {}). The difference is in the \
+                 uncertainties; check the pivot and its unit, or leave it out to have the circle fitted",
+                rounded(*u, 5),
+                rounded(*v, 5)
+            ),
             Self::Budget(warning) => warning.fmt(f),
             Self::PoorFit { part } => write!(
                 f,

@@ -10,8 +10,9 @@
 use std::ops::ControlFlow;
 
 use super::{DampingKind, DampingModel};
+use crate::fit::damped_pendulum::{equation, symbol};
 use crate::measurement::Observable;
-use libration::expression::{Equation, Expression, Symbol};
+use libration::expression::{Expression, Symbol};
 use libration::taylor::{
     Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Step, System,
     Trajectory, integrate_many_watched, with_sensitivities,
@@ -321,22 +322,4 @@ fn until_it_turns(system: System) -> System {
     let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
     let turning = Event { formula, direction: Direction::Any, ends_at: Some(1) };
     system.with_events(&[turning]).expect("the velocity is a number of the state")
-}
-
-/// The equation of motion with these kinds of damping.
-fn equation(terms: DampingModel) -> Equation {
-    let all = "theta'' = -k*sin(theta) - d*sign(theta') - b*theta' - c*theta'*abs(theta')";
-    let all: Equation = all.parse().expect("this can be read");
-    let kinds = [DampingKind::Dry, DampingKind::Linear, DampingKind::Quadratic];
-    let absent = kinds.into_iter().filter(|&term| !terms.has(term));
-    let zeros: Vec<_> = absent.map(|term| (symbol(term), Expression::from(0))).collect();
-    all.with(&zeros).expect("these are parameters, and zero leaves the acceleration")
-}
-
-fn symbol(term: DampingKind) -> &'static str {
-    match term {
-        DampingKind::Dry => "d",
-        DampingKind::Linear => "b",
-        DampingKind::Quadratic => "c",
-    }
 }

@@ -40,7 +40,7 @@ pub(super) struct Page<'a> {
 
 impl Page<'static> {
     fn of_worksheet(name: String, text: String) -> Self {
-        let dialect = Dialect { delimiter: Delimiter::Tab, mark: DecimalMark::Point };
+        let dialect = Dialect::new(Delimiter::Tab, DecimalMark::Point);
         Self { name, text: text.into(), dialect: Some(dialect) }
     }
 }

@@ -83,6 +83,13 @@ impl Heading {
         }
     }
 
+    /// Takes the unit that the cells have.
+    pub(super) fn set_unit(&mut self, unit: Unit) {
+        self.quantity = quantity(self.quantity, Some(unit), None);
+        self.unit = Some(unit);
+        self.unit_text = Some(unit.to_string());
+    }
+
     /// Whether the numbers are this quantity itself.
     #[doc(hidden)]
     pub fn is(&self, quantity: QuantityKind) -> bool {
@@ -175,7 +182,9 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
             return (name.trim(), Some(unit.trim()), None);
         }
     }
-    (text, None, None)
+    // A unit of angles is all of a name: `rad`, `deg`.
+    let is_angle = |unit: Unit| matches!(unit, Unit::Radian | Unit::Milliradian | Unit::Degree);
+    if text.parse().is_ok_and(is_angle) { ("", Some(text), None) } else { (text, None, None) }
 }
 
 /// `t / s` and not `T/2`, whose 2 is no unit: of `T/2 / s` the unit is s.

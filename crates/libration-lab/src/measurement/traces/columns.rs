@@ -136,7 +136,11 @@ impl Group<'_> {
         if choices.x.is_some() || choices.y.is_some() {
             return self.positions(time, choices);
         }
-        let angles = self.all_of(QuantityKind::Angle);
+        // What never changes is not the angle of anything that swings, where another column is.
+        let varies = |place: &usize| self.sheet.channels[*place].range().is_none_or(|(low, high)| low < high);
+        let named = self.all_of(QuantityKind::Angle);
+        let varying: Vec<usize> = named.iter().copied().filter(varies).collect();
+        let angles = if varying.is_empty() { named } else { varying };
         let has_positions = [QuantityKind::X, QuantityKind::Y]
             .iter()
             .all(|&axis| self.all_of(axis).iter().any(|&place| place != time));
@@ -223,7 +227,7 @@ impl Group<'_> {
                 && matches!(channel.heading.quantity, QuantityKind::Other | QuantityKind::X | QuantityKind::Y)
                 && !channel.heading.is_uncertainty
                 && channel.heading.unit_text.is_none()
-                && channel.count() > 0
+                && channel.range().is_some_and(|(low, high)| low < high)
         };
         self.members.iter().copied().filter(may).collect()
     }

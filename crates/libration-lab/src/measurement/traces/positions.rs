@@ -11,6 +11,9 @@ const RADIUS_TOLERANCE: f64 = 0.05;
 /// How many times its scatter the height of the arc must be. In 312 synthetic recordings with 5 to 50 times the radius was as certain as
 /// stated and off by at most 0.4 of its uncertainty in the mean; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
 const HEIGHT_OVER_SCATTER: f64 = 5.0;
+/// A pivot that was given contradicts the positions where it is so many standard deviations from the centre of their circle: distances that hang
+/// together from frame to frame make these too small.
+const CONTRADICTS: f64 = 5.0;
 
 /// Both columns must be in the same unit, whatever it is.
 pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), MeasurementError> {
@@ -39,8 +42,17 @@ pub(super) fn angles(
     let y_is_down = circle.y_is_down(&points);
     let run = if name.is_empty() { String::new() } else { format!("{name}: ") };
     let Circle { x, y, radius, scatter, .. } = circle;
+    let contradicting = pivot.and_then(|_| contradicting(&circle, &points));
     let how = match pivot {
-        Some(_) => "as said".to_owned(),
+        Some(_) => contradicting.as_ref().map_or_else(
+            || "as said".to_owned(),
+            |found| {
+                format!(
+                    "as said, which contradicts the circle of the positions about ({:.6}, {:.6})",
+                    found.x, found.y
+                )
+            },
+        ),
         None => {
             let [u, v] = [0, 1].map(|k| circle.covariance[k][k].sqrt());
             format!("the centre of the fitted circle, uncertain by ({u:.1e}, {v:.1e})")
@@ -52,12 +64,33 @@ pub(super) fn angles(
     tell(Finding::new(text, Choice::Pivot));
     let way = if y_is_down { "down" } else { "up" };
     tell(Finding::fact(format!("{run}y grows {way}wards, since the bob is fastest at the bottom")));
-    let fitted_pivot = pivot.is_none().then(|| FittedPivot {
-        place: [x, y],
-        covariance: circle.covariance,
-        derivatives: points.iter().map(|&point| circle.derivatives_at(point, y_is_down)).collect(),
-    });
-    Ok((points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect(), fitted_pivot))
+    let derivatives = || points.iter().map(|&point| circle.derivatives_at(point, y_is_down)).collect();
+    let place = [x, y];
+    let uncertain = match (pivot, contradicting) {
+        (None, _) => Some(FittedPivot {
+            place,
+            covariance: circle.covariance,
+            derivatives: derivatives(),
+            contradicted_by: None,
+        }),
+        (Some(_), Some(found)) => {
+            let centre = [found.x, found.y];
+            let apart = [centre[0] - x, centre[1] - y];
+            let covariance = apart.map(|one| apart.map(|other| one * other / 3.0));
+            Some(FittedPivot { place, covariance, derivatives: derivatives(), contradicted_by: Some(centre) })
+        }
+        (Some(_), None) => None,
+    };
+    Ok((points.into_iter().map(|point| circle.angle_at(point, y_is_down)).collect(), uncertain))
+}
+
+/// The circle that the positions are on, where its centre is not the one that was given.
+fn contradicting(given: &Circle, points: &[(f64, f64)]) -> Option<Circle> {
+    let circle = fitted(points).ok()?;
+    let (dx, dy) = (given.x - circle.x, given.y - circle.y);
+    let [[xx, xy], [_, yy]] = circle.covariance;
+    let square = (dx * dx * yy - 2.0 * dx * dy * xy + dy * dy * xx) / (xx * yy - xy * xy);
+    (square > CONTRADICTS * CONTRADICTS).then_some(circle)
 }
 
 fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {

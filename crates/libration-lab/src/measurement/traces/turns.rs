@@ -24,23 +24,49 @@ pub fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
     }
 }
 
-/// Only where all angles lie within one turn; a step that is no whole turn to within a quarter is no jump of the scale.
+/// Values within a turn, with the noise and the rounding of those at its ends.
+const A_TURN: f64 = 1.02 * TAU;
+
+/// Takes out jumps where all angles are within one turn. A step is a jump if without whole turns it is below a quarter, or agrees with the steps
+/// before and after it to a quarter, as that of a fast pendulum does.
 pub fn take_out_jumps(angles: &mut [f64]) -> usize {
     let low = angles.iter().copied().fold(f64::INFINITY, f64::min);
     let high = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if high - low > TAU * (1.0 + 1e-9) {
+    if high - low > A_TURN {
         return 0;
     }
-    let (mut turns, mut jumps, mut before) = (0.0, 0, angles[0]);
-    for angle in angles.iter_mut() {
-        let step = *angle - before;
-        before = *angle;
-        let whole = (step / TAU).round();
-        if whole != 0.0 && (step - whole * TAU).abs() < PI / 2.0 {
-            turns -= whole;
-            jumps += 1;
-        }
-        *angle += turns * TAU;
+    let steps: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let (mut turns, mut jumps, mut before) = (0.0, 0, 0.0);
+    for (row, &step) in steps.iter().enumerate() {
+        let neighbours = [row.checked_sub(1).and_then(|row| steps.get(row)), steps.get(row + 1)];
+        let whole = jump(before, step, neighbours);
+        turns -= whole;
+        jumps += usize::from(whole != 0.0);
+        before = step - whole * TAU;
+        angles[row + 1] += turns * TAU;
     }
     jumps
+}
+
+const QUARTER: f64 = PI / 2.0;
+
+/// The whole turns in a step after one that is without its own, between these two as they are written.
+fn jump(before: f64, step: f64, neighbours: [Option<&f64>; 2]) -> f64 {
+    let nearest = (step / TAU).round();
+    if nearest == 0.0 {
+        return 0.0;
+    }
+    if is_nearly_whole(step) {
+        // There and back by a step that is not a jump.
+        let is_spike = |other: &f64| (step + other).abs() < QUARTER && !is_nearly_whole(*other);
+        return if neighbours.into_iter().flatten().any(is_spike) { 0.0 } else { nearest };
+    }
+    let whole = ((step - before) / TAU).round();
+    let own = step - whole * TAU;
+    let goes_on = |after: &f64| (after - own - TAU * ((after - own) / TAU).round()).abs() < QUARTER;
+    if (own - before).abs() < QUARTER && neighbours[1].is_some_and(goes_on) { whole } else { 0.0 }
+}
+
+fn is_nearly_whole(step: f64) -> bool {
+    (step - (step / TAU).round() * TAU).abs() < QUARTER
 }

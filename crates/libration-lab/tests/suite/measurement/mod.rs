@@ -1,5 +1,6 @@
 //! Tables as instruments and people write them.
 
+mod cell_units;
 mod container;
 mod counted_periods;
 mod faults;

@@ -3,6 +3,7 @@
 
 mod advice;
 mod contradiction;
+mod not_separated;
 mod warnings;
 
 use std::cell::Cell;

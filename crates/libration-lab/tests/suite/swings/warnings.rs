@@ -131,11 +131,11 @@ fn stated_uncertainties_are_compared_with_the_scatter() {
 
 #[test]
 fn strong_damping_takes_the_place_of_what_beta_would_say() {
-    let damped = |linear: f64| {
-        let swing = Synthetic { linear, amplitude: 2.1, rows: 300, noise: 2e-4, ..SWING };
-        warnings(&swing, &super::linear())
+    let damped = |linear: f64, scale: f64| {
+        let swing = trace(&Synthetic { linear, amplitude: 2.1, rows: 300, noise: 2e-4, ..SWING });
+        found(&[changed(&swing, |_, time, angle| (time, scale * angle))], &super::linear()).warnings
     };
-    let strong = damped(0.5);
+    let strong = damped(0.5, 1.1);
     let Some(Warning::StrongDamping { fall }) = named(&strong, "strong_damping") else {
         panic!("{strong:?}")
     };
@@ -143,8 +143,10 @@ fn strong_damping_takes_the_place_of_what_beta_would_say() {
     for name in ["beta_not_one", "periods_disagree"] {
         assert!(named(&strong, name).is_none(), "{strong:?}");
     }
+    // What the damping does to the cycles is removed.
+    assert!(named(&damped(0.5, 1.0), "strong_damping").is_none());
     // exp(−0.06·2.5/2) in a cycle of 2.5 s.
-    assert!(named(&damped(0.06), "strong_damping").is_none());
+    assert!(named(&damped(0.06, 1.1), "strong_damping").is_none());
 }
 
 #[test]

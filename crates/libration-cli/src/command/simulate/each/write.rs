@@ -62,7 +62,7 @@ impl Answer<'_> {
                 let (time, numbers, kind) = row.parts();
                 let mut cells = numbered[..places].to_vec();
                 cells.extend(of_time.csv_cells(&time));
-                cells.extend(numbers.concat().into_iter().map(number::exact));
+                cells.extend(numbers.concat().into_iter().map(csv::number));
                 cells.extend(self.with_events.then(|| kind.to_owned()));
                 csv::line(out, &cells)?;
             }

@@ -1,0 +1,135 @@
+//! The bias of measured cycles: what damping does to a period in second order, and what the local fits miss.
+//!
+//! A half swing that loses the part p of its amplitude lasts longer than the exact law says at its extreme by a part of the order p²:
+//! for small amplitudes p²/2π² under linear damping, more under dry friction, whose two equilibria lie on both sides of the centre
+//! that is passed. No closed form holds at all amplitudes for all kinds of damping together, and none has what the local fits
+//! miss. Both are measured instead: on simulated cycles of a pendulum that obeys the exact law with the damping that the envelope
+//! shows, seen with the same number of rows and measured by the same local fits.
+
+use std::f64::consts::TAU;
+
+use super::envelope::EnvelopeFit;
+use super::found::Found;
+use super::landmarks::landmarks;
+use super::row::Row;
+use super::shape::LARGEST_AMPLITUDE;
+use super::swings::swings;
+use crate::fit::damped_pendulum::{equation, symbol};
+use crate::measurement::{Observable, Trace};
+use crate::statistics::mean;
+use libration::pendulum::period_ratio;
+use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate_many};
+use libration::watch::Watch;
+
+/// Simulated swings, from the largest to the smallest amplitude.
+const NODES: u32 = 12;
+/// Cycles of each. The first and the last that are measured do not count: beyond their passages no extreme is known.
+const CYCLES: f64 = 6.0;
+/// The most rows in a simulated period: with more the local fits miss nothing.
+const MOST_ROWS: f64 = 100.0;
+/// Of the integration, far below the noise of any instrument.
+const TOLERANCE: f64 = 1e-12;
+
+/// The measurement that is simulated.
+#[derive(Clone, Copy)]
+pub(super) struct Apparatus {
+    pub(super) observable: Observable,
+    /// The angular frequency of small swings, in rad/s.
+    pub(super) omega0: f64,
+    /// Of the period of the longest swings in the time from row to row.
+    pub(super) rows_per_period: f64,
+    /// The standard deviation of a value.
+    pub(super) noise: f64,
+}
+
+/// By which part of T0 measured periods are longer than the exact law says, at some amplitudes in radians, which increase.
+#[derive(Clone, Debug)]
+pub(super) struct Bias(Vec<(f64, f64)>);
+
+impl Bias {
+    /// The bias between the smallest and the largest amplitude under this damping; none where it cannot be measured.
+    pub(super) fn new(
+        apparatus: Apparatus,
+        damping: &EnvelopeFit,
+        [smallest, largest]: [f64; 2],
+        watch: &Watch<'_>,
+    ) -> Option<Self> {
+        let parts = (0..NODES).map(|k| f64::from(k) / f64::from(NODES - 1));
+        let starts: Vec<(f64, Vec<f64>)> = parts
+            .map(|part| {
+                let amplitude = smallest * libm::pow(largest / smallest, part);
+                let amplitude = amplitude.min(LARGEST_AMPLITUDE);
+                (amplitude, apparatus.times(amplitude, part))
+            })
+            .collect();
+        let motions = apparatus.motions(damping, &starts)?;
+        let measured = motions.into_iter().zip(&starts).filter_map(|(motion, (_, times))| {
+            watch.go_on().ok()?;
+            apparatus.measured(times, &motion, watch)
+        });
+        let mut nodes: Vec<(f64, f64)> = measured.collect();
+        nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        nodes.dedup_by(|a, b| a.0 <= b.0);
+        (nodes.len() > 1).then_some(Self(nodes))
+    }
+
+    /// The row without its bias.
+    pub(super) fn removed_from(&self, row: &Row, omega0: f64) -> Row {
+        Row { period: row.period - TAU / omega0 * self.at(row.amplitude()), ..row.clone() }
+    }
+
+    /// By the line through the two nodes about this amplitude, or at this end.
+    fn at(&self, amplitude: f64) -> f64 {
+        let nodes = &self.0;
+        let after = nodes.partition_point(|node| node.0 < amplitude).clamp(1, nodes.len() - 1);
+        let [before, after] = [nodes[after - 1], nodes[after]];
+        before.1 + (after.1 - before.1) * (amplitude - before.0) / (after.0 - before.0)
+    }
+}
+
+impl Apparatus {
+    /// The times of the rows, the first at the release and the second this part of a step later. A half period has a whole number of steps, so
+    /// that passages of one swing are missed by the same time: what differs from passage to passage in a measured trace cancels there in the sum of many.
+    fn times(&self, amplitude: f64, part: f64) -> Vec<f64> {
+        let period = TAU / self.omega0 * period_ratio(amplitude);
+        let step = 0.5 * period / libm::round(0.5 * self.rows_per_period.min(MOST_ROWS));
+        let later = std::iter::successors(Some(part.max(0.1)), |row| Some(row + 1.0));
+        let rows = later.take_while(|row| row * step < CYCLES * period);
+        std::iter::once(0.0).chain(rows.map(|row| row * step)).collect()
+    }
+
+    /// Releases from these amplitudes, at these times.
+    fn motions(&self, damping: &EnvelopeFit, starts: &[(f64, Vec<f64>)]) -> Option<Vec<Solution>> {
+        let terms = damping.damping;
+        let names: Vec<&str> = std::iter::once("k").chain(terms.iter().map(symbol)).collect();
+        let system = System::with_parameters(&equation(terms), &names).ok()?;
+        let coefficients = damping.coefficients.iter().map(|it| it.estimate.value);
+        let parameters: Vec<f64> = std::iter::once(self.omega0 * self.omega0).chain(coefficients).collect();
+        let released = starts.iter().map(|(amplitude, times)| Trajectory {
+            start: Moment { time: 0.0, state: vec![*amplitude, 0.0] },
+            parameters: parameters.clone(),
+            times,
+        });
+        let trajectories: Vec<Trajectory<'_>> = released.collect();
+        integrate_many(&system, &trajectories, &Effort::to_tolerance(TOLERANCE))
+            .into_iter()
+            .collect::<Result<_, _>>()
+            .ok()
+    }
+
+    /// The mean amplitude and the mean bias of the cycles in these values.
+    fn measured(&self, times: &[f64], motion: &Solution, watch: &Watch<'_>) -> Option<(f64, f64)> {
+        let place = usize::from(self.observable == Observable::AngularVelocity);
+        let values = motion.samples.iter().map(|sample| sample.state[place]).collect();
+        let trace = Trace::new("simulated", self.observable, times.to_vec(), values, None).ok()?;
+        let swings = swings(&trace).ok()?;
+        let marks = landmarks(&trace, swings.stretches.first()?, Some(self.noise), watch)?;
+        let found = Found::new(&[marks], 1.0);
+        let rows = found.rows(&found.half_swings(self.observable, self.omega0));
+        let inner = rows.get(1..rows.len().saturating_sub(1))?;
+        let t0 = TAU / self.omega0;
+        let of = |value: &dyn Fn(&Row) -> f64| mean(inner.iter().map(value));
+        let bias = of(&|row| row.period / t0 - row.ratio);
+        bias.is_finite().then(|| (of(&Row::amplitude), bias))
+    }
+}

@@ -1,0 +1,43 @@
+//! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are brought.
+
+use super::Unit;
+use super::dialect::Row;
+use super::number::Cell;
+
+/// The units of the cells of each column, row by row.
+pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
+
+impl CellUnits {
+    /// Of so many columns, without any row.
+    pub(super) fn of(columns: usize) -> Self {
+        Self(vec![vec![]; columns])
+    }
+
+    pub(super) fn push(&mut self, row: &Row) {
+        for (place, units) in self.0.iter_mut().enumerate() {
+            units.push(row.units.get(place).copied().flatten());
+        }
+    }
+
+    /// The unit of the first cell of a column that has one.
+    pub(super) fn first(&self, column: usize) -> Option<Unit> {
+        self.0[column].iter().flatten().next().copied()
+    }
+
+    /// Brings all numbers of a column to this unit; or says what is mixed: numbers with and without a unit, or units of different quantities.
+    pub(super) fn bring(&self, column: usize, cells: &mut [Cell], to: Unit) -> Result<(), String> {
+        for (cell, unit) in cells.iter_mut().zip(&self.0[column]) {
+            match (cell, unit) {
+                (Cell::Number(_), None) => return Err(format!("numbers in {to} and numbers without a unit")),
+                (Cell::Number(_), Some(unit)) if unit.measures() != to.measures() => {
+                    return Err(format!("numbers in {to} and numbers in {unit}"));
+                }
+                (Cell::Number(number), Some(unit)) if *unit != to => {
+                    *number = unit.to_si(*number) / to.to_si(1.0);
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,67 @@
+//! Cells with units, and headers that are a unit: read from files.
+
+use libration_lab::measurement::{
+    Choices, Column, MeasurementError, ReadOptions, Recording, Role, Table, Unit, WrittenUnit,
+};
+
+fn table(text: &str) -> Result<Table, MeasurementError> {
+    Table::read(text.as_bytes(), &ReadOptions::default())
+}
+
+fn numbers(table: &Table) -> Vec<Vec<f64>> {
+    table.select(&[Column::Number(1), Column::Number(2)]).unwrap().columns
+}
+
+#[test]
+fn cells_with_units_are_read() {
+    for text in
+        ["L,T\n10cm,0.635s\n20cm,0.897s\n40cm,1.269s\n", "L;T\n10 cm;0,635 s\n20 cm;0,897 s\n40 cm;1,269 s\n"]
+    {
+        let table = table(text).unwrap();
+        assert_eq!(numbers(&table), [vec![10.0, 20.0, 40.0], vec![0.635, 0.897, 1.269]]);
+        assert_eq!(
+            table.unit(&Column::Number(1), Role::Lengths).unwrap(),
+            WrittenUnit::Known(Unit::Centimetre)
+        );
+        assert_eq!(table.unit(&Column::Number(2), Role::Times).unwrap(), WrittenUnit::Known(Unit::Second));
+    }
+}
+
+/// A unit of the same quantity is converted, to that of the header or of the first cell.
+#[test]
+fn units_of_one_quantity_are_brought_to_one() {
+    let mixed = table("L,T (s)\n10cm,635ms\n0.2m,0.897s\n400mm,1.269s\n").unwrap();
+    let found = numbers(&mixed).concat();
+    let truth = [10.0, 20.0, 40.0, 0.635, 0.897, 1.269];
+    assert!(found.iter().zip(truth).all(|(a, b)| (a / b - 1.0).abs() < 1e-15), "{found:?}");
+}
+
+#[test]
+fn units_that_do_not_go_together_are_refused() {
+    for text in ["L,T\n10cm,0.6s\n20cm,0.9s\n0.4,1.2s\n", "L,T\n10cm,0.6s\n20cm,0.9s\n3s,1.2s\n"] {
+        assert!(matches!(table(text), Err(MeasurementError::MixedUnits { .. })), "{text}");
+    }
+}
+
+/// Names that are lengths stand over plain numbers.
+#[test]
+fn lengths_as_names_are_no_cells() {
+    let named = table("t (s),10 cm,20 cm\n0,0.1,0.2\n1,0.2,0.3\n2,0.3,0.5\n").unwrap();
+    assert_eq!(named.names()[1], "10 cm");
+}
+
+#[test]
+fn a_unit_of_angles_alone_is_the_name_of_an_angle_and_what_is_constant_is_none() {
+    let text = |header: &str| {
+        let rows = (0..200).map(|row| {
+            let time = 0.02 * f64::from(row);
+            format!("{time},{},0.7\n", 0.3 * libm::cos(3.0 * time))
+        });
+        format!("{header}\n{}", rows.collect::<String>())
+    };
+    for header in ["t (s),rad,x", "t (s),theta (rad),angle (rad)"] {
+        let recording = Recording::read(text(header).as_bytes(), &ReadOptions::default()).unwrap();
+        let trace = recording.traces(&Choices::default()).unwrap().traces.remove(0);
+        assert!((trace.values()[0] - 0.3).abs() < 1e-12, "{header}");
+    }
+}
