@@ -204,19 +204,22 @@ impl<'a> Walk<'a> {
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
-        let next = self.next(&units, *length).filter(|(next, ..)| {
-            let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
-            (*length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_cross_other_branch()))
-                && (*length <= RESOLVED || self.is_established(next, *length))
+        let next = self.next(&units, *length).and_then(|(next, turn, off)| {
+            let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units: &units };
+            if *length > SHORT && (stretch.may_meet_other_branch() || stretch.may_cross_other_branch()) {
+                return None;
+            }
+            let established = self.is_established(&stretch, *length);
+            (established || *length <= RESOLVED).then_some((next, turn, off, established))
         });
-        let Some((next, turn, off)) = next else {
+        let Some((next, turn, off, established)) = next else {
             if *length < SHORT && self.begin_elsewhere(&units) {
                 return None;
             }
             *length *= 0.5;
             return (*length < STEPS[1]).then_some(Ending::Lost);
         };
-        if !self.is_established(&next, *length) {
+        if !established {
             let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
             self.unresolved.push([from.min(to), from.max(to)]);
         }
@@ -397,8 +400,9 @@ impl<'a> Walk<'a> {
         Milestone { at, tests: next.tests }
     }
 
-    fn is_established(&self, next: &Node, length: f64) -> bool {
-        is_established(&self.milestones, &self.milestone(next, length))
+    fn is_established(&self, stretch: &Stretch<'_>, length: f64) -> bool {
+        let middle = || Some(self.milestone(&stretch.node_at(stretch.corrector, 0.5)?, 0.5 * length));
+        is_established(&self.milestones, &self.milestone(stretch.ends[1], length), middle)
     }
 }
 

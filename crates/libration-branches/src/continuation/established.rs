@@ -23,12 +23,28 @@ pub(super) struct Milestone {
     pub(super) tests: Tests,
 }
 
-/// Whether no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
-/// last one.
-pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
-    let Some(&[a, b]) = before.last_chunk::<2>() else { return true };
+/// `true` if no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
+/// last one; `middle` is evaluated where there is only one of them.
+pub(super) fn is_established(
+    before: &[Milestone],
+    next: &Milestone,
+    middle: impl FnOnce() -> Option<Milestone>,
+) -> bool {
+    match before {
+        [] => false,
+        [start] => middle().is_some_and(|middle| {
+            let turned = |it: &Milestone| Milestone { at: -it.at, ..*it };
+            is_clear(&[*start, middle], next) && is_clear(&[turned(next), turned(&middle)], &turned(start))
+        }),
+        _ => is_clear(before, next),
+    }
+}
+
+/// `true` if no test function can have hidden zeros between the last of two or more nodes and the next one.
+fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
+    let Some(&[a, b]) = before.last_chunk::<2>() else { return false };
     let earlier = before.len().checked_sub(3).map(|place| before[place]);
-    let is_clear = |test: Test| {
+    let is_clear_of = |test: Test| {
         let value = |it: &Milestone| (it.at, test.of(&it.tests));
         let three = [value(&a), value(&b), value(next)];
         // Where a test function is rounding throughout, as in conservative systems, it tells nothing.
@@ -44,7 +60,7 @@ pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
         // t(t + first)(step − t) against step(step + first)·whole: its maximum is at most step²/4·(step + first).
         is_clear_of_zero(three, SAFETY * off * 0.25 * step / whole)
     };
-    [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear)
+    [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear_of)
 }
 
 /// Whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply that

@@ -312,7 +312,8 @@ impl Stretch<'_> {
         Tests::new(&corrected.image, *tangent.last()?)
     }
 
-    fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
+    /// The node at a part of the way.
+    pub(super) fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
         let (corrected, _) = self.corrected_at(corrector, s)?;
         Node::new(corrector, corrected, &self.ends[0].direction, self.units)
     }

@@ -353,14 +353,17 @@ fn tongues_narrower_than_a_step_are_found() {
         beat: 1.0,
         kinks: vec![],
     };
-    let parametron = Oscillator {
+    let parametron = |range: [f64; 2]| Oscillator {
         text: "x'' + 0.005*x' + (1 - 0.011*cos(2*w*t))*x + x^3 = 0".to_owned(),
         force: Box::new(|t, [x, v], w| -0.005 * v - (1.0 - 0.011 * libm::cos(2.0 * w * t)) * x - x * x * x),
-        range: [0.95, 1.05],
+        range,
         beat: 2.0,
         kinks: vec![],
     };
-    for (oscillator, edges) in [(shaken, [1.98, 2.02]), (parametron, [0.99884934, 1.00114063])] {
+    let edges = [0.99884934, 1.00114063];
+    // In the last range the first step, a fiftieth of the range, begins before the tongue and ends after it.
+    let parametrons = [[0.95, 1.05], [0.9985, 1.3]].map(|range| (parametron(range), edges));
+    for (oscillator, edges) in [(shaken, [1.98, 2.02])].into_iter().chain(parametrons) {
         let response = oscillator.response();
         let rest: Vec<f64> = response.branches[0].special.iter().map(|it| it.point.parameter).collect();
         let tolerance = if edges[0] > 1.5 { 2e-3 } else { 1e-8 };
