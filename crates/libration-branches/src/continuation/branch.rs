@@ -9,6 +9,7 @@ use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units, largest_swing};
 use libration_motion::internals::periodic::turns_in;
+use libration_numbers::roots::{Tolerance, bisect};
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -312,14 +313,10 @@ impl<'a> Walk<'a> {
 
     /// The place on the stretch to a node where the parameter has a value.
     fn at_parameter(&self, next: &Node, units: &[f64], value: f64) -> Option<Node> {
-        let mut bracket = [0.0, 1.0];
         let side = |s: f64| between(self.at(), next, units, s).last().is_some_and(|p| *p > value);
         let begins = side(0.0);
-        for _ in 0..30 {
-            let middle = 0.5 * (bracket[0] + bracket[1]);
-            bracket[usize::from(side(middle) != begins)] = middle;
-        }
-        let mut guess = between(self.at(), next, units, bracket[0]);
+        let [before, _] = bisect([0.0, 1.0], Tolerance::absolute(1e-9), |s| side(s) == begins);
+        let mut guess = between(self.at(), next, units, before);
         *guess.last_mut()? = value;
         let mut across = vec![0.0; guess.len()];
         *across.last_mut()? = 1.0;

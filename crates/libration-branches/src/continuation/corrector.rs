@@ -2,8 +2,7 @@
 
 use super::family::{Family, Image};
 use super::space::Space;
-use libration_numbers::algebra::Doubles;
-use libration_numbers::internals::linear::solve;
+use libration_motion::internals::periodic::NewtonStep;
 
 /// A state and the parameter behind it, with what the motion makes of them.
 #[derive(Clone, Debug)]
@@ -43,9 +42,7 @@ impl Corrector<'_> {
                 return Some(Corrected { place, image, first });
             }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
-            let right: Vec<f64> =
-                image.defect.iter().zip(units).map(|(d, unit)| -d / unit).chain([-off]).collect();
-            let change = solve(&Doubles, |x| x.abs(), &bordered(&image, across, units), &right)?;
+            let change = bordered(&image, across, units).change(&image.defect, &[off])?;
             let size = norm(&change);
             if round == 0 {
                 first = size;
@@ -85,9 +82,7 @@ impl Corrector<'_> {
 
     /// The unit vector along the branch, in units, that goes with another one.
     pub(super) fn tangent(&self, image: &Image, along: &[f64], units: &[f64]) -> Option<Vec<f64>> {
-        let mut right = vec![0.0; along.len()];
-        *right.last_mut()? = 1.0;
-        let tangent = solve(&Doubles, |x| x.abs(), &bordered(image, along, units), &right)?;
+        let tangent = bordered(image, along, units).change(&vec![0.0; image.defect.len()], &[-1.0])?;
         let size = norm(&tangent);
         size.is_finite().then(|| tangent.iter().map(|x| x / size).collect())
     }
@@ -102,16 +97,11 @@ fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
     largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
 }
 
-/// The derivatives of the defect by state and parameter, in units, above a row.
-pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
-    let numbers = image.defect.len();
-    let entry = |i: usize, j: usize| {
-        let own = if i == j { 1.0 } else { 0.0 };
-        let derivative = if j < numbers { image.map[i][j] - own } else { image.by_parameters[0][i] };
-        derivative * units[j] / units[i]
-    };
-    let rows = (0..numbers).map(|i| (0..=numbers).map(|j| entry(i, j)).collect());
-    rows.chain([last.to_vec()]).collect()
+/// The equations of the next step for state and parameter, with the condition of a row.
+pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> NewtonStep {
+    let free: Vec<usize> = (0..image.map.len()).collect();
+    let parameter = (&image.by_parameters[0][..], units[free.len()]);
+    NewtonStep::new(&image.map, units, &free, &[parameter]).bordered(last)
 }
 
 pub(super) fn norm(vector: &[f64]) -> f64 {

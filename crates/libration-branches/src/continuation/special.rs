@@ -148,7 +148,7 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
         let may_be_rest = match family.is_driven() {
-            true => space.mirrored && self.size(self.ends[1].place()) < 1.0,
+            true => space.mirrored && family.mirrors_all() && self.size(self.ends[1].place()) < 1.0,
             false => self.speed(self.ends[1].place()).is_some_and(|speed| speed < 1.0),
         };
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
@@ -205,7 +205,7 @@ impl Stretch<'_> {
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
             // The state at rest.
-            return (self.size(&place) < REST)
+            return (family.mirrors_all() && self.size(&place) < REST)
                 .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
         let misses = |smaller: Space| {

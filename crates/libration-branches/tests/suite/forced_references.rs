@@ -1,7 +1,7 @@
 //! Points of response curves and the singular points that no other file of the suite has, against Fourier collocation with extended systems and
 //! Taylor shooting, both in floats of 130 bits, which agree in 30 digits.
 
-use libration::continuation::{BranchPoint, Response, ResponseOptions, SpecialKind};
+use libration::continuation::{BranchPoint, Ending, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
@@ -293,5 +293,21 @@ fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
         let [first, second] = &point.multipliers[..] else { panic!("{:?}", point.multipliers) };
         assert!((first.re - slow).abs() < 1e-13 && first.im.abs() < 1e-300, "{first:?} for {slow}");
         assert!(second.abs() < 1e-13 * slow, "{second:?}");
+    }
+}
+
+/// x″ = 4x + 10·cos ωt has the motion −10·cos(ωt)/(4 + ω²), about which deviations grow by e^(4π/ω), 9e4 to 7e6: each is checked piece by piece.
+#[test]
+fn a_motion_that_no_single_integration_closes_is_followed() {
+    let start = Some(vec![-10.0 / 4.64, 0.0]);
+    let options = ResponseOptions { start, ..ResponseOptions::default() };
+    let equation = "x'' = 4*x + 10*cos(w*t)".parse().unwrap();
+    let response = Response::over(&equation, "w", [0.8, 1.1], &options).unwrap();
+    let branch = &response.branches[0];
+    assert_eq!([branch.beginning, branch.ending], [Ending::RangeEnd; 2]);
+    for point in &branch.points {
+        let exact = -10.0 / (4.0 + point.parameter * point.parameter);
+        assert!((point.state[0] - exact).abs() < 1e-15 && point.state[1].abs() < 1e-14, "{point:?}");
+        assert!(!point.stable);
     }
 }

@@ -13,7 +13,13 @@
 mod extrema;
 mod floquet;
 mod flow;
+mod multiple_shooting;
+mod newton_step;
+mod precise_series;
 
 pub use extrema::{Extrema, extrema, turns_in};
 pub use floquet::{Floquet, Stability, multiplier_errors};
 pub use flow::{Flow, Variations};
+pub use multiple_shooting::{Frame, Nodes, Piece};
+pub use newton_step::{CLOSED, NewtonStep};
+pub use precise_series::{precise_series, precise_step, precise_sum};
