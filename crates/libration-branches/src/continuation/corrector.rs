@@ -12,6 +12,8 @@ pub(super) struct Corrected {
     pub(super) image: Image,
     /// How far the first guess was off, in units.
     pub(super) first: f64,
+    /// The part of its norm by which the map is off, where it is that of the place before the last correction.
+    pub(super) stale: f64,
 }
 
 /// Newton's rounds; each doubles the digits once the guess is near.
@@ -36,10 +38,11 @@ impl Corrector<'_> {
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
         let mut place = guess.to_vec();
         let (mut first, mut before) = (0.0, f64::INFINITY);
+        let mut last: Option<Image> = None;
         for round in 0..MOST_ROUNDS {
             let image = self.image(&place)?;
             if round == 0 && is_rounding(&image, &place, units) {
-                return Some(Corrected { place, image, first });
+                return Some(Corrected { place, image, first, stale: 0.0 });
             }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
             let change = bordered(&image, across, units).change(&image.defect, &[off])?;
@@ -54,10 +57,14 @@ impl Corrector<'_> {
                 *number += change * unit;
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
-                let image = if size > self.stale { self.image(&place)? } else { image };
-                return Some(Corrected { place, image, first });
+                // The change of the map by the correction before tells that by the last one.
+                let stale =
+                    last.filter(|_| size <= self.stale).map(|it| size / before * image.change(&it, units));
+                let image = if stale.is_some() { image } else { self.image(&place)? };
+                return Some(Corrected { place, image, first, stale: stale.unwrap_or(0.0) });
             }
             before = size;
+            last = Some(image);
         }
         None
     }
@@ -72,7 +79,7 @@ impl Corrector<'_> {
             let product: f64 = rate().zip(&defect).map(|(rate, missed)| rate * missed).sum();
             place[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
         }
-        Some(Corrected { image: self.image(&place)?, place, first: 0.0 })
+        Some(Corrected { image: self.image(&place)?, place, first: 0.0, stale: 0.0 })
     }
 
     pub(super) fn image(&self, place: &[f64]) -> Option<Image> {

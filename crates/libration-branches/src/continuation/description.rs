@@ -30,8 +30,13 @@ impl Corrector<'_> {
         let (&parameter, unknowns) = corrected.place.split_last()?;
         let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
         let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
-        let (point, own) =
-            self.family.described(self.space, unknowns, &[parameter], &corrected.image, &motion)?;
+        let (point, own) = self.family.described(
+            self.space,
+            unknowns,
+            &[parameter],
+            (&corrected.image, corrected.stale),
+            &motion,
+        )?;
         // Where branches cross the state is not determined.
         let Some(errors) =
             across(corrected, &motion.defect, tangent, units).filter(|it| norm(it).is_finite())
@@ -39,7 +44,7 @@ impl Corrector<'_> {
             return Some((BranchPoint { error: f64::INFINITY, ..point }, own));
         };
         let point = BranchPoint { error: state_error(&errors, motion.defect.len(), units), ..point };
-        let growth = growth(&corrected.image, units);
+        let growth = growth(&corrected.image, self.space, units);
         let closes = if growth * f64::EPSILON > LOST {
             let (space, place, steps) = (self.space, &corrected.place[..], &motion.steps[..]);
             let checked = Checked { space, place, steps, tangent, errors: &errors, units };
@@ -88,7 +93,7 @@ impl Family<'_> {
         error: f64,
     ) -> Option<BranchPoint> {
         let motion = self.whole(space, unknowns, parameters, TOLERANCES[1])?;
-        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, image, &motion)?.0 })
+        Some(BranchPoint { error, ..self.described(space, unknowns, parameters, (image, 0.0), &motion)?.0 })
     }
 
     fn described(
@@ -96,7 +101,7 @@ impl Family<'_> {
         space: Space,
         unknowns: &[f64],
         parameters: &[f64],
-        image: &Image,
+        (image, stale): (&Image, f64),
         motion: &Whole,
     ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
         let duration = self.duration(space, unknowns, parameters)?;
@@ -113,7 +118,7 @@ impl Family<'_> {
             error: 0.0,
         };
         let units = self.units(&point, largest_swing(&point), 1.0);
-        let of_map = multipliers(image, &units, apart(image, motion, &units))?;
+        let of_map = multipliers(image, &units, apart(image, motion, &units), stale)?;
         let mut own = of_map.clone();
         if !self.is_driven() {
             // By descending magnitude: the last one is the 0 of a deviation along the motion, which a whole period brings back.
@@ -135,13 +140,21 @@ fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
 }
 
-/// The eigenvalues of a map with their errors, where two integrations to different tolerances end apart by a part of the units.
-pub(super) fn multipliers(image: &Image, units: &[f64], apart: f64) -> Option<Vec<(Complex, f64)>> {
-    /// Variations are integrated together with the motion, to the same tolerance.
+/// The eigenvalues of a map with their errors, where two integrations to different tolerances end apart by a part of the units, and the map may be
+/// off by a further part of its norm.
+pub(super) fn multipliers(
+    image: &Image,
+    units: &[f64],
+    apart: f64,
+    stale: f64,
+) -> Option<Vec<(Complex, f64)>> {
+    /// Variations are integrated together with the motion, to the same tolerance. The distance of multipliers from those of another integration, over
+    /// their stated errors, has the median 0.012, the quantile 0.99 of 0.11 and the maximum 0.18 in 1114 of the random oscillators of the tests.
     const APART: f64 = 16.0;
     let map = image.return_map();
     let own = eigenvalues(map)?;
-    let errors = multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON));
+    let errors =
+        multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON) + 2.0 * stale);
     Some(own.into_iter().zip(errors).collect())
 }
 
@@ -150,12 +163,12 @@ pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
     (multiplier * multiplier, error * (2.0 * multiplier.abs() + error))
 }
 
-/// The growth of deviations in the whole period, in units: no more than the square of that in the time of its space.
-fn growth(image: &Image, units: &[f64]) -> f64 {
+/// The growth of deviations in the whole period, in units: with a mirror at most the square of that in the time of the space.
+fn growth(image: &Image, space: Space, units: &[f64]) -> f64 {
     let map = image.return_map();
     let entries = (0..map.len()).flat_map(|i| (0..map.len()).map(move |j| map[i][j] * units[j] / units[i]));
     let own = 1.0 + norm(&entries.collect::<Vec<f64>>());
-    own * own
+    if space.mirrored { own * own } else { own }
 }
 
 /// `true` if a motion comes back to its start after its whole period, within the error of the start as it grows and that of the integrations.
@@ -179,13 +192,19 @@ pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &
 }
 
 /// The errors of state and parameter across the branch, in units, of a motion that misses its start by two defects and by the rounding of its state.
+/// Each defect is one vector: of a strongly unstable motion it lies along the direction in which deviations grow, and changes the start by little.
 fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
-    let rounding = corrected.place.iter().map(|x| f64::EPSILON * x.abs());
-    let defects = corrected.image.defect.iter().zip(other).zip(rounding);
-    let missed: Vec<f64> = defects.map(|((a, b), c)| a.abs() + b.abs() + c).collect();
-    let mut residuals = vec![0.0; corrected.image.defect.len()];
-    residuals.iter_mut().zip(missed).for_each(|(all, own)| *all = own);
-    bordered(&corrected.image, tangent, units).errors(&residuals)
+    let own = &corrected.image.defect;
+    let step = bordered(&corrected.image, tangent, units);
+    let rounding: Vec<f64> = corrected.place[..own.len()].iter().map(|x| f64::EPSILON * x.abs()).collect();
+    let mut other = other.to_vec();
+    other.resize(own.len(), 0.0);
+    let mut errors = step.errors(&rounding)?;
+    for defect in [own, &other] {
+        let change = step.change(defect, &[0.0])?;
+        errors.iter_mut().zip(change).for_each(|(error, change)| *error += change.abs());
+    }
+    Some(errors)
 }
 
 /// The least and greatest value of each coordinate, where its rate of change is zero or a motion begins; an even rotation is taken off.

@@ -91,7 +91,7 @@ impl<'a> Grid<'a> {
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
         let tests = Tests::new(&image, 0.0)?;
-        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0)?;
+        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0, 0.0)?;
         let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
         Some((tests, stability != Stability::Unstable))
     }

@@ -13,7 +13,10 @@
 use super::node::Tests;
 use super::special::Test;
 
-/// A multiple of the estimated error of interpolation that a test function must stay away from zero.
+/// A multiple of the estimated error of interpolation that a test function must stay away from zero. The estimate is no bound: on the accepted steps of
+/// the random oscillators of the tests the error at the quarters of a step is 2.6 to 3.3 times the estimate in the median (87 times for the slope of the
+/// parameter, which is far from zero as a rule), and more than this multiple of it in 9577 of 25 922 cases; more than the value at the end of the step it
+/// is in 25. With zero in its place tongues within a step are passed.
 const SAFETY: f64 = 4.0;
 
 /// The test functions at a node, and the node's distance along the branch.

@@ -66,6 +66,17 @@ impl Image {
         Some(self)
     }
 
+    /// The norm of the difference from the map of another image, as a part of the norm of this one, in units.
+    pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
+        let norm = |entry: &dyn Fn(usize, usize) -> f64| {
+            let numbers = 0..self.return_map().len();
+            let entries = numbers.clone().flat_map(|i| numbers.clone().map(move |j| (i, j)));
+            entries.fold(0.0, |norm: f64, (i, j)| libm::hypot(norm, entry(i, j) * units[j] / units[i]))
+        };
+        let (own, other) = (self.return_map(), other.return_map());
+        norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
+    }
+
     /// The map whose eigenvalues are the multipliers; without a drive the 1 of a deviation along the motion is a 0 there.
     pub(super) fn return_map(&self) -> &[Vec<f64>] {
         self.returned.as_ref().unwrap_or(&self.map)

@@ -3,8 +3,11 @@
 //!
 //! By default ten oscillators of each kind, in the long run two hundred parametrons and a hundred of the others.
 
+use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Response, ResponseOptions};
 use libration::expression::Equation;
+use libration_motion::internals::periodic::{Flow, multiplier_errors};
+use libration_numbers::internals::linear::eigenvalues;
 use libration_testing::random::Random;
 use libration_testing::sweep;
 use std::f64::consts::TAU;
@@ -392,4 +395,41 @@ fn the_branch_in_which_another_one_ends_is_followed() {
     let largest = points.map(|point| point.amplitude(0, false)).fold(0.0, f64::max);
     assert!((largest - 2.449).abs() < 0.01, "the main resonance comes to {largest}");
     check(&oscillator, &mut random);
+}
+
+/// The multipliers of points, over their stated errors, beside those of the variational equations over the whole period, integrated without symmetry
+/// and to another tolerance, which have errors of their own. The quantiles stand next to the constants that they justify.
+#[test]
+fn errors_of_multipliers_hold_for_random_oscillators() {
+    let mut random = Random::seeded(sweep::seed(35_007));
+    let mut ratios = vec![];
+    for kind in [parametron, clearance, smooth] {
+        for _ in 0..sweep::number(4, 40) {
+            let oscillator = kind(&mut random);
+            let flow = Flow::new(&oscillator.text.parse().unwrap(), &["w"], 100_000).unwrap();
+            let response = oscillator.response();
+            for point in response.branches.iter().flat_map(|branch| &branch.points).step_by(2) {
+                ratios.extend(ratios_of_multipliers(&flow, point));
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let quantile = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
+    for part in [0.5, 0.9, 0.99, 0.999, 1.0] {
+        println!("{part}: {:.2e} of {}", quantile(part), ratios.len());
+    }
+    assert!(quantile(1.0) <= 1.0);
+}
+
+fn ratios_of_multipliers(flow: &Flow, point: &BranchPoint) -> Vec<f64> {
+    let go_on = || std::ops::ControlFlow::Continue(());
+    let found = flow.variations(&point.state, &[point.parameter], [0.0, point.period], 3e-16, go_on).unwrap();
+    let own = eigenvalues(&found.by_start).unwrap();
+    let errors = multiplier_errors(&found.by_start, &[1.0; 2], &own, 1e-15);
+    let ratio = |(z, stated): (&Complex, &f64)| {
+        let near = own.iter().zip(&errors).map(|(it, error)| ((*it - *z).abs(), error));
+        let (off, error) = near.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        off / (stated + error)
+    };
+    point.multipliers.iter().zip(&point.multiplier_errors).map(ratio).collect()
 }

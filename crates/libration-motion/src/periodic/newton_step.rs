@@ -3,7 +3,8 @@
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::linear::{least_squares, solve};
 
-/// The factor by which an orbit may miss its start more than its stated errors allow.
+/// The factor by which an orbit may miss its start more than its stated errors allow. Of 28 105 points on branches of the random oscillators of the
+/// tests the distance was 0.003 times what they allow in the median, 0.14 times at the quantile 0.99, and 0.64 times at most.
 pub const CLOSED: f64 = 32.0;
 
 /// The derivatives of the distance by which an orbit misses its start, by its free unknowns, in units.
