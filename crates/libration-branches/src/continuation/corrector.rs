@@ -12,7 +12,9 @@ pub(super) struct Corrected {
     pub(super) image: Image,
     /// How far the first guess was off, in units.
     pub(super) first: f64,
-    /// The part of its norm by which the map is off, where it is that of the place before the last correction.
+    /// The change of the map with the place, as a part of its norm for each unit.
+    pub(super) map_slope: f64,
+    /// The distance in units of the place from that of the map, where this is the one before the last correction.
     pub(super) stale: f64,
 }
 
@@ -42,7 +44,7 @@ impl Corrector<'_> {
         for round in 0..MOST_ROUNDS {
             let image = self.image(&place)?;
             if round == 0 && is_rounding(&image, &place, units) {
-                return Some(Corrected { place, image, first, stale: 0.0 });
+                return Some(Corrected { place, image, first, map_slope: 1.0, stale: 0.0 });
             }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
             let change = bordered(&image, across, units).change(&image.defect, &[off])?;
@@ -57,11 +59,11 @@ impl Corrector<'_> {
                 *number += change * unit;
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
-                // The change of the map by the correction before tells that by the last one.
-                let stale =
-                    last.filter(|_| size <= self.stale).map(|it| size / before * image.change(&it, units));
-                let image = if stale.is_some() { image } else { self.image(&place)? };
-                return Some(Corrected { place, image, first, stale: stale.unwrap_or(0.0) });
+                // Without a second map the change is taken to be that of a quantity in proportion to the place.
+                let map_slope = last.map_or(1.0, |it| (image.change(&it, units) / before).max(1.0));
+                let is_stale = size <= self.stale;
+                let (image, stale) = if is_stale { (image, size) } else { (self.image(&place)?, 0.0) };
+                return Some(Corrected { place, image, first, map_slope, stale });
             }
             before = size;
             last = Some(image);
@@ -79,7 +81,7 @@ impl Corrector<'_> {
             let product: f64 = rate().zip(&defect).map(|(rate, missed)| rate * missed).sum();
             place[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
         }
-        Some(Corrected { image: self.image(&place)?, place, first: 0.0, stale: 0.0 })
+        Some(Corrected { image: self.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 })
     }
 
     pub(super) fn image(&self, place: &[f64]) -> Option<Image> {

@@ -257,7 +257,8 @@ impl Stretch<'_> {
             let [a, b] = Some([a?, b?]).filter(|[a, b]| test.changes(a, b))?;
             let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
             let place = between(&a, &b, self.units, from / (from - to));
-            let corrected = Corrected { image: corrector.image(&place)?, place, first: 0.0, stale: 0.0 };
+            let corrected =
+                Corrected { image: corrector.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 };
             let node = Node::new(corrector, corrected, &a.direction, self.units)?;
             Some((node, [a, b]))
         };
