@@ -437,11 +437,10 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
         }
     }
     ratios.sort_by(f64::total_cmp);
-    let quantile = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
-    for part in [0.5, 0.9, 0.99, 0.999, 1.0] {
-        println!("{part}: {:.2e} of {}", quantile(part), ratios.len());
-    }
-    assert!(quantile(1.0) <= 1.0);
+    // From the median on, the parts beyond which are each a tenth of those before.
+    let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
+    eprintln!("{} ratios: quantiles {beyond:.1e?}", ratios.len());
+    assert!(ratios.last().is_some_and(|largest| *largest <= 1.0), "{:?}", ratios.last());
 }
 
 fn ratios_of_multipliers(flow: &Flow, point: &BranchPoint) -> Vec<f64> {
