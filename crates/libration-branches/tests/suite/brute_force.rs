@@ -439,7 +439,7 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
     ratios.sort_by(f64::total_cmp);
     // From the median on, the parts beyond which are each a tenth of those before.
     let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
-    eprintln!("{} ratios: quantiles {beyond:.1e?}", ratios.len());
+    eprintln!("{} ratios: quantiles {beyond:?}", ratios.len());
     assert!(ratios.last().is_some_and(|largest| *largest <= 1.0), "{:?}", ratios.last());
 }
 
