@@ -39,7 +39,10 @@ pub mod internals {
         pub use crate::oscillator::roots::zeros;
     }
     pub mod periodic {
-        pub use crate::periodic::{Extrema, Flow, Variations, extrema, multiplier_errors, turns_in};
+        pub use crate::periodic::{
+            CLOSED, Extrema, Flow, Frame, NewtonStep, Nodes, Piece, Variations, extrema, multiplier_errors,
+            precise_series, precise_step, precise_sum, turns_in,
+        };
     }
     pub mod spectrum {
         pub use crate::spectrum::{

@@ -58,7 +58,7 @@ pub mod internals {
         pub use crate::linear::{
             characteristic::characteristic_polynomial,
             eigenvalues::{eigenvalue_errors, eigenvalues},
-            elimination::{null_space, solve},
+            elimination::{determinant, null_space, solve, solve_complex},
             least_squares::least_squares,
         };
     }
@@ -73,7 +73,12 @@ pub mod internals {
         pub use crate::quantity::{decimal::Decimal, pi_combination::PiCombination};
     }
     pub mod roots {
-        pub use crate::roots::{polynomial::value_and_slope, sign_changes::sign_change};
+        pub use crate::roots::{
+            golden_section::{maximum_between, other_sign_between},
+            newton::{NoZero, Unsolved, correction, newton},
+            polynomial::value_and_slope,
+            sign_changes::sign_change,
+        };
     }
     pub mod series {
         pub use crate::series::{

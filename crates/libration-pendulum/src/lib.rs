@@ -27,7 +27,6 @@ pub mod internals {
         pub use crate::period_formulas::{
             error::Exact,
             family::Family,
-            maximum::maximum_between,
             quick::Quick,
             swing::{NEAREST_BOTTOM, NEAREST_TOP, Swing, SwingAmplitude},
         };

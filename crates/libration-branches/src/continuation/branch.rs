@@ -9,6 +9,7 @@ use super::space::Space;
 use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units, largest_swing};
 use libration_motion::internals::periodic::turns_in;
+use libration_numbers::roots::{Tolerance, bisect};
 
 /// Periodic motions one behind the other, as a parameter changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,19 +205,22 @@ impl<'a> Walk<'a> {
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
-        let next = self.next(&units, *length).filter(|(next, ..)| {
-            let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), next], units: &units };
-            (*length <= SHORT || !(stretch.may_meet_other_branch() || stretch.may_cross_other_branch()))
-                && (*length <= RESOLVED || self.is_established(next, *length))
+        let next = self.next(&units, *length).and_then(|(next, turn, off)| {
+            let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units: &units };
+            if *length > SHORT && (stretch.may_meet_other_branch() || stretch.may_cross_other_branch()) {
+                return None;
+            }
+            let established = self.is_established(&stretch, *length);
+            (established || *length <= RESOLVED).then_some((next, turn, off, established))
         });
-        let Some((next, turn, off)) = next else {
+        let Some((next, turn, off, established)) = next else {
             if *length < SHORT && self.begin_elsewhere(&units) {
                 return None;
             }
             *length *= 0.5;
             return (*length < STEPS[1]).then_some(Ending::Lost);
         };
-        if !self.is_established(&next, *length) {
+        if !established {
             let [from, to] = [&self.at().point, &next.point].map(|point| point.parameter);
             self.unresolved.push([from.min(to), from.max(to)]);
         }
@@ -309,14 +313,10 @@ impl<'a> Walk<'a> {
 
     /// The place on the stretch to a node where the parameter has a value.
     fn at_parameter(&self, next: &Node, units: &[f64], value: f64) -> Option<Node> {
-        let mut bracket = [0.0, 1.0];
         let side = |s: f64| between(self.at(), next, units, s).last().is_some_and(|p| *p > value);
         let begins = side(0.0);
-        for _ in 0..30 {
-            let middle = 0.5 * (bracket[0] + bracket[1]);
-            bracket[usize::from(side(middle) != begins)] = middle;
-        }
-        let mut guess = between(self.at(), next, units, bracket[0]);
+        let [before, _] = bisect([0.0, 1.0], Tolerance::absolute(1e-9), |s| side(s) == begins);
+        let mut guess = between(self.at(), next, units, before);
         *guess.last_mut()? = value;
         let mut across = vec![0.0; guess.len()];
         *across.last_mut()? = 1.0;
@@ -397,8 +397,9 @@ impl<'a> Walk<'a> {
         Milestone { at, tests: next.tests }
     }
 
-    fn is_established(&self, next: &Node, length: f64) -> bool {
-        is_established(&self.milestones, &self.milestone(next, length))
+    fn is_established(&self, stretch: &Stretch<'_>, length: f64) -> bool {
+        let middle = || Some(self.milestone(&stretch.node_at(stretch.corrector, 0.5)?, 0.5 * length));
+        is_established(&self.milestones, &self.milestone(stretch.ends[1], length), middle)
     }
 }
 

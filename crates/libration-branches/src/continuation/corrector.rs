@@ -2,8 +2,7 @@
 
 use super::family::{Family, Image};
 use super::space::Space;
-use libration_numbers::algebra::Doubles;
-use libration_numbers::internals::linear::solve;
+use libration_motion::internals::periodic::NewtonStep;
 
 /// A state and the parameter behind it, with what the motion makes of them.
 #[derive(Clone, Debug)]
@@ -13,6 +12,10 @@ pub(super) struct Corrected {
     pub(super) image: Image,
     /// How far the first guess was off, in units.
     pub(super) first: f64,
+    /// The change of the map with the place, as a part of its norm for each unit.
+    pub(super) map_slope: f64,
+    /// The distance in units of the place from that of the map, where this is the one before the last correction.
+    pub(super) stale: f64,
 }
 
 /// Newton's rounds; each doubles the digits once the guess is near.
@@ -37,15 +40,14 @@ impl Corrector<'_> {
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
         let mut place = guess.to_vec();
         let (mut first, mut before) = (0.0, f64::INFINITY);
+        let mut last: Option<Image> = None;
         for round in 0..MOST_ROUNDS {
             let image = self.image(&place)?;
             if round == 0 && is_rounding(&image, &place, units) {
-                return Some(Corrected { place, image, first });
+                return Some(Corrected { place, image, first, map_slope: 1.0, stale: 0.0 });
             }
             let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
-            let right: Vec<f64> =
-                image.defect.iter().zip(units).map(|(d, unit)| -d / unit).chain([-off]).collect();
-            let change = solve(&Doubles, |x| x.abs(), &bordered(&image, across, units), &right)?;
+            let change = bordered(&image, across, units).change(&image.defect, &[off])?;
             let size = norm(&change);
             if round == 0 {
                 first = size;
@@ -57,10 +59,14 @@ impl Corrector<'_> {
                 *number += change * unit;
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
-                let image = if size > self.stale { self.image(&place)? } else { image };
-                return Some(Corrected { place, image, first });
+                // Without a second map the change is taken to be that of a quantity in proportion to the place.
+                let map_slope = last.map_or(1.0, |it| (image.change(&it, units) / before).max(1.0));
+                let is_stale = size <= self.stale;
+                let (image, stale) = if is_stale { (image, size) } else { (self.image(&place)?, 0.0) };
+                return Some(Corrected { place, image, first, map_slope, stale });
             }
             before = size;
+            last = Some(image);
         }
         None
     }
@@ -75,7 +81,7 @@ impl Corrector<'_> {
             let product: f64 = rate().zip(&defect).map(|(rate, missed)| rate * missed).sum();
             place[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
         }
-        Some(Corrected { image: self.image(&place)?, place, first: 0.0 })
+        Some(Corrected { image: self.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 })
     }
 
     pub(super) fn image(&self, place: &[f64]) -> Option<Image> {
@@ -85,9 +91,7 @@ impl Corrector<'_> {
 
     /// The unit vector along the branch, in units, that goes with another one.
     pub(super) fn tangent(&self, image: &Image, along: &[f64], units: &[f64]) -> Option<Vec<f64>> {
-        let mut right = vec![0.0; along.len()];
-        *right.last_mut()? = 1.0;
-        let tangent = solve(&Doubles, |x| x.abs(), &bordered(image, along, units), &right)?;
+        let tangent = bordered(image, along, units).change(&vec![0.0; image.defect.len()], &[-1.0])?;
         let size = norm(&tangent);
         size.is_finite().then(|| tangent.iter().map(|x| x / size).collect())
     }
@@ -102,16 +106,11 @@ fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
     largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
 }
 
-/// The derivatives of the defect by state and parameter, in units, above a row.
-pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
-    let numbers = image.defect.len();
-    let entry = |i: usize, j: usize| {
-        let own = if i == j { 1.0 } else { 0.0 };
-        let derivative = if j < numbers { image.map[i][j] - own } else { image.by_parameters[0][i] };
-        derivative * units[j] / units[i]
-    };
-    let rows = (0..numbers).map(|i| (0..=numbers).map(|j| entry(i, j)).collect());
-    rows.chain([last.to_vec()]).collect()
+/// The equations of the next step for state and parameter, with the condition of a row.
+pub(super) fn bordered(image: &Image, last: &[f64], units: &[f64]) -> NewtonStep {
+    let free: Vec<usize> = (0..image.map.len()).collect();
+    let parameter = (&image.by_parameters[0][..], units[free.len()]);
+    NewtonStep::new(&image.map, units, &free, &[parameter]).bordered(last)
 }
 
 pub(super) fn norm(vector: &[f64]) -> f64 {

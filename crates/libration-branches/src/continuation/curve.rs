@@ -364,7 +364,7 @@ impl<'a> Trace<'a> {
             family.image(smaller, state, parameters, TOLERANCES[0]).map(|image| in_units(&image.defect))
         };
         let is_smaller = |smaller: Space| misses(smaller).is_some_and(|off| off < SAME);
-        (space.mirrored && in_units(state) < REST)
+        (space.mirrored && family.mirrors_all() && in_units(state) < REST)
             || space.within(family.symmetry).into_iter().any(is_smaller)
     }
 }

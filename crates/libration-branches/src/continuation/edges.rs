@@ -7,6 +7,7 @@ use super::node::Tests;
 use super::space::Space;
 use super::special::Test;
 use libration_motion::orbit::Stability;
+use libration_numbers::internals::roots::other_sign_between;
 use libration_numbers::roots::{Tolerance, zero_between};
 
 /// Whether a state of rest is stable, on a grid over two parameters.
@@ -90,7 +91,7 @@ impl<'a> Grid<'a> {
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
         let tests = Tests::new(&image, 0.0)?;
-        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0)?;
+        let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0, 0.0)?;
         let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
         Some((tests, stability != Stability::Unstable))
     }
@@ -132,7 +133,7 @@ impl<'a> Grid<'a> {
             if (before > 0.0) != (after > 0.0) {
                 found.extend(crossing(ends));
             } else if let Some(next) = values.get(k + 1).copied().flatten()
-                && let Some(least) = dip([ends[0], ends[1], (axis[k + 1], next)], value_at)
+                && let Some(least) = other_sign_between([ends[0], ends[1], (axis[k + 1], next)], value_at)
                 && least.1.abs() > test.sure()
             {
                 found.extend(crossing([ends[0], least]));
@@ -141,34 +142,4 @@ impl<'a> Grid<'a> {
         }
         found
     }
-}
-
-/// Where a function of one sign at three places, nearest to zero in the middle, has the other sign between them: a narrow tongue.
-fn dip(places: [(f64, f64); 3], value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-    const ROUNDS: u32 = 30;
-    const GOLDEN: f64 = 0.381_966_011_250_105_2;
-    let sign = places[1].1.signum();
-    let [low, middle, high] = places.map(|(_, value)| sign * value);
-    if !(low > middle && high >= middle && middle > 0.0) {
-        return None;
-    }
-    let [mut a, mut b, mut c] = places.map(|(place, _)| place);
-    let mut least = middle;
-    for _ in 0..ROUNDS {
-        let right = c - b > b - a;
-        let there = if right { b + GOLDEN * (c - b) } else { b - GOLDEN * (b - a) };
-        let here = sign * value(there);
-        if here < 0.0 {
-            return Some((there, sign * here));
-        }
-        if here < least {
-            (a, c) = if right { (b, c) } else { (a, b) };
-            (b, least) = (there, here);
-        } else if right {
-            c = there;
-        } else {
-            a = there;
-        }
-    }
-    None
 }

@@ -13,7 +13,10 @@
 use super::node::Tests;
 use super::special::Test;
 
-/// A multiple of the estimated error of interpolation that a test function must stay away from zero.
+/// A multiple of the estimated error of interpolation that a test function must stay away from zero. The estimate is no bound: on the accepted steps of
+/// the random oscillators of the tests the error at the quarters of a step is 2.6 to 3.3 times the estimate in the median (87 times for the slope of the
+/// parameter, which is far from zero as a rule), and more than this multiple of it in 9577 of 25 922 cases; more than the value at the end of the step it
+/// is in 25. With zero in its place tongues within a step are passed.
 const SAFETY: f64 = 4.0;
 
 /// The test functions at a node, and the node's distance along the branch.
@@ -23,12 +26,28 @@ pub(super) struct Milestone {
     pub(super) tests: Tests,
 }
 
-/// Whether no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
-/// last one.
-pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
-    let Some(&[a, b]) = before.last_chunk::<2>() else { return true };
+/// `true` if no test function can have zeros between the last node and the next one that their signs do not show. `before` are the nodes up to the
+/// last one; `middle` is evaluated where there is only one of them.
+pub(super) fn is_established(
+    before: &[Milestone],
+    next: &Milestone,
+    middle: impl FnOnce() -> Option<Milestone>,
+) -> bool {
+    match before {
+        [] => false,
+        [start] => middle().is_some_and(|middle| {
+            let turned = |it: &Milestone| Milestone { at: -it.at, ..*it };
+            is_clear(&[*start, middle], next) && is_clear(&[turned(next), turned(&middle)], &turned(start))
+        }),
+        _ => is_clear(before, next),
+    }
+}
+
+/// `true` if no test function can have hidden zeros between the last of two or more nodes and the next one.
+fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
+    let Some(&[a, b]) = before.last_chunk::<2>() else { return false };
     let earlier = before.len().checked_sub(3).map(|place| before[place]);
-    let is_clear = |test: Test| {
+    let is_clear_of = |test: Test| {
         let value = |it: &Milestone| (it.at, test.of(&it.tests));
         let three = [value(&a), value(&b), value(next)];
         // Where a test function is rounding throughout, as in conservative systems, it tells nothing.
@@ -44,7 +63,7 @@ pub(super) fn is_established(before: &[Milestone], next: &Milestone) -> bool {
         // t(t + first)(step − t) against step(step + first)·whole: its maximum is at most step²/4·(step + first).
         is_clear_of_zero(three, SAFETY * off * 0.25 * step / whole)
     };
-    [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear)
+    [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear_of)
 }
 
 /// Whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply that

@@ -66,6 +66,17 @@ impl Image {
         Some(self)
     }
 
+    /// The norm of the difference from the map of another image, as a part of the norm of this one, in units.
+    pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
+        let norm = |entry: &dyn Fn(usize, usize) -> f64| {
+            let numbers = 0..self.return_map().len();
+            let entries = numbers.clone().flat_map(|i| numbers.clone().map(move |j| (i, j)));
+            entries.fold(0.0, |norm: f64, (i, j)| libm::hypot(norm, entry(i, j) * units[j] / units[i]))
+        };
+        let (own, other) = (self.return_map(), other.return_map());
+        norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
+    }
+
     /// The map whose eigenvalues are the multipliers; without a drive the 1 of a deviation along the motion is a 0 there.
     pub(super) fn return_map(&self) -> &[Vec<f64>] {
         self.returned.as_ref().unwrap_or(&self.map)
@@ -119,6 +130,11 @@ impl<'w> Family<'w> {
         Ok(Self { layout: flow.layout.clone(), symmetry, signs, beat, flow, watch })
     }
 
+    /// `true` if the only motion that is its own mirror image at all times is the rest at zero.
+    pub(super) fn mirrors_all(&self) -> bool {
+        self.signs.iter().all(|sign| *sign < 0.0)
+    }
+
     pub(super) fn is_driven(&self) -> bool {
         self.field().is_none()
     }
@@ -145,6 +161,15 @@ impl<'w> Family<'w> {
         (period > 0.0).then(|| 0.5 * f64::from(space.half_periods) * period)
     }
 
+    /// The derivatives of the time of a space by the period, where it is an unknown, and by the parameters.
+    pub(super) fn duration_slopes(&self, space: Space, parameters: &[f64]) -> Option<Vec<f64>> {
+        let share = 0.5 * f64::from(space.half_periods);
+        Some(match &self.beat {
+            Beat::Drive(law) => law.period(parameters)?.1.into_iter().map(|slope| share * slope).collect(),
+            Beat::Own(_) => [share].into_iter().chain(parameters.iter().map(|_| 0.0)).collect(),
+        })
+    }
+
     /// The period of the drive, if there is one.
     pub(super) fn drive_period(&self, parameters: &[f64]) -> Option<f64> {
         match &self.beat {
@@ -167,13 +192,8 @@ impl<'w> Family<'w> {
         let signed = |vector: Vec<f64>| {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
-        let found =
-            self.flow.variations(state, parameters, duration, tolerance, || self.watch.flow()).ok()?;
+        let found = self.variations(state, parameters, [0.0, duration], tolerance)?;
         let Variations { end, by_start, by_parameters } = found;
-        let all = end.iter().chain(by_start.iter().flatten()).chain(by_parameters.iter().flatten());
-        if !all.copied().all(f64::is_finite) {
-            return None;
-        }
         let rate = signed(self.rate(&end, duration, parameters)?);
         let image = Image {
             defect: space.missed(&end, state, &self.signs),
@@ -186,17 +206,22 @@ impl<'w> Family<'w> {
         };
         let share = 0.5 * f64::from(space.half_periods);
         match &self.beat {
-            Beat::Drive(law) => {
-                let (_, slopes) = law.period(parameters)?;
-                Some(
-                    image.in_time_of_drive(
-                        &rate,
-                        &slopes.iter().map(|slope| share * slope).collect::<Vec<_>>(),
-                    ),
-                )
-            }
+            Beat::Drive(_) => Some(image.in_time_of_drive(&rate, &self.duration_slopes(space, parameters)?)),
             Beat::Own(field) => image.beginning_at_turn(&rate, share, field.at(state, parameters)?),
         }
+    }
+
+    /// The end of a motion between two times with its derivatives; `None` where it cannot be followed.
+    pub(super) fn variations(
+        &self,
+        state: &[f64],
+        parameters: &[f64],
+        times: [f64; 2],
+        tolerance: f64,
+    ) -> Option<Variations> {
+        let found = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow()).ok()?;
+        let matrices = found.by_start.iter().chain(&found.by_parameters).flatten();
+        found.end.iter().chain(matrices).copied().all(f64::is_finite).then_some(found)
     }
 
     /// A start that is not at rest: one that is goes aside a little.

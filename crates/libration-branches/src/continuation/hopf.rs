@@ -1,9 +1,10 @@
 //! Hopf points: where a limit cycle shrinks to a state of rest.
 
-use super::field::Field;
+use super::field::{Field, Rates};
 use super::point::BranchPoint;
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::internals::linear::{eigenvalues, solve};
+use libration_numbers::internals::roots::{NoZero, newton};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
@@ -68,26 +69,28 @@ impl Rest {
     /// By Newton's method from a state.
     fn near(field: &Field, state: &[f64], value: f64, frequency: f64) -> Option<Self> {
         const MOST_ROUNDS: usize = 30;
-        let (mut state, mut before) = (state.to_vec(), f64::INFINITY);
-        for _ in 0..MOST_ROUNDS {
-            let found = field.at(&state, &[value])?;
-            let jacobian: Vec<Vec<f64>> =
-                found.slopes.iter().map(|row| row[..state.len()].to_vec()).collect();
-            let change = solve(&Doubles, |x| x.abs(), &jacobian, &found.rates)?;
+        let numbers = state.len();
+        let jacobian = |found: &Rates| -> Vec<Vec<f64>> {
+            found.slopes.iter().map(|row| row[..numbers].to_vec()).collect()
+        };
+        let step = |at: &[f64]| {
+            let found = field.at(at, &[value]).ok_or(NoZero::NoValue)?;
+            let missed: Vec<f64> = found.rates.iter().map(|rate| -rate).collect();
+            let change = solve(&Doubles, |x| x.abs(), &jacobian(&found), &missed);
+            change.filter(|change| change.iter().all(|x| x.is_finite())).ok_or(NoZero::NoSlope)
+        };
+        let mut before = f64::INFINITY;
+        let is_last = |change: &[f64], _: &[f64]| {
             let size = change.iter().map(|x| x.abs()).fold(0.0, f64::max);
-            if !size.is_finite() {
-                return None;
-            }
-            state.iter_mut().zip(&change).for_each(|(x, change)| *x -= change);
-            if size == 0.0 || (size > 0.5 * before && size < 1e-9) {
-                let own = eigenvalues(&jacobian)?;
-                let off = |it: &&Complex| (it.im - frequency).abs();
-                let above = own.iter().filter(|it| it.im > 0.0);
-                let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-                return Some(Self { state, eigenvalues: own, critical });
-            }
+            let last = size == 0.0 || (size > 0.5 * before && size < 1e-9);
             before = size;
-        }
-        None
+            last
+        };
+        let state = newton(&Doubles, state, MOST_ROUNDS, step, is_last).ok()?;
+        let own = eigenvalues(&jacobian(&field.at(&state, &[value])?))?;
+        let off = |it: &&Complex| (it.im - frequency).abs();
+        let above = own.iter().filter(|it| it.im > 0.0);
+        let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some(Self { state, eigenvalues: own, critical })
     }
 }

@@ -31,6 +31,7 @@ mod family;
 mod corrector;
 
 mod description;
+mod pieces;
 mod point;
 
 mod node;

@@ -11,7 +11,7 @@ use super::units::largest_swing;
 use libration_motion::internals::orbit::depends_on_time;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
-use libration_numbers::internals::linear::{eigenvalues, solve};
+use libration_numbers::internals::linear::{self, eigenvalues, solve};
 use libration_numbers::watch::Watch;
 
 /// A singular point in floats of many bits.
@@ -83,7 +83,7 @@ impl SpecialPoint {
             return Ok(None);
         }
         let family = Family::new(equation, &[parameter], &[[value - width, value + width]], watch)?;
-        let flow = PreciseFlow::new(equation, parameter, watch)?;
+        let flow = PreciseFlow::new(equation, parameter, &family.signs, watch)?;
         let is_zero = self.point.state.iter().all(|x| *x == 0.0);
         let is_rest = is_zero && self.point.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits());
         let test = match self.kind {
@@ -171,14 +171,14 @@ impl Root<'_> {
             image.map.iter().enumerate().map(own).collect()
         };
         Some(match self.singular.test {
-            Test::Fold | Test::Branching => determinant(ring, shifted(-1))?.to_f64(),
-            Test::Flip => determinant(ring, shifted(1))?.to_f64(),
+            Test::Fold | Test::Branching => determinant(ring, &shifted(-1))?.to_f64(),
+            Test::Flip => determinant(ring, &shifted(1))?.to_f64(),
             Test::Torus => {
                 let rounded: Vec<Vec<f64>> =
                     image.map.iter().map(|row| row.iter().map(BigFloat::to_f64).collect()).collect();
                 let largest = eigenvalues(&rounded)?.first().map_or(1.0, |it| it.abs().max(1.0));
                 let one = BigFloat::from_integer(1, ring.precision);
-                ring.subtract(&determinant(ring, image.map.clone())?, &one).to_f64() / (largest * largest)
+                ring.subtract(&determinant(ring, &image.map)?, &one).to_f64() / (largest * largest)
             }
         })
     }
@@ -206,24 +206,6 @@ impl Root<'_> {
     }
 }
 
-/// By elimination with the largest pivot of each column.
-fn determinant(ring: Floats, mut rows: Vec<Vec<BigFloat>>) -> Option<BigFloat> {
-    let mut product = BigFloat::from_integer(1, ring.precision);
-    for column in 0..rows.len() {
-        let size = |row: &usize| rows[*row][column].to_f64().abs();
-        let pivot = (column..rows.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        if pivot != column {
-            rows.swap(pivot, column);
-            product = ring.negate(&product);
-        }
-        let leading = rows[column].clone();
-        product = ring.multiply(&product, &leading[column]);
-        for row in rows.iter_mut().skip(column + 1) {
-            let factor = ring.divide(&row[column], &leading[column])?;
-            for (entry, above) in row.iter_mut().zip(&leading) {
-                *entry = ring.subtract(entry, &ring.multiply(&factor, above));
-            }
-        }
-    }
-    Some(product)
+fn determinant(ring: Floats, rows: &[Vec<BigFloat>]) -> Option<BigFloat> {
+    linear::determinant(&ring, |x| x.to_f64().abs(), rows)
 }

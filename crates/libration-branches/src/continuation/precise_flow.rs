@@ -3,13 +3,13 @@
 use super::drive_law::DriveLaw;
 use super::error::NoBranch;
 use super::space::Space;
-use libration_kernels::elementary::count;
+use libration_motion::internals::periodic::{precise_series, precise_step, precise_sum};
 use libration_motion::taylor::{StateLayout, with_sensitivities};
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
 use libration_numbers::watch::Watch;
 use libration_numbers::{
     expression::{Equation, Symbol},
-    internals::expression::{Jet, Tape},
+    internals::expression::Tape,
 };
 
 /// Steps of one motion.
@@ -22,6 +22,8 @@ pub(super) struct PreciseFlow<'w> {
     /// The rates of the motion and of its derivatives, in the state, the time and the parameter.
     tape: Tape,
     law: DriveLaw,
+    /// The signs that the mirror image gives to the components of a state.
+    signs: &'w [f64],
     watch: &'w Watch<'w>,
 }
 
@@ -34,14 +36,19 @@ pub(super) struct PreciseImage {
 }
 
 impl<'w> PreciseFlow<'w> {
-    pub(super) fn new(equation: &Equation, parameter: &str, watch: &'w Watch<'w>) -> Result<Self, NoBranch> {
+    pub(super) fn new(
+        equation: &Equation,
+        parameter: &str,
+        signs: &'w [f64],
+        watch: &'w Watch<'w>,
+    ) -> Result<Self, NoBranch> {
         let own = StateLayout::new(equation);
         let with_derivatives = with_sensitivities(equation, &[], own.numbers());
         let all = StateLayout::new(&with_derivatives);
         let mut inputs = all.symbols(with_derivatives.variables());
         inputs.extend([Symbol::plain("t"), Symbol::plain(parameter)]);
         let tape = Tape::new(&with_derivatives.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { own, all, tape, law: DriveLaw::new(equation, &[parameter])?, watch })
+        Ok(Self { own, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
     }
 
     /// With series to an order; `None` where the motion cannot be followed.
@@ -63,13 +70,15 @@ impl<'w> PreciseFlow<'w> {
         let halves = i64::from(space.half_periods);
         let duration = ring.times_integer(&self.law.precise_period(ring, parameter)?, halves).halved();
         let end = self.end(ring, order, now, [&duration, parameter])?;
-        let signed =
-            |number: usize| if space.mirrored { ring.negate(&end[number]) } else { end[number].clone() };
-        let row = |number: usize| (0..numbers).map(|start| signed(place(number, 1 + start))).collect();
+        let signed = |number: usize, copy: usize| match space.mirrored && self.signs[number] < 0.0 {
+            true => ring.negate(&end[place(number, copy)]),
+            false => end[place(number, copy)].clone(),
+        };
+        let row = |number: usize| (0..numbers).map(|start| signed(number, 1 + start)).collect();
         let turn = ring.times_integer(&BigFloat::pi(ring.precision), 2);
         let missed = |(number, start): (usize, &BigFloat)| {
             let turned = ring.times_integer(&turn, space.turns_of(number).into());
-            ring.subtract(&ring.subtract(&signed(place(number, 0)), start), &turned)
+            ring.subtract(&ring.subtract(&signed(number, 0), start), &turned)
         };
         Some(PreciseImage {
             defect: state.iter().enumerate().map(missed).collect(),
@@ -87,12 +96,15 @@ impl<'w> PreciseFlow<'w> {
         let mut time = ring.zero();
         for _ in 0..MOST_STEPS {
             self.watch.go_on().ok()?;
-            let series = self.series(ring, order, &now, [&time, parameter])?;
+            let motion = (&self.all, &self.tape);
+            let series = precise_series(ring, motion, order, &now, &[(&time, 1), (parameter, 0)])?;
             let left = ring.subtract(duration, &time);
-            let length = BigFloat::from_f64(step_length(&series, ring.precision)?, ring.precision)?;
+            let size = now.iter().filter_map(BigFloat::exponent).max().unwrap_or(0);
+            let length = precise_step(ring.precision, &series, size)?;
+            let length = BigFloat::from_f64(length, ring.precision)?;
             let is_last = length >= left;
             let step = if is_last { left } else { length };
-            now = series.iter().map(|one| sum_at(ring, one, &step)).collect();
+            now = series.iter().map(|one| precise_sum(one, &step)).collect();
             if is_last {
                 return Some(now);
             }
@@ -100,56 +112,4 @@ impl<'w> PreciseFlow<'w> {
         }
         None
     }
-
-    /// Of each number of the state.
-    fn series(
-        &self,
-        ring: Floats,
-        order: u32,
-        now: &[BigFloat],
-        [time, parameter]: [&BigFloat; 2],
-    ) -> Option<Vec<Vec<BigFloat>>> {
-        let mut series: Vec<Vec<BigFloat>> = now.iter().map(|x| vec![x.clone()]).collect();
-        let inputs: Vec<BigFloat> = now.iter().chain([time, parameter]).cloned().collect();
-        let mut jet = Jet::new(&ring, &self.tape, &inputs).ok()?;
-        for n in 1..=order {
-            let last = usize::try_from(n - 1).ok()?;
-            let mut next = vec![ring.zero(); now.len()];
-            for coordinate in 0..self.all.coordinates() {
-                if let Some(velocity) = self.all.velocity(coordinate) {
-                    next[coordinate] = ring.over_integer(&series[velocity][last], n.into())?;
-                }
-                next[self.all.driven(coordinate)] =
-                    ring.over_integer(&jet.result(coordinate)[last], n.into())?;
-            }
-            let slope = BigFloat::from_integer(i64::from(n == 1), ring.precision);
-            let inputs: Vec<BigFloat> = next.iter().cloned().chain([slope, ring.zero()]).collect();
-            series.iter_mut().zip(next).for_each(|(one, next)| one.push(next));
-            if n < order {
-                jet.extend(&inputs).ok()?;
-            }
-        }
-        Some(series)
-    }
-}
-
-/// Where the last terms of all numbers are below the last bit of the largest.
-fn step_length(series: &[Vec<BigFloat>], precision: usize) -> Option<f64> {
-    /// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
-    const LAST: usize = 4;
-    let real = |exponent: isize| i32::try_from(exponent).map_or(f64::NAN, f64::from);
-    let size = series.iter().filter_map(|one| one.first()?.exponent()).max().unwrap_or(0);
-    let bits = count(precision) + 4.0;
-    let of_number = |one: &Vec<BigFloat>| {
-        let last = one.iter().enumerate().skip(one.len().saturating_sub(LAST));
-        let lengths = last.filter_map(|(n, c)| Some(-(bits + real(c.exponent()? - size)) / count(n)));
-        lengths.fold(f64::INFINITY, f64::min)
-    };
-    let shortest = series.iter().map(of_number).fold(f64::INFINITY, f64::min);
-    let length = libm::exp2(shortest);
-    (length.is_finite() && length > 0.0).then_some(length)
-}
-
-fn sum_at(ring: Floats, series: &[BigFloat], time: &BigFloat) -> BigFloat {
-    series.iter().rev().fold(ring.zero(), |sum, c| ring.add(&ring.multiply(&sum, time), c))
 }

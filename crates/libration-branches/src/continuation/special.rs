@@ -148,7 +148,7 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
         let may_be_rest = match family.is_driven() {
-            true => space.mirrored && self.size(self.ends[1].place()) < 1.0,
+            true => space.mirrored && family.mirrors_all() && self.size(self.ends[1].place()) < 1.0,
             false => self.speed(self.ends[1].place()).is_some_and(|speed| speed < 1.0),
         };
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
@@ -205,7 +205,7 @@ impl Stretch<'_> {
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
             // The state at rest.
-            return (self.size(&place) < REST)
+            return (family.mirrors_all() && self.size(&place) < REST)
                 .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
         let misses = |smaller: Space| {
@@ -257,7 +257,8 @@ impl Stretch<'_> {
             let [a, b] = Some([a?, b?]).filter(|[a, b]| test.changes(a, b))?;
             let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
             let place = between(&a, &b, self.units, from / (from - to));
-            let corrected = Corrected { image: corrector.image(&place)?, place, first: 0.0 };
+            let corrected =
+                Corrected { image: corrector.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 };
             let node = Node::new(corrector, corrected, &a.direction, self.units)?;
             Some((node, [a, b]))
         };
@@ -312,7 +313,8 @@ impl Stretch<'_> {
         Tests::new(&corrected.image, *tangent.last()?)
     }
 
-    fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
+    /// The node at a part of the way.
+    pub(super) fn node_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<Node> {
         let (corrected, _) = self.corrected_at(corrector, s)?;
         Node::new(corrector, corrected, &self.ends[0].direction, self.units)
     }

@@ -16,8 +16,9 @@ const SCALES: [i32; 2] = [-60, 60];
 /// The symmetry of a system and the signs that its mirror image gives to the components of a state.
 ///
 /// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal S of signs and a shift τ, zero or half a period: a property of the equation, not of
-/// some of its orbits. With a drive all signs are −1; without one any that changes the first coordinate's, as (x, y, z) → (−x, −y, z) for the Lorenz
-/// system. The values of both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate value is not
+/// some of its orbits. S changes all signs or some of them, as (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive some only where τ is half a
+/// period. Without a drive the period is counted from one maximum of the first coordinate to the next: where S keeps its sign, the mirror image
+/// comes after whole periods, otherwise after odd numbers of half periods. The values of both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate value is not
 /// seen.
 pub(super) fn symmetry(
     layout: &StateLayout,
@@ -27,29 +28,31 @@ pub(super) fn symmetry(
 ) -> (Option<Symmetry>, Vec<f64>) {
     let equation = Trial { layout, rates, law, ranges };
     let coordinates = layout.coordinates();
-    let all = vec![-1.0; coordinates];
-    let (shifts, mirrors) = match law {
-        Some(_) => (vec![(Symmetry::Unshifted, 0.0), (Symmetry::HalfPeriod, 0.5)], vec![all]),
-        None => (vec![(Symmetry::HalfPeriod, 0.5)], mirrors(coordinates)),
+    let all = (Symmetry::Unshifted, vec![-1.0; coordinates]);
+    let of_mirror = |mirror: Vec<f64>| match law {
+        None if mirror[0] > 0.0 => (Symmetry::Unshifted, mirror),
+        _ => (Symmetry::HalfPeriod, mirror),
     };
-    let pairs = shifts.iter().flat_map(|shift| mirrors.iter().map(move |mirror| (shift, mirror)));
-    let found = pairs.into_iter().find(|((_, shift), mirror)| equation.has(*shift, mirror));
-    match found {
-        Some(((symmetry, _), mirror)) => (Some(*symmetry), equation.of_state(mirror)),
+    let candidates = law.map(|_| all).into_iter().chain(mirrors(coordinates).map(of_mirror));
+    let shift = |symmetry: &Symmetry| if *symmetry == Symmetry::HalfPeriod { 0.5 } else { 0.0 };
+    match candidates.into_iter().find(|(symmetry, mirror)| equation.has(shift(symmetry), mirror)) {
+        Some((symmetry, mirror)) => (Some(symmetry), equation.of_state(&mirror)),
         None => (None, vec![1.0; layout.numbers()]),
     }
 }
 
-/// The signs of coordinates that change the first one's, all of them first.
-fn mirrors(coordinates: usize) -> Vec<Vec<f64>> {
-    /// Coordinates that are tried.
-    const MOST: usize = 6;
-    let others = coordinates.saturating_sub(1).min(MOST);
-    let kept =
-        |number: usize, pattern: usize| number > 0 && number <= others && pattern >> (number - 1) & 1 == 1;
+/// The signs of coordinates, some of them −1: all of them first, and those that keep the first coordinate's last.
+fn mirrors(coordinates: usize) -> impl Iterator<Item = Vec<f64>> {
+    /// Coordinates that may keep their signs.
+    const MOST: usize = 7;
+    let kept = move |number: usize, pattern: usize| {
+        let from_the_last = coordinates - 1 - number;
+        from_the_last < MOST && pattern >> from_the_last & 1 == 1
+    };
     let mirror =
-        |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
-    (0..1 << others).map(mirror).collect()
+        move |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
+    let is_identity = move |mirror: &Vec<f64>| mirror.iter().all(|sign| *sign > 0.0);
+    (0..1 << coordinates.min(MOST)).map(mirror).filter(move |mirror| !is_identity(mirror))
 }
 
 /// The equation that is tried.

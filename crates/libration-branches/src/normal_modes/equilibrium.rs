@@ -2,10 +2,10 @@
 
 use super::error::{NoModes, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};
-use libration_numbers::internals::linear::solve;
+use libration_numbers::internals::roots::{NoZero, Unsolved, correction, newton};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
-    internals::expression::{Jet, Tape},
+    internals::expression::Tape,
 };
 
 /// A place of rest.
@@ -23,7 +23,7 @@ pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibr
     if let Some(exact) = proved(&at_rest, &names, guess) {
         return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact) });
     }
-    let at = newton(&at_rest, &names, guess)?;
+    let at = zero_near(&at_rest, &names, guess)?;
     let exact = proved(&at_rest, &names, &at);
     let at = exact.as_ref().map_or(at, |exact| exact.iter().map(Rational::to_f64).collect());
     Ok(Equilibrium { at, exact })
@@ -63,37 +63,19 @@ pub(super) fn simplest(x: f64) -> Option<Rational> {
     Some(Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width)))
 }
 
-fn newton(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, NoModes> {
+fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, NoModes> {
     const MOST_STEPS: usize = 100;
     let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
-    let mut at = guess.to_vec();
-    let refusal = |to: &[f64], end| NoModes::NoEquilibrium { from: guess.to_vec(), to: to.to_vec(), end };
-    for _ in 0..MOST_STEPS {
-        let step = newton_step(&tape, &at).map_err(|end| refusal(&at, end))?;
-        let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let last = size(&step) <= 4.0 * f64::EPSILON * size(&at).max(f64::MIN_POSITIVE);
-        at = at.iter().zip(&step).map(|(x, change)| x + change).collect();
-        if last {
-            return Ok(at);
-        }
-    }
-    Err(refusal(&at, SearchEnd::Unsettled))
-}
-
-/// −F′⁻¹·F; nothing where F vanishes.
-fn newton_step(tape: &Tape, at: &[f64]) -> Result<Vec<f64>, SearchEnd> {
-    let jet = Jet::new(&Doubles, tape, at).map_err(|_| SearchEnd::NoValue)?;
-    let value: Vec<f64> = (0..at.len()).map(|i| -jet.result(i)[0]).collect();
-    if value.iter().all(|x| *x == 0.0) {
-        return Ok(value);
-    }
-    if !value.iter().all(|x| x.is_finite()) {
-        return Err(SearchEnd::NoValue);
-    }
-    let gains: Result<Vec<Vec<f64>>, _> = (0..at.len()).map(|j| jet.gains(j)).collect();
-    let gains = gains.map_err(|_| SearchEnd::NoSlope)?;
-    let row = |i: usize| gains.iter().map(|gain| gain[tape.results()[i]]).collect();
-    let slopes: Vec<Vec<f64>> = (0..at.len()).map(row).collect();
-    let step = solve(&Doubles, |x| x.abs(), &slopes, &value);
-    step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(SearchEnd::NoSlope)
+    let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let is_last =
+        |step: &[f64], at: &[f64]| size(step) <= 4.0 * f64::EPSILON * size(at).max(f64::MIN_POSITIVE);
+    let step = |at: &[f64]| correction(&Doubles, |x| x.abs(), &tape, at);
+    newton(&Doubles, guess, MOST_STEPS, step, is_last).map_err(|Unsolved { at: to, reason }| {
+        let end = match reason {
+            NoZero::NoValue => SearchEnd::NoValue,
+            NoZero::NoSlope => SearchEnd::NoSlope,
+            NoZero::Unsettled => SearchEnd::Unsettled,
+        };
+        NoModes::NoEquilibrium { from: guess.to_vec(), to, end }
+    })
 }

@@ -3,8 +3,11 @@
 //!
 //! By default ten oscillators of each kind, in the long run two hundred parametrons and a hundred of the others.
 
+use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Response, ResponseOptions};
 use libration::expression::Equation;
+use libration_motion::internals::periodic::{Flow, multiplier_errors};
+use libration_numbers::internals::linear::eigenvalues;
 use libration_testing::random::Random;
 use libration_testing::sweep;
 use std::f64::consts::TAU;
@@ -342,6 +345,24 @@ fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     }
 }
 
+/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point that
+/// is shown is an orbit of the whole equation.
+#[test]
+fn a_narrow_force_that_no_trial_of_the_symmetry_meets_invents_no_orbit() {
+    let oscillator = Oscillator {
+        text: "x'' + 0.1*x' + x + 5*max(0.01 - abs(x - 0.7), 0) = 0.3*cos(w*t)".to_owned(),
+        force: Box::new(|t, [x, v], w| {
+            0.3 * libm::cos(w * t) - 0.1 * v - x - 5.0 * (0.01 - (x - 0.7).abs()).max(0.0)
+        }),
+        range: [0.5, 0.9],
+        beat: 1.0,
+        kinks: vec![0.69, 0.7, 0.71],
+    };
+    let response = oscillator.response();
+    assert!(response.branches[0].space.mirrored && response.branches[0].points.len() > 5);
+    response.branches.iter().for_each(|branch| check_points(&oscillator, branch));
+}
+
 /// The edges of the tongues by Floquet multipliers of other programs, to the digits that stand here.
 #[test]
 fn tongues_narrower_than_a_step_are_found() {
@@ -353,14 +374,17 @@ fn tongues_narrower_than_a_step_are_found() {
         beat: 1.0,
         kinks: vec![],
     };
-    let parametron = Oscillator {
+    let parametron = |range: [f64; 2]| Oscillator {
         text: "x'' + 0.005*x' + (1 - 0.011*cos(2*w*t))*x + x^3 = 0".to_owned(),
         force: Box::new(|t, [x, v], w| -0.005 * v - (1.0 - 0.011 * libm::cos(2.0 * w * t)) * x - x * x * x),
-        range: [0.95, 1.05],
+        range,
         beat: 2.0,
         kinks: vec![],
     };
-    for (oscillator, edges) in [(shaken, [1.98, 2.02]), (parametron, [0.99884934, 1.00114063])] {
+    let edges = [0.99884934, 1.00114063];
+    // In the last range the first step, a fiftieth of the range, begins before the tongue and ends after it.
+    let parametrons = [[0.95, 1.05], [0.9985, 1.3]].map(|range| (parametron(range), edges));
+    for (oscillator, edges) in [(shaken, [1.98, 2.02])].into_iter().chain(parametrons) {
         let response = oscillator.response();
         let rest: Vec<f64> = response.branches[0].special.iter().map(|it| it.point.parameter).collect();
         let tolerance = if edges[0] > 1.5 { 2e-3 } else { 1e-8 };
@@ -389,4 +413,45 @@ fn the_branch_in_which_another_one_ends_is_followed() {
     let largest = points.map(|point| point.amplitude(0, false)).fold(0.0, f64::max);
     assert!((largest - 2.449).abs() < 0.01, "the main resonance comes to {largest}");
     check(&oscillator, &mut random);
+}
+
+/// The multipliers of points, over their stated errors, beside those of the variational equations over the whole period, integrated without symmetry
+/// and to another tolerance, which have errors of their own. The quantiles stand next to the constants that they justify.
+#[test]
+fn errors_of_multipliers_hold_for_random_oscillators() {
+    let mut random = Random::seeded(sweep::seed(35_007));
+    // Its multipliers depend on the start sixty times as strongly as they are large.
+    let steep = "x'' + 0.11141216426232345*x' + x + 2.0132773054851065*max(x - 0.4149787521198229, 0) - 2.0132773054851065*max(-x - 0.2586924018343485, 0) = 0.5210147256379014*cos(w*t)";
+    let mut oscillators = vec![(steep.to_owned(), [0.6, 2.0])];
+    for kind in [parametron, clearance, smooth] {
+        let drawn = (0..sweep::number(4, 40)).map(|_| kind(&mut random));
+        oscillators.extend(drawn.map(|it| (it.text, it.range)));
+    }
+    let mut ratios = vec![];
+    for (text, range) in oscillators {
+        let equation: Equation = text.parse().unwrap();
+        let flow = Flow::new(&equation, &["w"], 100_000).unwrap();
+        let response = Response::over(&equation, "w", range, &ResponseOptions::default()).unwrap();
+        for point in response.branches.iter().flat_map(|branch| &branch.points).step_by(2) {
+            ratios.extend(ratios_of_multipliers(&flow, point));
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    // From the median on, the parts beyond which are each a tenth of those before.
+    let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
+    eprintln!("{} ratios: quantiles {beyond:?}", ratios.len());
+    assert!(ratios.last().is_some_and(|largest| *largest <= 1.0), "{:?}", ratios.last());
+}
+
+fn ratios_of_multipliers(flow: &Flow, point: &BranchPoint) -> Vec<f64> {
+    let go_on = || std::ops::ControlFlow::Continue(());
+    let found = flow.variations(&point.state, &[point.parameter], [0.0, point.period], 3e-16, go_on).unwrap();
+    let own = eigenvalues(&found.by_start).unwrap();
+    let errors = multiplier_errors(&found.by_start, &[1.0; 2], &own, 1e-15);
+    let ratio = |(z, stated): (&Complex, &f64)| {
+        let near = own.iter().zip(&errors).map(|(it, error)| ((*it - *z).abs(), error));
+        let (off, error) = near.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        off / (stated + error)
+    };
+    point.multipliers.iter().zip(&point.multiplier_errors).map(ratio).collect()
 }

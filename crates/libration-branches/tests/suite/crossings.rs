@@ -116,3 +116,26 @@ fn an_end_of_the_range_without_a_motion_is_named() {
     let everywhere = over("x'' + x = cos(w*t)", "w", [0.55, 0.9], ResponseOptions::default());
     assert_eq!(everywhere.missing, vec![]);
 }
+
+/// θ(t + T/2) = −θ(t) with the drive, while z, which θ² drives, has the period T/2. The loss of symmetry is that of the pendulum alone: by Fourier
+/// collocation and Taylor shooting at A = 0.528969001376244.
+#[test]
+fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
+    let [theta, z] = ["theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)", "z'' = -z'/5 - 2*z + theta^2"];
+    for order in [[theta, z], [z, theta]] {
+        let pair: Equation = order.join("; ").parse().unwrap();
+        let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+        let response = Response::over(&pair, "A", [0.0, 0.6], &options).unwrap();
+        let of_branch = |branch: &Branch| {
+            let lost = branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking);
+            lost.map(|it| (branch.space, it.clone())).collect::<Vec<_>>()
+        };
+        let all: Vec<_> = response.branches.iter().flat_map(of_branch).collect();
+        let off = |value: f64| (value - 0.528969001376244).abs();
+        let found = all.iter().find(|(_, it)| off(it.point.parameter) < 1e-13);
+        let (space, lost) = found.unwrap_or_else(|| panic!("{order:?}: {all:?}"));
+        assert!(space.mirrored && off(lost.point.parameter) <= lost.error.max(1e-15));
+        let precise = lost.to_digits(&pair, "A", *space, 20).unwrap().unwrap();
+        assert!(off(precise.parameter.to_f64()) < 1e-15 && precise.error < 1e-20);
+    }
+}

@@ -143,8 +143,12 @@ fn a_branch_of_cycles_that_is_stopped_has_what_was_done() {
 #[test]
 fn a_mirror_image_of_two_of_three_coordinates_is_recognised() {
     let lorenz = "x' = 10*(y - x); y' = x*(rho - z) - y; z' = x*y - 8/3*z";
-    for range in [[210.0, 330.0], [300.0, 330.0]] {
-        let response = over(lorenz, "rho", range, &ResponseOptions::default());
+    // The same with the coordinate first that keeps its sign, so that a cycle begins at one of two or more of its turning points in a period.
+    let upright = "z' = x*y - 8/3*z; x' = 10*(y - x); y' = x*(rho - z) - y";
+    for (lorenz, range) in [(lorenz, [210.0, 330.0]), (lorenz, [300.0, 330.0]), (upright, [300.0, 330.0])] {
+        let start = if lorenz == upright { vec![0.0, 0.1, 0.0] } else { vec![0.1, 0.0, 0.0] };
+        let options = ResponseOptions { start: Some(start), ..ResponseOptions::default() };
+        let response = over(lorenz, "rho", range, &options);
         let specials: Vec<_> = response.branches.iter().flat_map(|branch| &branch.special).collect();
         let lost: Vec<_> = specials.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking).collect();
         assert!(lost.len() == 1 && (lost[0].point.parameter - 312.973532984206).abs() < 1e-9, "{lost:?}");

@@ -612,3 +612,20 @@ fn remainders_of_odd_polynomials_are_proven() {
     }
     assert!(outside.contains("beyond range") && outside.contains("unknown"));
 }
+
+#[test]
+fn a_limit_cycle_at_a_strength_is_compared_with_the_orbit_next_to_it() {
+    let near = json("expand van_der_pol --order 1 --evaluate 0.5");
+    // By SciPy's DOP853 and a fast Fourier transform.
+    assert!((near["orbit_distance"].as_f64().unwrap() / 0.03191796203045061 - 1.0).abs() < 1e-3, "{near}");
+    assert!(near["orbit_distance_uncertainty"].as_f64().unwrap() < 1e-11, "{near}");
+    let far = json("expand van_der_pol --order 15 --evaluate 6");
+    let warning = "no periodic orbit is near the limit cycle that the series gives here";
+    assert!(far["note"].as_str().unwrap().contains(warning), "{far}");
+    assert!(!near["note"].as_str().is_some_and(|note| note.contains(warning)), "{near}");
+    // Lines are broken.
+    let sheet = text("expand van_der_pol --order 15 --evaluate 6");
+    assert!(sheet.contains("warning") && sheet.contains("no periodic orbit"), "{sheet}");
+    assert!(text("expand van_der_pol --order 1 --evaluate 0.5").contains("distance"));
+    assert!(json("expand duffing --evaluate 0.5")["orbit_distance"].is_null());
+}

@@ -260,6 +260,18 @@ fn a_mode_is_followed_to_large_amplitudes_with_its_stability() {
     assert!((points[1]["period_s"].as_f64().unwrap() - 6.287_859_494_514_626).abs() < 1e-12, "{points:?}");
     assert!((points[1]["start"][1].as_f64().unwrap() + 1.099_990_501_943_477_8).abs() < 1e-11);
     assert_eq!((&points[0]["stable"], &points[1]["stable"]), (&true.into(), &false.into()));
+    // Of every multiplier an error, and the two at 1, which meet in a family of orbits, are there within it.
+    for point in answer["points"].as_array().unwrap() {
+        let multipliers = point["multipliers"].as_array().unwrap();
+        let errors = point["multiplier_errors"].as_array().unwrap();
+        assert_eq!((multipliers.len(), errors.len()), (4, 4));
+        let pairs = multipliers.iter().zip(errors);
+        let at_one = pairs.filter(|(z, error)| {
+            let [re, im] = [0, 1].map(|part| z[part].as_f64().unwrap());
+            (re - 1.0).hypot(im) <= error.as_f64().unwrap() && error.as_f64().unwrap() < 1e-3
+        });
+        assert!(at_one.count() >= 2, "{point}");
+    }
     let told = text("modes double_pendulum --follow 2 --amplitudes 20deg,60deg");
     assert!(told.contains("It becomes unstable"), "{told}");
     for (arguments, part) in [

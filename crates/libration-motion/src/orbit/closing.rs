@@ -96,7 +96,7 @@ impl<'w> Rounds<'w> {
 
     /// How the state after a time depends on that at the start, by rows.
     fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
-        Ok(self.flow.variations(state, &[], duration, VARIATIONS[0], || self.watch.flow())?.by_start)
+        Ok(self.flow.variations(state, &[], [0.0, duration], VARIATIONS[0], || self.watch.flow())?.by_start)
     }
 
     /// The same to another tolerance, and the largest size of each derivative on the way.

@@ -8,12 +8,13 @@
 //! until both agree. What does less than [`UNSEEN`] to a step is not found that way, nor what begins where double precision has no
 //! values.
 
-use crate::taylor::{Effort, Moment, OwnedStep, System, integrate_watched};
-use libration_kernels::elementary::count;
+use crate::periodic::{precise_series, precise_step, precise_sum};
+use crate::taylor::{Effort, Moment, OwnedStep, StateLayout, System, integrate_watched};
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::internals::expression::{Jet, Tape};
 use libration_numbers::roots::{Tolerance, bisect};
 use libration_numbers::watch::Watch;
+use std::slice;
 
 /// Position and velocity.
 #[derive(Clone, Debug)]
@@ -60,8 +61,6 @@ pub struct Motion<'a> {
 
 /// Steps of a half period; more are taken only by motions without end.
 const MOST_STEPS: usize = 600;
-/// Coefficients by which the radius of convergence is known, some of which vanish by symmetry.
-const LAST: f64 = 4.0;
 /// Of the place, by which the same step in double precision may end elsewhere: roundings of the start, some 1e-16 of it, grow at most as
 /// e^T from an unstable equilibrium, and where steps are so long that this is more they are halved without need.
 const UNSEEN: f64 = 1e-12;
@@ -92,11 +91,12 @@ impl<'a> Motion<'a> {
             let series = self.series(&state).ok_or_else(no_series)?;
             nearness.watch(&state.velocity, &series.velocity[1], self.ring.precision)?;
             let size = size.max(state.x.exponent().unwrap_or(size));
-            let length = self.tried(&state, &series, self.length(&series, size)?, size)?;
+            let longest = precise_step(self.ring.precision, slice::from_ref(&series.x), size);
+            let length = self.tried(&state, &series, longest.ok_or(NoHalfPeriod::Unable)?, size)?;
             let begin = start + duration.to_f64();
             if let Some(rest) = self.rest_within(&series, length) {
                 duration = duration + rest.clone();
-                let end = sum_at(&series.x, &rest);
+                let end = precise_sum(&series.x, &rest);
                 nearness.conclude(self.ring.precision)?;
                 steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
                 return Ok(HalfPeriod { steps, duration, end });
@@ -104,7 +104,10 @@ impl<'a> Motion<'a> {
             let elapsed = BigFloat::from_f64(length, self.ring.precision).ok_or(NoHalfPeriod::Unable)?;
             duration = duration + elapsed.clone();
             steps.push(owned_step(&series, begin, start + duration.to_f64(), length));
-            state = State { x: sum_at(&series.x, &elapsed), velocity: sum_at(&series.velocity, &elapsed) };
+            state = State {
+                x: precise_sum(&series.x, &elapsed),
+                velocity: precise_sum(&series.velocity, &elapsed),
+            };
         }
         Err(NoHalfPeriod::Unable)
     }
@@ -116,27 +119,11 @@ impl<'a> Motion<'a> {
 
     /// `None` where the acceleration has no value.
     fn series(&self, state: &State) -> Option<Series> {
-        let mut series = Series { x: vec![state.x.clone()], velocity: vec![state.velocity.clone()] };
-        let mut jet = Jet::new(&self.ring, self.tape, &[state.x.clone(), state.velocity.clone()]).ok()?;
-        for n in 1..=u64::from(self.order) {
-            let last = usize::try_from(n - 1).ok()?;
-            series.x.push(self.ring.over_integer(&series.velocity[last], n)?);
-            series.velocity.push(self.ring.over_integer(&jet.result(0)[last], n)?);
-            jet.extend(&[series.x[last + 1].clone(), series.velocity[last + 1].clone()]).ok()?;
-        }
-        Some(series)
-    }
-
-    /// Where the last terms are below the last bit of a number whose first bit is 2^size, and fall.
-    fn length(&self, series: &Series, size: isize) -> Result<f64, NoHalfPeriod> {
-        let bits = count(self.ring.precision) + 4.0;
-        let exponents: Vec<(f64, f64)> = (series.x.iter().enumerate())
-            .filter_map(|(n, c)| Some((count(n), real_exponent(c.exponent()? - size))))
-            .collect();
-        let last = exponents.iter().filter(|(n, _)| *n > f64::from(self.order) - LAST);
-        let shortest = last.map(|(n, exponent)| -(bits + exponent) / n).fold(f64::INFINITY, f64::min);
-        let length = libm::exp2(shortest - excess(&exponents, f64::from(self.order), shortest));
-        if length == f64::INFINITY { Err(NoHalfPeriod::Unable) } else { Ok(length) }
+        let motion = (&StateLayout::one_coordinate(), self.tape);
+        let state = [state.x.clone(), state.velocity.clone()];
+        let series = precise_series(self.ring, motion, self.order, &state, &[])?;
+        let [x, velocity] = series.try_into().ok()?;
+        Some(Series { x, velocity })
     }
 
     /// The length of a step, or as much of it as double precision agrees with.
@@ -158,7 +145,7 @@ impl<'a> Motion<'a> {
         let solution = integrate_watched(self.system, &start, &[length], &effort, |_| self.watch.flow());
         let solution = solution.ok()?;
         let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
-        let ends = [&series.x, &series.velocity].map(|series| sum_at(series, &elapsed).to_f64());
+        let ends = [&series.x, &series.velocity].map(|series| precise_sum(series, &elapsed).to_f64());
         let misfits = ends.iter().zip(&solution.end.state).map(|(own, other)| (own - other).abs());
         misfits.collect::<Vec<_>>().try_into().ok()
     }
@@ -170,25 +157,11 @@ impl<'a> Motion<'a> {
         let slope: Vec<BigFloat> =
             (1_i64..).zip(&series.velocity[1..]).map(|(n, c)| self.ring.times_integer(c, n)).collect();
         for _ in 0..self.ring.precision.ilog2() {
-            let step = sum_at(&series.velocity, &time) / sum_at(&slope, &time);
+            let step = precise_sum(&series.velocity, &time) / precise_sum(&slope, &time);
             time = time - step;
         }
         Some(time)
     }
-}
-
-/// By how many powers of two a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
-/// may still grow, as those of eˣ do up to the order x, and a sum that ends among them is not near its end.
-fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
-    /// Powers of two a term.
-    const FALL: f64 = 1.5;
-    let quarter = 0.25 * order;
-    let largest = |from: f64, to: f64| {
-        let within = exponents.iter().filter(|(n, _)| (from..to).contains(n));
-        within.map(|(n, exponent)| exponent + n * log2_length).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let (third, last) = (largest(2.0 * quarter, 3.0 * quarter), largest(3.0 * quarter, f64::INFINITY));
-    if third == f64::NEG_INFINITY { 0.0 } else { f64::max(0.0, (last - third) / quarter + FALL) }
 }
 
 /// How near an equilibrium a motion comes: where velocity and acceleration are both small.
@@ -238,12 +211,6 @@ fn is_far(place: &BigFloat, size: isize) -> bool {
     place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
 }
 
-fn sum_at(series: &[BigFloat], time: &BigFloat) -> BigFloat {
-    let mut terms = series.iter().rev().cloned();
-    let last = terms.next().unwrap_or_else(|| BigFloat::from_integer(0, time.precision()));
-    terms.fold(last, |sum, c| sum * time.clone() + c)
-}
-
 /// The coefficients in powers of the part of a step, which neither overflow nor underflow.
 fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
     /// Bits, of which 53 are left.
@@ -271,9 +238,4 @@ fn sign_change(polynomial: &[f64]) -> Option<f64> {
 /// The step in double precision, of length one in its own unit.
 fn owned_step(series: &Series, start: f64, end: f64, unit: f64) -> OwnedStep {
     OwnedStep::new(start, end, unit, [scaled(&series.x, unit), scaled(&series.velocity, unit)])
-}
-
-#[expect(clippy::cast_precision_loss, reason = "exponents are far below 2^53")]
-fn real_exponent(exponent: isize) -> f64 {
-    exponent as f64
 }

@@ -6,9 +6,8 @@ use super::error::{Lost, NoOrbit, finished};
 use super::near::OrbitGuess;
 use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
-use crate::periodic::{Floquet, Stability};
+use crate::periodic::{CLOSED, Floquet, NewtonStep, Stability};
 use libration_numbers::expression::Equation;
-use libration_numbers::internals::linear::least_squares;
 use libration_numbers::watch::Watch;
 
 impl Orbit {
@@ -76,9 +75,6 @@ const MOST_ROUNDS: usize = 40;
 const LARGEST_CHANGE: f64 = 0.3;
 /// While an orbit misses its start by less than this part of its size, and rounds no longer halve it, nothing more is to be gained.
 const NEARLY_CLOSED: f64 = 1e-10;
-/// An orbit that misses its start by more than so many times the error of the flow and of the rounding of its start is none.
-const CLOSED: f64 = 32.0;
-
 /// An orbit whose start is known to no more than this part of its size is not told apart from its neighbours.
 const UNDETERMINED: f64 = 0.01;
 
@@ -186,28 +182,27 @@ impl<'a> Newton<'a> {
         Ok(false)
     }
 
-    /// What would close the orbit if its end were linear in its start: the free numbers, then the period. Rows and columns are
-    /// measured in the sizes of the orbit.
-    fn change(&self, defect: &[f64]) -> Option<Vec<f64>> {
+    /// The equations of the next step, in the sizes of the orbit.
+    fn step(&self) -> NewtonStep {
         let Unknowns { free, period } = self.unknowns;
-        let row = |i: usize| {
-            let state = free.iter().map(move |&j| {
-                let own = if i == j { 1.0 } else { 0.0 };
-                (self.round.monodromy[i][j] - own) * self.sizes[j] / self.sizes[i]
-            });
-            let time = period.then(|| self.round.rate[i] * self.at.period / self.sizes[i]);
-            state.chain(time).collect()
-        };
-        let rows: Vec<Vec<f64>> = (0..defect.len()).map(row).collect();
-        let right: Vec<f64> = defect.iter().zip(&self.sizes).map(|(d, size)| -d / size).collect();
-        let change = least_squares(&rows, &right)?;
-        let units = free.iter().map(|&j| self.sizes[j]).chain(period.then_some(self.at.period));
-        Some(change.iter().zip(units).map(|(x, unit)| x * unit).collect())
+        let period = period.then_some((&self.round.rate[..], self.at.period));
+        NewtonStep::new(&self.round.monodromy, &self.sizes, free, period.as_slice())
+    }
+
+    /// The change that would close the orbit if its end were linear in its start: of the free components, then of the period.
+    fn change(&self, defect: &[f64]) -> Option<Vec<f64>> {
+        let change = self.step().change(defect, &[])?;
+        Some(change.iter().zip(self.units()).map(|(x, unit)| x * unit).collect())
+    }
+
+    /// The sizes of the free components, then of the period.
+    fn units(&self) -> impl Iterator<Item = f64> {
+        let Unknowns { free, period } = self.unknowns;
+        free.iter().map(|&j| self.sizes[j]).chain(period.then_some(self.at.period))
     }
 
     fn largest_part(&self, change: &[f64]) -> f64 {
-        let units = self.unknowns.free.iter().map(|&j| self.sizes[j]).chain([self.at.period]);
-        let largest = change.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
+        let largest = change.iter().zip(self.units()).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
         if largest > LARGEST_CHANGE { LARGEST_CHANGE / largest } else { 1.0 }
     }
 
@@ -277,13 +272,9 @@ impl<'a> Newton<'a> {
     /// The errors of the start that a residual leaves, zero for the components that are held.
     fn start_errors(&self, residual: &[f64]) -> Vec<f64> {
         let mut errors = vec![0.0; residual.len()];
-        for (i, size) in residual.iter().enumerate() {
-            let mut alone = vec![0.0; residual.len()];
-            alone[i] = *size;
-            let change = self.change(&alone);
-            for (place, &j) in self.unknowns.free.iter().enumerate() {
-                errors[j] += change.as_ref().map_or(f64::INFINITY, |it| 2.0 * it[place].abs());
-            }
+        let own = self.step().errors(residual);
+        for (place, (&j, size)) in self.unknowns.free.iter().zip(self.units()).enumerate() {
+            errors[j] = own.as_ref().map_or(f64::INFINITY, |it| 2.0 * it[place] * size);
         }
         errors
     }

@@ -6,8 +6,10 @@ use super::force::{Curve, Force, RECOGNISED_BITS, simplest_about};
 use super::neighbourhood::{Neighbourhood, Roughness};
 use super::roots::{LARGEST_DEGREE, Scan, zeros};
 use super::sides::Sides;
-use libration_numbers::algebra::{BigFloat, Rational};
+use libration_numbers::algebra::{BigFloat, Floats, Rational};
 use libration_numbers::expression::Expression;
+use libration_numbers::internals::expression::Tape;
+use libration_numbers::internals::roots::{correction, newton};
 use libration_numbers::roots::polynomial_sign_changes;
 
 /// How far a zero may be from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, and
@@ -107,25 +109,12 @@ pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
 /// The zero of the force to [`PRECISION`] bits, by Newton's method from a number next to it.
 fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
     const MOST_STEPS: usize = 30;
-    let (at_rest, stiffness) = (force.at_rest(), force.stiffness());
-    let (force, stiffness) = (Curve::new(&at_rest, &force.x)?, Curve::new(&stiffness, &force.x)?);
-    let mut x = BigFloat::from_f64(near, PRECISION)?;
-    for _ in 0..MOST_STEPS {
-        let step = newton_step(force.precisely_at(&x)?, stiffness.precisely_at(&x)?)?;
-        x = x + step.clone();
-        if is_last(&step, &x) {
-            return Some(x).filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0));
-        }
-    }
-    None
-}
-
-/// F/(−F′); no step where F vanishes, `None` where only F′ does.
-fn newton_step(force: BigFloat, stiffness: BigFloat) -> Option<BigFloat> {
-    if force.is_zero() {
-        return Some(force);
-    }
-    (!stiffness.is_zero()).then(|| force / stiffness)
+    let ring = Floats { precision: PRECISION };
+    let tape = Tape::new(&[&force.at_rest()], std::slice::from_ref(&force.x)).ok()?;
+    let start = [BigFloat::from_f64(near, PRECISION)?];
+    let step = |at: &[BigFloat]| correction(&ring, |x| x.to_f64().abs(), &tape, at);
+    let found = newton(&ring, &start, MOST_STEPS, step, |step, at| is_last(&step[0], &at[0])).ok()?;
+    found.into_iter().next().filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0))
 }
 
 /// Whether the next step of Newton's method would be below the last bits.

@@ -87,7 +87,7 @@ impl Flow {
         trajectory.integrate_watched(&self.plain, &self.effort(tolerance), each)
     }
 
-    /// The end of a motion from t = 0 with its derivatives.
+    /// The end of a motion between two times with its derivatives.
     ///
     /// # Errors
     /// As [`motion`](Self::motion).
@@ -95,11 +95,11 @@ impl Flow {
         &self,
         state: &[f64],
         parameters: &[f64],
-        duration: f64,
+        times: [f64; 2],
         tolerance: f64,
         mut each: impl FnMut() -> ControlFlow<()>,
     ) -> Result<Variations, IntegrationError> {
-        let end = self.followed(state, parameters, duration, tolerance, |_| each())?;
+        let end = self.followed(state, parameters, times, tolerance, |_| each())?;
         Ok(self.taken_apart(&end))
     }
 
@@ -117,7 +117,7 @@ impl Flow {
     ) -> Result<(Variations, Vec<Vec<f64>>), IntegrationError> {
         let numbers = self.layout.numbers();
         let mut largest = vec![vec![0.0_f64; numbers]; numbers];
-        let end = self.followed(state, &[], duration, tolerance, |step| {
+        let end = self.followed(state, &[], [0.0, duration], tolerance, |step| {
             let here = self.taken_apart(&step.state_at(step.end().min(duration))).by_start;
             for (largest, here) in largest.iter_mut().flatten().zip(here.iter().flatten()) {
                 *largest = largest.max(here.abs());
@@ -131,7 +131,7 @@ impl Flow {
         &self,
         state: &[f64],
         parameters: &[f64],
-        duration: f64,
+        [from, to]: [f64; 2],
         tolerance: f64,
         each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
     ) -> Result<Vec<f64>, IntegrationError> {
@@ -141,8 +141,8 @@ impl Flow {
             start[self.address(number, 0)] = *value;
             start[self.address(number, 1 + self.parameters + number)] = 1.0;
         }
-        let start = Moment { time: 0.0, state: start };
-        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[duration] };
+        let start = Moment { time: from, state: start };
+        let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
         let solution = trajectory.integrate_watched(&self.with_variations, &self.effort(tolerance), each)?;
         Ok(solution.end.state)
     }

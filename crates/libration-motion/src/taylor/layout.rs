@@ -31,7 +31,7 @@ impl StateLayout {
     }
 
     /// Of one coordinate and its velocity.
-    pub(super) fn one_coordinate() -> Self {
+    pub(crate) fn one_coordinate() -> Self {
         Self::of_orders(&[Order::Second])
     }
 

@@ -1,6 +1,6 @@
 //! Linear equations and null spaces by elimination, over any field.
 
-use crate::algebra::Ring;
+use crate::algebra::{Complex, Doubles, Ring};
 
 /// The solution of linear equations; `None` where the matrix is singular. `size` tells how large an element is: of those that are
 /// not zero the largest is the pivot.
@@ -21,6 +21,42 @@ pub fn solve<R: Ring>(
         clear(ring, &mut rows, column, column)?;
     }
     (0..n).map(|i| ring.divide(&rows[i][n], &rows[i][i])).collect()
+}
+
+/// The solution of complex linear equations; `None` where the matrix is singular: that of the real equations for both parts.
+pub fn solve_complex(matrix: &[Vec<Complex>], right: &[Complex]) -> Option<Vec<Complex>> {
+    let parts = |row: &Vec<Complex>| {
+        let (re, im) = (row.iter().map(|z| z.re), row.iter().map(|z| z.im));
+        [re.clone().chain(im.clone().map(|x| -x)).collect(), im.chain(re).collect()]
+    };
+    let both: Vec<Vec<f64>> = matrix.iter().flat_map(parts).collect();
+    let right: Vec<f64> = right.iter().flat_map(|z| [z.re, z.im]).collect();
+    let solution = solve(&Doubles, |x| x.abs(), &both, &right)?;
+    let (re, im) = solution.split_at(matrix.len());
+    let parts = re.iter().zip(im).map(|(re, im)| Complex::new(*re, *im));
+    Some(parts.collect()).filter(|solution: &Vec<Complex>| solution.iter().all(|z| z.is_finite()))
+}
+
+/// The determinant, with pivots chosen as in [`solve`]; `None` where an element has no inverse.
+pub fn determinant<R: Ring>(
+    ring: &R,
+    size: impl Fn(&R::Element) -> f64,
+    matrix: &[Vec<R::Element>],
+) -> Option<R::Element> {
+    let mut rows = matrix.to_vec();
+    let mut product = ring.rational(&1.into())?;
+    for column in 0..rows.len() {
+        let candidates = (column..rows.len()).filter(|&row| !ring.is_zero(&rows[row][column]));
+        let largest = candidates.max_by(|&a, &b| size(&rows[a][column]).total_cmp(&size(&rows[b][column])));
+        let Some(pivot) = largest else { return Some(ring.zero()) };
+        if pivot != column {
+            rows.swap(column, pivot);
+            product = ring.negate(&product);
+        }
+        product = ring.multiply(&product, &rows[column][column]);
+        clear(ring, &mut rows[column..], 0, column)?;
+    }
+    Some(product)
 }
 
 /// So many independent vectors that a matrix maps to zero, by elimination with the largest pivot of all that is left. The

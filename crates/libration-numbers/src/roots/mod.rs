@@ -26,7 +26,11 @@
 //! ```
 
 mod bisection;
+#[doc(hidden)]
+pub(crate) mod golden_section;
 mod interpolation;
+#[doc(hidden)]
+pub(crate) mod newton;
 #[doc(hidden)]
 pub(crate) mod polynomial;
 #[doc(hidden)]

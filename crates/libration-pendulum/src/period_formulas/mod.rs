@@ -25,7 +25,6 @@ mod grid;
 mod known;
 mod law;
 #[doc(hidden)]
-pub(crate) mod maximum;
 #[doc(hidden)]
 pub(crate) mod quick;
 mod real;

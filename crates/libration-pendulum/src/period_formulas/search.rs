@@ -3,8 +3,8 @@
 use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
-use super::maximum::maximum_between;
 use super::swing::SwingAmplitude;
+use libration_numbers::internals::roots::maximum_between;
 use libration_numbers::quantity::Angle;
 use libration_numbers::roots::{Tolerance, zero_between};
 use libration_numbers::watch::{Interrupted, Stage, Watch};

@@ -1,6 +1,7 @@
 //! Other equilibria that an orbit goes around.
 
 use libration_numbers::algebra::Doubles;
+use libration_numbers::roots::{Tolerance, bisect};
 use libration_numbers::{
     expression::{Equation, Symbol},
     internals::expression::{Jet, Tape},
@@ -27,7 +28,8 @@ fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f
     let mut before = 0.0;
     for part in parts() {
         if away(part) {
-            let place = centre + reach * turned(&away, before, part);
+            let [_, turned] = bisect([before, part], Tolerance::LAST_BIT, |part| !away(part));
+            let place = centre + reach * turned;
             // Zero, but for the rounding of the sum.
             let vanishes = place.abs() <= 4.0 * f64::EPSILON * centre.abs();
             return Some(if vanishes { 0.0 } else { place });
@@ -50,15 +52,4 @@ fn parts() -> Vec<f64> {
     let mut parts: Vec<f64> = even.chain(halves).collect();
     parts.sort_by(f64::total_cmp);
     parts
-}
-
-/// Where a condition begins to hold.
-fn turned(holds: &impl Fn(f64) -> bool, mut without: f64, mut with: f64) -> f64 {
-    loop {
-        let middle = 0.5 * (without + with);
-        if middle <= without || middle >= with {
-            return with;
-        }
-        if holds(middle) { with = middle } else { without = middle }
-    }
 }

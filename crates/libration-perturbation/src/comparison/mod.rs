@@ -28,6 +28,7 @@ mod pendulum_harmonic;
 mod relation;
 
 mod backbone;
+mod cycle_distance;
 
 mod leading_cycles;
 mod scaling_law;
@@ -37,6 +38,7 @@ pub(crate) mod work;
 
 pub use approximant::Approximant;
 pub use backbone::{Backbone, BackbonePoint, NoBackbone, NoSeries, OrbitFrequency, SeriesFrequency};
+pub use cycle_distance::CycleDistance;
 pub use exact::{ExactMotion, ExactValue, Method, NoExactValue};
 pub use leading_cycles::{LeadingLimitCycle, LeadingLimitCycles, NoLeadingLimitCycles};
 pub use quantity::{NotASeriesQuantity, SeriesQuantity};

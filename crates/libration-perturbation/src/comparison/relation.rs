@@ -79,6 +79,14 @@ impl<'a> SeriesComparison<'a> {
         Self { oscillator, expansion, quantity, series }
     }
 
+    pub(super) const fn oscillator(&self) -> &'a Oscillator {
+        self.oscillator
+    }
+
+    pub(super) const fn expansion(&self) -> &'a Expansion {
+        self.expansion
+    }
+
     /// What it is a relation for.
     #[must_use]
     pub const fn quantity(&self) -> SeriesQuantity {

@@ -187,6 +187,9 @@ fn of_point() -> Fields<ModePoint> {
                 it.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();
             json::list(multipliers.iter().map(|z| json::numbers(&[z.re, z.im])))
         }),
+        Of::value("multiplier_errors[]", "1", "errors of the multipliers, in their order", |it| {
+            json::numbers(it.orbit.floquet().map_or(&[], |floquet| &floquet.errors))
+        }),
         Of::value("start[]", "", "state at the start, in the order of the names", |it| {
             json::numbers(&it.start)
         })

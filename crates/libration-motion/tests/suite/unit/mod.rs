@@ -5,6 +5,7 @@ mod chaos;
 mod decay;
 mod orbit;
 mod oscillator;
+mod periodic;
 mod spectrum;
 mod systems;
 mod taylor;

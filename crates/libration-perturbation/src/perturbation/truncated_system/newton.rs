@@ -2,6 +2,7 @@
 
 use super::collocation::{Collocation, harmonic_squared};
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::linear::solve_complex;
 
 /// The root near a point, by Newton's method on the equations themselves.
 pub(super) fn refine(equations: &Collocation, amplitude: f64, near: Vec<Complex>) -> Option<Vec<Complex>> {
@@ -35,7 +36,7 @@ pub(super) fn target(equations: &Collocation, amplitude: f64, z: &[Complex]) -> 
 
 /// One Newton step, and its length relative to the size of the point; `None` where the equations are singular.
 pub(super) fn newton(at: &Linearization, z: Vec<Complex>) -> Option<(Vec<Complex>, f64)> {
-    let step = solve(at.derivatives.clone(), at.values.clone())?;
+    let step = solve_complex(&at.derivatives, &at.values)?;
     let length = norm(&step) / norm(&z);
     Some((z.iter().zip(&step).map(|(a, b)| *a - *b).collect(), length))
         .filter(|(_, length)| length.is_finite())
@@ -43,26 +44,4 @@ pub(super) fn newton(at: &Linearization, z: Vec<Complex>) -> Option<(Vec<Complex
 
 fn norm(z: &[Complex]) -> f64 {
     z.iter().map(|a| a.abs()).fold(0.0, f64::max)
-}
-
-/// The solution of linear equations, by elimination with the largest pivot of each column; `None` when there is none.
-pub(super) fn solve(mut rows: Vec<Vec<Complex>>, mut right: Vec<Complex>) -> Option<Vec<Complex>> {
-    let n = right.len();
-    for column in 0..n {
-        let size = |row: &usize| rows[*row][column].abs();
-        let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        rows.swap(column, pivot);
-        right.swap(column, pivot);
-        let (pivot_row, pivot_right) = (rows[column].clone(), right[column]);
-        for row in column + 1..n {
-            let factor = rows[row][column] / pivot_row[column];
-            rows[row] = rows[row].iter().zip(&pivot_row).map(|(a, b)| *a - factor * *b).collect();
-            right[row] = right[row] - factor * pivot_right;
-        }
-    }
-    for row in (0..n).rev() {
-        let known: Complex = (row + 1..n).map(|j| rows[row][j] * right[j]).sum();
-        right[row] = (right[row] - known) / rows[row][row];
-    }
-    right.iter().all(|value| value.is_finite()).then_some(right)
 }

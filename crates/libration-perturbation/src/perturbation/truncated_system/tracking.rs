@@ -11,9 +11,10 @@
 use std::f64::consts::TAU;
 
 use super::collocation::{Collocation, harmonic_squared};
-use super::newton::{Linearization, newton, refine, solve, target};
+use super::newton::{Linearization, newton, refine, target};
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::linear::solve_complex;
 use libration_numbers::watch::{Interrupted, Stage, Watch};
 
 /// a₁, a₃, … and Δ².
@@ -158,7 +159,7 @@ impl<'a> Homotopy<'a> {
     fn direction(&self, s: f64, z: &[Complex]) -> Option<Vec<Complex>> {
         let (known, sought) = (self.known(z), target(self.equations, self.amplitude, z));
         let change = known.values.iter().zip(&sought.values).map(|(a, b)| self.gamma * *a - *b);
-        solve(self.mixed(s, &known, &sought).derivatives, change.collect())
+        solve_complex(&self.mixed(s, &known, &sought).derivatives, &change.collect::<Vec<_>>())
     }
 
     fn linearization(&self, s: f64, z: &[Complex]) -> Linearization {

@@ -77,6 +77,16 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
             it.known().map(|exact| exact.encloses.map(json::number).into())
         }),
         Of::note(Numbers::other_family),
+        Of::present(
+            "orbit_distance",
+            "",
+            "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method comes from there; left out where it comes to none",
+            |it| it.orbit_distance().map(|found| found.distance),
+        ),
+        Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |it| {
+            it.orbit_distance().map(|found| found.uncertainty)
+        }),
+        Of::note(Numbers::without_orbit),
         Of::known("radius", "", "radius of convergence, or null", radius),
         Of::value("radius_is", "", "proven or estimated, or null", |it| {
             it.radius.flatten().map(|radius| certainty(radius_certainty(&radius))).into()

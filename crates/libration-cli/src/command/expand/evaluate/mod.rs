@@ -10,7 +10,9 @@ use crate::output::number::short;
 use crate::output::{Form, json};
 use crate::parallel::until_asked;
 use crate::query_error::{QueryError, option};
-use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
+use libration::comparison::{
+    CycleDistance, ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity,
+};
 use libration::oscillator::Oscillator;
 use libration::perturbation::SeriesEvaluation;
 use libration::quantity::Displacement;
@@ -30,6 +32,8 @@ struct Numbers<'a> {
     amplitude: f64,
     evaluation: SeriesEvaluation,
     exact: Option<Result<ExactValue, NoExactValue>>,
+    /// The distance of a limit cycle from the orbit next to it.
+    distance: Option<Result<CycleDistance, NoExactValue>>,
     radius: Option<Option<Radius>>,
     pade: Option<Vec<Quotient>>,
 }
@@ -86,12 +90,16 @@ impl<'a> Numbers<'a> {
         if let Some(Err(refusal @ NoExactValue::Amplitude(_))) = &exact {
             return Err(QueryError::no_result(option("evaluate"), refusal));
         }
+        let distance = until_asked("the orbit next to the series", |watch| {
+            relation.cycle_distance_watched(exactly, watch)
+        })
+        .flatten();
         let evaluation = relation.evaluation_at(amplitude);
         // A constant is its own approximant.
         let highest = if evaluation.steps().len() > 1 { HIGHEST_DEGREE } else { 0 };
         let radius = until_asked("the radius of convergence", |_| relation.radius());
         let pade = until_asked("Padé approximants", |watch| quotients(relation, highest, amplitude, watch));
-        Ok(Self { answer, relation, amplitude, evaluation, exact, radius, pade })
+        Ok(Self { answer, relation, amplitude, evaluation, exact, distance, radius, pade })
     }
 
     /// The exact value, where there is one and it was reached.
@@ -111,6 +119,25 @@ impl<'a> Numbers<'a> {
             "the motion also encloses the equilibrium at {}, so that the series does not apply",
             short(place, 6)
         ))
+    }
+
+    /// The distance of a limit cycle from the orbit next to it, where there is one.
+    fn orbit_distance(&self) -> Option<&CycleDistance> {
+        self.distance.as_ref()?.as_ref().ok()
+    }
+
+    /// The warning that no periodic orbit is near a limit cycle as the series gives it.
+    fn without_orbit(&self) -> Option<String> {
+        let reason = match self.distance.as_ref()? {
+            Ok(found) if found.is_near() => return None,
+            Ok(found) => format!(
+                "the one to which Newton's method comes from it is {} away, {} of half the swing",
+                short(found.distance, 3),
+                short(found.distance / found.half_swing, 2)
+            ),
+            Err(reason) => reason.to_string(),
+        };
+        Some(format!("no periodic orbit is near the limit cycle that the series gives here: {reason}"))
     }
 
     /// What Ctrl-C came before; `None` when nothing lacks.

@@ -6,7 +6,7 @@ use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{subscript, superscript};
 use crate::output::table::{Table, sheet, write_text};
 use libration::algebra::Rational;
-use libration::comparison::{Method, Radius, SeriesQuantity};
+use libration::comparison::{CycleDistance, Method, Radius, SeriesQuantity};
 use libration::perturbation::{Certainty, PartialSum, SeriesEvaluation};
 use std::io::{self, Write};
 
@@ -84,6 +84,10 @@ fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
 fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
     let mut lines = vec![("exact value", exact(numbers))];
     lines.extend(numbers.other_family().map(|told| ("but", told)));
+    if let Some(found) = numbers.orbit_distance() {
+        lines.push(("distance", orbit_distance(found)));
+    }
+    lines.extend(numbers.without_orbit().map(|told| ("warning", told)));
     lines.push(("convergence", convergence(numbers)));
     if let Some(smallest) = numbers.evaluation.smallest_term() {
         lines.push(("smallest term", after(numbers, smallest)));
@@ -104,6 +108,16 @@ fn exact(numbers: &Numbers<'_>) -> String {
         Some(Err(reason)) => format!("none: {reason}"),
         None => NOT_REACHED.to_owned(),
     }
+}
+
+fn orbit_distance(found: &CycleDistance) -> String {
+    let distance = match found.distance > found.uncertainty {
+        true => short(found.distance, 3),
+        false => format!("below {}", at_most(found.uncertainty)),
+    };
+    format!(
+        "{distance}, of the displacement from that of the orbit to which Newton's method comes from the series"
+    )
 }
 
 fn convergence(numbers: &Numbers<'_>) -> String {

@@ -1,5 +1,5 @@
-use libration::algebra::{Doubles, Rational, Rationals};
-use libration::internals::linear::{null_space, solve};
+use libration::algebra::{Complex, Doubles, Rational, Rationals};
+use libration::internals::linear::{determinant, null_space, solve, solve_complex};
 
 #[test]
 fn equations_are_solved_exactly() {
@@ -31,4 +31,29 @@ fn null_spaces_of_every_dimension_are_found() {
         let product: f64 = vector.iter().zip(b).map(|(x, y)| x * y).sum();
         assert!(product.abs() < 1e-15);
     }
+}
+
+#[test]
+fn determinants_are_exact() {
+    // Hilbert's matrix of order 3: 1/2160. A zero pivot and an exchange of rows. Rows that depend on each other.
+    let hilbert: Vec<Vec<Rational>> =
+        (0..3).map(|i| (0..3).map(|j| Rational::new(1, i + j + 1).unwrap()).collect()).collect();
+    let of = |matrix: &[Vec<Rational>]| determinant(&Rationals, Rational::to_f64, matrix).unwrap();
+    assert_eq!(of(&hilbert), Rational::new(1, 2160).unwrap());
+    let whole = |rows: [[i64; 2]; 2]| rows.map(|row| row.map(Rational::from).to_vec());
+    assert_eq!(of(&whole([[0, 2], [3, 5]])), Rational::from(-6));
+    assert_eq!(of(&whole([[1, 2], [2, 4]])), Rational::from(0));
+    assert_eq!(of(&[]), Rational::from(1));
+}
+
+#[test]
+fn complex_equations_are_solved() {
+    let z = Complex::new;
+    let matrix = [vec![z(0.0, 1.0), z(2.0, -1.0)], vec![z(1.0, 1.0), z(0.0, 3.0)]];
+    let solution = [z(1.0, -2.0), z(0.5, 4.0)];
+    let right: Vec<Complex> =
+        matrix.iter().map(|row| row.iter().zip(&solution).map(|(a, b)| *a * *b).sum()).collect();
+    let found = solve_complex(&matrix, &right).unwrap();
+    assert!(found.iter().zip(&solution).all(|(a, b)| (*a - *b).abs() < 1e-14), "{found:?}");
+    assert_eq!(solve_complex(&vec![vec![z(1.0, 1.0); 2]; 2], &[z(1.0, 0.0); 2]), None);
 }

@@ -1,2 +1,1 @@
 mod error;
-mod maximum;

@@ -7,6 +7,7 @@ use super::positive::{PositiveSeries, PositiveSeriesAt};
 use any::AnyWell;
 use libration_numbers::algebra::{Doubles, Rational};
 use libration_numbers::internals::series::truncated::reciprocal;
+use libration_numbers::roots::{Tolerance, bisect};
 use odd::OddWell;
 
 /// Series of T/T0 and Ω/ω0 in the amplitude with coefficients at least as large as those of an oscillator, in magnitude.
@@ -117,15 +118,9 @@ fn place_of_one(sum: impl Fn(f64) -> f64) -> Option<f64> {
     while sum(high) < 1.0 && high < 1e150 {
         high *= 2.0;
     }
-    let mut low = 0.0;
     if sum(high) < 1.0 || sum(high).is_nan() {
         return None;
     }
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return Some(low).filter(|place| (1e-100..1e100).contains(place));
-        }
-        if sum(middle) < 1.0 { low = middle } else { high = middle }
-    }
+    let [place, _] = bisect([0.0, high], Tolerance::LAST_BIT, |place| sum(place) < 1.0);
+    (1e-100..1e100).contains(&place).then_some(place)
 }

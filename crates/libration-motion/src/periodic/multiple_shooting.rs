@@ -1,0 +1,141 @@
+//! Orbits whose deviations grow too much in a period for one integration to close them: the equation is integrated piece by piece, from node to node.
+//!
+//! # References
+//! J. Stoer and R. Bulirsch, *Introduction to Numerical Analysis*, Springer 2002, section 7.3.5.
+
+use super::newton_step::CLOSED;
+use libration_numbers::internals::linear::least_squares;
+
+/// The end of a piece with its derivatives.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    /// The state at the end.
+    pub end: Vec<f64>,
+    /// The derivatives by the components of the state at the start, as the rows of a matrix.
+    pub by_start: Vec<Vec<f64>>,
+    /// The derivatives by each further unknown, such as the period or a parameter.
+    pub by_further: Vec<Vec<f64>>,
+}
+
+/// An orbit as the states at the beginnings of its pieces, and the values of the further unknowns.
+#[derive(Clone, Debug)]
+pub struct Nodes {
+    /// The states.
+    pub states: Vec<Vec<f64>>,
+    /// The period, a parameter, or both.
+    pub further: Vec<f64>,
+}
+
+/// The units of an orbit, what its end is ahead of its start, and the conditions that single it out.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// The units of the components of a state, then those of the further unknowns.
+    pub units: &'a [f64],
+    /// The state at the end of the last piece less the first state.
+    pub shift: &'a [f64],
+    /// Rows over the changes of the first state and of the further unknowns, in units, which are to vanish.
+    pub conditions: &'a [Vec<f64>],
+}
+
+impl Nodes {
+    /// The orbit next to these nodes whose pieces, integrated one by one, all end at the beginning of the next one within the rounding of a state as
+    /// the piece makes it grow; `None` where Newton's method finds none. `piece` integrates the piece of a number from a state.
+    pub fn closed(
+        mut self,
+        frame: Frame<'_>,
+        piece: impl Fn(usize, &[f64], &[f64]) -> Option<Piece>,
+    ) -> Option<Self> {
+        const MOST_ROUNDS: usize = 6;
+        for _ in 0..MOST_ROUNDS {
+            let numbered = self.states.iter().enumerate();
+            let pieces: Vec<Piece> =
+                numbered.map(|(number, state)| piece(number, state, &self.further)).collect::<Option<_>>()?;
+            let missed: Vec<Vec<f64>> =
+                pieces.iter().enumerate().map(|(number, it)| self.missed(frame, number, it)).collect();
+            let rounding = f64::EPSILON * (1.0 + self.size(frame));
+            let joins = |(missed, piece): (&Vec<f64>, &Piece)| {
+                largest(missed) <= CLOSED * (1.0 + norm(frame, piece)) * rounding
+            };
+            if missed.iter().zip(&pieces).all(joins) {
+                return Some(self);
+            }
+            self.improve(frame, &pieces, missed)?;
+        }
+        None
+    }
+
+    /// The state with which the piece after a numbered one begins.
+    fn next(&self, frame: Frame<'_>, number: usize) -> Vec<f64> {
+        match self.states.get(number + 1) {
+            Some(next) => next.clone(),
+            None => self.states[0].iter().zip(frame.shift).map(|(x, shift)| x + shift).collect(),
+        }
+    }
+
+    /// The end of a piece less the beginning of the next one, in units.
+    fn missed(&self, frame: Frame<'_>, number: usize, piece: &Piece) -> Vec<f64> {
+        let next = self.next(frame, number);
+        piece.end.iter().zip(next).zip(frame.units).map(|((end, next), unit)| (end - next) / unit).collect()
+    }
+
+    /// The largest component of a state in units.
+    fn size(&self, frame: Frame<'_>) -> f64 {
+        let parts = self.states.iter().map(|state| {
+            largest(&state.iter().zip(frame.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())
+        });
+        parts.fold(0.0, f64::max)
+    }
+
+    /// One step of Newton's method for all states and the further unknowns together.
+    fn improve(&mut self, frame: Frame<'_>, pieces: &[Piece], missed: Vec<Vec<f64>>) -> Option<()> {
+        let (count, numbers) = (pieces.len(), frame.shift.len());
+        let unknowns = count * numbers + self.further.len();
+        let units = frame.units;
+        let mut rows = vec![];
+        for (number, piece) in pieces.iter().enumerate() {
+            let after = (number + 1) % count;
+            for i in 0..numbers {
+                let mut row = vec![0.0; unknowns];
+                row[after * numbers + i] -= 1.0;
+                for j in 0..numbers {
+                    row[number * numbers + j] += piece.by_start[i][j] * units[j] / units[i];
+                }
+                for (k, column) in piece.by_further.iter().enumerate() {
+                    row[count * numbers + k] = column[i] * units[numbers + k] / units[i];
+                }
+                rows.push(row);
+            }
+        }
+        for condition in frame.conditions {
+            let mut row = vec![0.0; unknowns];
+            row[..numbers].copy_from_slice(&condition[..numbers]);
+            row[count * numbers..].copy_from_slice(&condition[numbers..]);
+            rows.push(row);
+        }
+        let mut right: Vec<f64> = missed.iter().flatten().map(|x| -x).collect();
+        right.resize(rows.len(), 0.0);
+        let change = least_squares(&rows, &right)?;
+        let (of_states, of_further) = change.split_at(count * numbers);
+        for (x, (change, unit)) in
+            self.states.iter_mut().flatten().zip(of_states.iter().zip(units[..numbers].iter().cycle()))
+        {
+            *x += change * unit;
+        }
+        for (x, (change, unit)) in self.further.iter_mut().zip(of_further.iter().zip(&units[numbers..])) {
+            *x += change * unit;
+        }
+        Some(())
+    }
+}
+
+fn largest(vector: &[f64]) -> f64 {
+    vector.iter().fold(0.0, |largest: f64, x| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
+}
+
+/// The norm of the derivatives of a piece by its start, in units.
+fn norm(frame: Frame<'_>, piece: &Piece) -> f64 {
+    let entries = (0..frame.shift.len()).flat_map(|i| (0..frame.shift.len()).map(move |j| (i, j)));
+    entries.fold(0.0, |norm: f64, (i, j)| {
+        libm::hypot(norm, piece.by_start[i][j] * frame.units[j] / frame.units[i])
+    })
+}

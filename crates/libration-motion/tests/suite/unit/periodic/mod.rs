@@ -1,0 +1,2 @@
+mod multiple_shooting;
+mod newton_step;

@@ -1,0 +1,71 @@
+//! Newton's method for zeros of several functions of as many unknowns, over any field.
+
+use crate::algebra::Ring;
+use crate::expression::{jet::Jet, tape::Tape};
+use crate::linear::elimination::solve;
+
+/// The reason for which Newton's method comes to no zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoZero {
+    /// A function without a finite value.
+    NoValue,
+    /// A matrix of slopes that is singular or has no value.
+    NoSlope,
+    /// The limit of steps.
+    Unsettled,
+}
+
+/// The place where Newton's method ends without a zero, and the reason.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unsolved<T> {
+    /// The last place.
+    pub at: Vec<T>,
+    /// The reason.
+    pub reason: NoZero,
+}
+
+/// The zero to which Newton's method comes from a guess, or else the last place and the reason. `step` is the correction of a place; `is_last` tells
+/// from a correction and the place after it that no further one is needed.
+pub fn newton<R: Ring>(
+    ring: &R,
+    guess: &[R::Element],
+    most_steps: usize,
+    mut step: impl FnMut(&[R::Element]) -> Result<Vec<R::Element>, NoZero>,
+    mut is_last: impl FnMut(&[R::Element], &[R::Element]) -> bool,
+) -> Result<Vec<R::Element>, Unsolved<R::Element>> {
+    let mut at = guess.to_vec();
+    for _ in 0..most_steps {
+        let change = match step(&at) {
+            Ok(change) => change,
+            Err(reason) => return Err(Unsolved { at, reason }),
+        };
+        at = at.iter().zip(&change).map(|(x, change)| ring.add(x, change)).collect();
+        if is_last(&change, &at) {
+            return Ok(at);
+        }
+    }
+    Err(Unsolved { at, reason: NoZero::Unsettled })
+}
+
+/// The correction −F′⁻¹·F of a place for formulas on a tape; zero where they all vanish.
+pub fn correction<R: Ring>(
+    ring: &R,
+    size: impl Fn(&R::Element) -> f64,
+    tape: &Tape,
+    at: &[R::Element],
+) -> Result<Vec<R::Element>, NoZero> {
+    let jet = Jet::new(ring, tape, at).map_err(|_| NoZero::NoValue)?;
+    let value: Vec<R::Element> = (0..at.len()).map(|i| ring.negate(&jet.result(i)[0])).collect();
+    if value.iter().all(|x| ring.is_zero(x)) {
+        return Ok(value);
+    }
+    if !value.iter().all(|x| size(x).is_finite()) {
+        return Err(NoZero::NoValue);
+    }
+    let gains: Result<Vec<Vec<R::Element>>, _> = (0..at.len()).map(|j| jet.gains(j)).collect();
+    let gains = gains.map_err(|_| NoZero::NoSlope)?;
+    let row = |i: usize| gains.iter().map(|gain| gain[tape.results()[i]].clone()).collect();
+    let slopes: Vec<Vec<R::Element>> = (0..at.len()).map(row).collect();
+    let step = solve(ring, &size, &slopes, &value);
+    step.filter(|step| step.iter().all(|x| size(x).is_finite())).ok_or(NoZero::NoSlope)
+}
