@@ -40,7 +40,10 @@ pub enum Kind {
 ///
 /// As text it is the message in the words of the command, in which very long quotations are shortened.
 #[derive(Debug)]
-pub struct QueryError {
+pub struct QueryError(Box<Content>);
+
+#[derive(Debug)]
+struct Content {
     kind: Kind,
     about: About,
     message: Text,
@@ -92,7 +95,14 @@ impl QueryError {
     pub(crate) const INTERRUPTED: u8 = 130;
 
     fn new(kind: Kind, about: About, message: &str) -> Self {
-        Self { kind, about, message: Text::marked(message), hint: None, suggestion: None, item: None }
+        Self(Box::new(Content {
+            kind,
+            about,
+            message: Text::marked(message),
+            hint: None,
+            suggestion: None,
+            item: None,
+        }))
     }
 
     /// An error in a value of the query.
@@ -129,26 +139,27 @@ impl QueryError {
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
         let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
         let hint = (!sentences.is_empty()).then(|| Text::marked(&sentences.join("; ")));
-        Self { hint, ..self }
+        Self(Box::new(Content { hint, ..*self.0 }))
     }
 
     /// The same error with a value of its parameter that would do.
     pub(crate) fn with_suggestion(self, value: Option<String>) -> Self {
-        Self { suggestion: value, ..self }
+        Self(Box::new(Content { suggestion: value, ..*self.0 }))
     }
 
     /// The same error with the item of a parameter `NAME=VALUE` that it is about.
     pub(crate) fn with_item(self, name: Option<&str>) -> Self {
-        Self { item: name.map(str::to_owned), ..self }
+        Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
     }
 
     /// The same error with the names that its arguments have in the query of these words.
     pub(crate) fn named(self, words: &[OsString]) -> Self {
-        let About::Parameters(parameters) = self.about else { return self };
+        let About::Parameters(parameters) = &self.0.about else { return self };
         let query = crate::questions::of(words);
         let named =
             |it: Parameter| query.as_ref().map_or_else(|| it.clone(), |query| it.clone().named(query));
-        Self { about: About::Parameters(parameters.into_iter().map(named).collect()), ..self }
+        let about = About::Parameters(parameters.iter().cloned().map(named).collect());
+        Self(Box::new(Content { about, ..*self.0 }))
     }
 
     /// The error in arguments, without the advice of a terminal to ask for help.
@@ -161,19 +172,19 @@ impl QueryError {
         };
         let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
         let hint = command_for(error).map(|hint| Text::marked(&hint));
-        Self { hint, ..Self::new(Kind::Usage, about, &reason) }
+        Self(Box::new(Content { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
     }
 
     /// The kind of the error.
     #[must_use]
     pub fn kind(&self) -> &Kind {
-        &self.kind
+        &self.0.kind
     }
 
     /// The parameters that the error is about, empty where it is about none.
     #[must_use]
     pub fn parameters(&self) -> &[Parameter] {
-        match &self.about {
+        match &self.0.about {
             About::Parameters(parameters) => parameters,
             About::Nothing | About::Other(_) => &[],
         }
@@ -182,20 +193,20 @@ impl QueryError {
     /// A value of the parameter that would do.
     #[must_use]
     pub fn suggestion(&self) -> Option<&str> {
-        self.suggestion.as_deref()
+        self.0.suggestion.as_deref()
     }
 
     /// The name of the item of a parameter `NAME=VALUE` that the error is about.
     #[must_use]
     pub fn item(&self) -> Option<&str> {
-        self.item.as_deref()
+        self.0.item.as_deref()
     }
 
     /// The message without its parameters, in the words of a front end.
     #[must_use]
     pub fn message(&self, words: &dyn Words) -> String {
-        let message = clean(&self.message.in_words(words));
-        match &self.about {
+        let message = clean(&self.0.message.in_words(words));
+        match &self.0.about {
             About::Other(subject) => format!("{}: {message}", clean(subject)),
             About::Nothing | About::Parameters(_) => message,
         }
@@ -204,13 +215,13 @@ impl QueryError {
     /// The advice in the words of a front end.
     #[must_use]
     pub fn hint(&self, words: &dyn Words) -> Option<String> {
-        self.hint.as_ref().map(|hint| clean(&hint.in_words(words)))
+        self.0.hint.as_ref().map(|hint| clean(&hint.in_words(words)))
     }
 
     /// The whole error in the words of a front end: parameters, message, hint.
     #[must_use]
     pub fn in_words(&self, words: &dyn Words) -> String {
-        if let Kind::Output(error) = &self.kind {
+        if let Kind::Output(error) = &self.0.kind {
             return format!("cannot write the output: {error}");
         }
         let names: Vec<_> = self.parameters().iter().map(|it| words.parameter(it)).collect();
@@ -229,16 +240,16 @@ impl QueryError {
     pub fn to_json(&self) -> String {
         let parameters: Vec<_> = self.parameters().iter().map(Parameter::in_help).collect();
         let mut message = vec![];
-        match &self.kind {
+        match &self.0.kind {
             Kind::Output(_) => message.push(Value::from(self.to_string())),
             _ => {
-                if let About::Other(subject) = &self.about {
+                if let About::Other(subject) = &self.0.about {
                     message.push(Value::from(format!("{}: ", clean(subject))));
                 }
-                message.extend(self.message.to_json());
+                message.extend(self.0.message.to_json());
             }
         }
-        let hint = self.hint.as_ref().map_or_else(Vec::new, Text::to_json);
+        let hint = self.0.hint.as_ref().map_or_else(Vec::new, Text::to_json);
         let suggestion = self.suggestion().unwrap_or_default();
         let item = self.item().unwrap_or_default();
         let error = json!({
@@ -250,7 +261,7 @@ impl QueryError {
     /// The exit status of the command.
     #[must_use]
     pub fn status(&self) -> u8 {
-        match self.kind {
+        match self.0.kind {
             _ if self.is_closed_pipe() => 0,
             Kind::Usage => 2,
             Kind::Cancelled => Self::INTERRUPTED,
@@ -261,12 +272,12 @@ impl QueryError {
     /// Whether the work was ended early.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        matches!(self.kind, Kind::Cancelled)
+        matches!(self.0.kind, Kind::Cancelled)
     }
 
     /// Whether the reader of the output has gone.
     pub(crate) fn is_closed_pipe(&self) -> bool {
-        matches!(&self.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
+        matches!(&self.0.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
     }
 }
 
@@ -280,14 +291,14 @@ impl std::error::Error for QueryError {}
 
 impl From<Error> for QueryError {
     fn from(error: Error) -> Self {
-        Self {
+        Self(Box::new(Content {
             kind: Kind::Output(error),
             about: About::Nothing,
             message: Text::default(),
             hint: None,
             suggestion: None,
             item: None,
-        }
+        }))
     }
 }
 
