@@ -11,7 +11,7 @@ from .._ask import Given, Path, Say, Values, text
 def derive(
     oscillator: Given | None = None,
     *,
-    road: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
+    method: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
     order: Given | None = None,
     damping_order: Given | None = None,
     small: Given | None = None,
@@ -36,7 +36,7 @@ def derive(
     oscillator : number or text, optional
         Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging ``damped_pendulum``, for limit-cycle
         ``van_der_pol``].
-    road : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
+    method : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
         Which derivation.
     order : number or text, optional
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4].
@@ -81,7 +81,7 @@ def derive(
     Examples
     --------
     >>> from libration import questions
-    >>> print(questions.derive(road="elliptic").splitlines()[0])
+    >>> print(questions.derive(method="elliptic").splitlines()[0])
     # The period of a pendulum at any amplitude
     """
     return text("derive", locals(), progress)
