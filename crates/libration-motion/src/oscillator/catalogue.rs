@@ -29,7 +29,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a mass on a rigid massless rod under gravity",
         domain: "amplitudes below pi",
-        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; attributed to C. Huygens, Horologium Oscillatorium (1673)",
+        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; attributed to Huygens, Horologium Oscillatorium \
+                 (1673); not verified against the original",
     },
     NamedOscillator {
         key: "duffing",
@@ -45,7 +46,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a spring that stiffens in proportion to the square of its extension",
         domain: "all amplitudes for epsilon > 0; below 1/sqrt(-epsilon) for epsilon < 0",
-        source: "attributed to G. Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz, Vieweg, Braunschweig (1918)",
+        source: "G. Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz und ihre technische Bedeutung, Vieweg, Braunschweig \
+                 (1918)",
     },
     NamedOscillator {
         key: "duffing_soft",
@@ -61,7 +63,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a spring that softens in proportion to the square of its extension",
         domain: "amplitudes below 1/sqrt(-epsilon)",
-        source: "attributed to G. Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz, Vieweg, Braunschweig (1918)",
+        source: "G. Duffing, Erzwungene Schwingungen bei veränderlicher Eigenfrequenz und ihre technische Bedeutung, Vieweg, Braunschweig \
+                 (1918)",
     },
     NamedOscillator {
         key: "double_well",
@@ -72,7 +75,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "two wells at -1 and 1 with a barrier between them; expanded about the well at 1",
         domain: "0 < x < sqrt(2), energies below the barrier",
-        source: "attributed to F. C. Moon and P. J. Holmes, J. Sound Vib. 65, 275 (1979)",
+        source: "attributed to F. C. Moon and P. J. Holmes, J. Sound Vib. 65, 275 (1979), doi:10.1016/0022-460X(79)90520-0; not verified \
+                 against the original",
     },
     NamedOscillator {
         key: "cubic_quintic",
@@ -86,7 +90,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a spring with cubic and quintic corrections",
         domain: "all amplitudes for positive alpha and beta",
-        source: "attributed to M. N. Hamdan and N. H. Shabaneh, J. Sound Vib. 199, 711 (1997)",
+        source: "attributed to M. N. Hamdan and N. H. Shabaneh, J. Sound Vib. 199, 711 (1997); not verified against the original",
     },
     NamedOscillator {
         key: "pure_cubic",
@@ -97,7 +101,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a force without linear part: the period is Gamma(1/4)^2/(sqrt(pi)*A), and there is no expansion about rest",
         domain: "all amplitudes, but omega0 = 0",
-        source: "attributed to R. E. Mickens, Oscillations in Planar Dynamic Systems, World Scientific (1996)",
+        source: "attributed to R. E. Mickens, Oscillations in Planar Dynamic Systems, World Scientific (1996); not verified against the \
+                 original",
     },
     NamedOscillator {
         key: "quadratic",
@@ -113,7 +118,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "the simplest asymmetric well; the motion has a constant offset and all harmonics",
         domain: "energies below 1/(6*alpha^2); for alpha = 1 turning points between -1 and 1/2",
-        source: "attributed to H. von Helmholtz, Die Lehre von den Tonempfindungen (1863)",
+        source: "H. von Helmholtz, Die Lehre von den Tonempfindungen (1863), in English On the Sensations of Tone, appendix XII",
     },
     NamedOscillator {
         key: "helmholtz_duffing",
@@ -132,7 +137,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "an asymmetric spring with a quadratic and a cubic force",
         domain: "all amplitudes while 4*beta > alpha^2",
-        source: "attributed to I. Kovacic and M. J. Brennan (eds.), The Duffing Equation, Wiley (2011), doi:10.1002/9780470977859",
+        source: "attributed to I. Kovacic and M. J. Brennan (eds.), The Duffing Equation, Wiley (2011), doi:10.1002/9780470977859; not \
+                 verified against the original",
     },
     NamedOscillator {
         key: "relativistic",
@@ -148,7 +154,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a mass on a linear spring whose momentum is that of special relativity",
         domain: "all amplitudes; the series in A^2 converge below 4*c^2",
-        source: "attributed to R. E. Mickens, J. Sound Vib. 212, 905 (1998)",
+        source: "attributed to R. E. Mickens, J. Sound Vib. 212, 905 (1998); not verified against the original",
     },
     NamedOscillator {
         key: "x_over_sqrt",
@@ -159,7 +165,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a force that is linear at small and constant at large displacements; the momentum of the relativistic oscillator obeys it",
         domain: "all amplitudes; the series in A^2 converge below 1",
-        source: "attributed to R. E. Mickens, J. Sound Vib. 212, 905 (1998)",
+        source: "attributed to R. E. Mickens, J. Sound Vib. 212, 905 (1998); not verified against the original",
     },
     NamedOscillator {
         key: "x_over_one_plus_square",
@@ -192,7 +198,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "the stretching of a diatomic molecule that can dissociate; its frequency is exactly sqrt(1 - 2*E)",
         domain: "energies below the dissociation, E < 1/2",
-        source: "attributed to P. M. Morse, Phys. Rev. 34, 57 (1929), doi:10.1103/PhysRev.34.57",
+        source: "P. M. Morse, Phys. Rev. 34, 57 (1929), doi:10.1103/PhysRev.34.57",
     },
     NamedOscillator {
         key: "toda",
@@ -203,7 +209,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "one particle of the Toda lattice; also a laser's relaxation oscillations without damping",
         domain: "all energies",
-        source: "attributed to M. Toda, J. Phys. Soc. Jpn. 22, 431 (1967), doi:10.1143/JPSJ.22.431",
+        source: "with the potential of M. Toda, J. Phys. Soc. Jpn. 22, 431 (1967), doi:10.1143/JPSJ.22.431",
     },
     NamedOscillator {
         key: "rotating_hoop",
@@ -219,7 +225,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a bead on a hoop that turns about its vertical diameter; it leaves the bottom for gamma > 1",
         domain: "up to the turning point at the top; for gamma > 1 within one of the two wells",
-        source: "attributed to S. H. Strogatz, Nonlinear Dynamics and Chaos (1994), section 3.5",
+        source: "S. H. Strogatz, Nonlinear Dynamics and Chaos (1994), section 3.5, here without damping",
     },
     NamedOscillator {
         key: "mathews_lakshmanan",
@@ -235,7 +241,8 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a mass that depends on the position; x = A*cos(Omega*t) solves it exactly with Omega^2 = 1/(1 + lambda*A^2)",
         domain: "all amplitudes for lambda > 0; below 1/sqrt(-lambda) for lambda < 0",
-        source: "attributed to P. M. Mathews and M. Lakshmanan, Quart. Appl. Math. 32, 215 (1974)",
+        source: "attributed to P. M. Mathews and M. Lakshmanan, Quart. Appl. Math. 32, 215 (1974); equation (1.2) of arXiv:1407.8390; not \
+                 verified against the original",
     },
     NamedOscillator {
         key: "linear",
@@ -246,7 +253,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "a linear spring: every correction vanishes",
         domain: "all amplitudes",
-        source: "attributed to R. Hooke, De Potentia Restitutiva (1678)",
+        source: "the force of a spring: R. Hooke, Lectures de Potentia Restitutiva, or of Spring (1678)",
     },
     NamedOscillator {
         key: "van_der_pol",
@@ -257,7 +264,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: Some("mu"),
         description: "a circuit that feeds small oscillations and damps large ones, so that a limit cycle of amplitude near 2 remains",
         domain: "the limit cycle, by powers of mu",
-        source: "attributed to B. van der Pol, Phil. Mag. 2, 978 (1926), doi:10.1080/14786442608564127",
+        source: "B. van der Pol, Phil. Mag. 2, 978 (1926), doi:10.1080/14786442608564127",
     },
     NamedOscillator {
         key: "rayleigh",
@@ -268,7 +275,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: Some("mu"),
         description: "a maintained vibration, as of a reed or a string that is bowed; its velocity obeys Van der Pol's equation",
         domain: "the limit cycle, by powers of mu",
-        source: "attributed to Lord Rayleigh, Phil. Mag. 15, 229 (1883)",
+        source: "Lord Rayleigh, Phil. Mag. 15, 229 (1883), scaled as is usual today",
     },
     NamedOscillator {
         key: "rayleigh_cubic",
@@ -279,7 +286,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: Some("mu"),
         description: "the same with the amplitude in other units: near 2/sqrt(3), which is no fraction",
         domain: "the limit cycle, by powers of mu",
-        source: "attributed to Lord Rayleigh, Phil. Mag. 15, 229 (1883)",
+        source: "Lord Rayleigh, Phil. Mag. 15, 229 (1883), scaled without the third",
     },
 ];
 

@@ -16,7 +16,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         description: "a planet in its plane, the sun at zero; from x = 1 - e, y' = sqrt((1 + e)/(1 - e)) at mu = 1 it goes about an ellipse of eccentricity e in the time 2*pi; x*y' - y*x' is conserved",
         domain: "motions that do not meet the centre; nowhere is it at rest: x = 1 is what is taken where nothing is given",
-        source: "attributed to I. Newton, Philosophiae Naturalis Principia Mathematica (1687), book I, proposition 11",
+        source: "I. Newton, Philosophiae Naturalis Principia Mathematica (1687), book I, proposition 11",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -31,7 +31,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         description: "a star in the plane through the axis of a galaxy, in units in which both frequencies are 1; at lambda = 1 most motions are regular at energies up to 1/12, and hardly any at 1/6",
         domain: "bounded at energies below 1/(6*lambda^2), inside the triangle about zero",
-        source: "attributed to M. Henon and C. Heiles, Astron. J. 69, 73 (1964), doi:10.1086/109234",
+        source: "M. Hénon and C. Heiles, Astron. J. 69, 73 (1964), doi:10.1086/109234, with lambda = 1",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -50,7 +50,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         count: Some("n"),
         description: "n equal masses between n + 1 equal springs whose ends are fixed, in units of mass and spring; x[i] is how far a mass is from its rest; its modes have the angular frequencies 2*sin(pi*k/(2*(n + 1))); the energy is the sum of x[i]'^2/2 + d^2/2 + alpha*d^3/3 + beta*d^4/4 over masses and springs, d = x[i+1] - x[i]",
         domain: "with alpha alone, springs that are not pressed or drawn beyond |alpha*d| = 1, where they give way",
-        source: "attributed to E. Fermi, J. Pasta and S. Ulam, Studies of nonlinear problems I, Los Alamos report LA-1940 (1955), doi:10.2172/4376203",
+        source: "E. Fermi, J. Pasta and S. Ulam, Studies of nonlinear problems I, Los Alamos report LA-1940 (1955), doi:10.2172/4376203",
         ..NOTHING_SAID
     },
 ];

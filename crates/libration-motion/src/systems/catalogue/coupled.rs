@@ -25,7 +25,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], pivot: ["0", "0"] }],
         description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
         domain: "r above zero",
-        source: "derived from its Lagrangian; attributed to A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
+        source: "derived from its Lagrangian; A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -58,7 +58,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         description: "a pendulum that hangs from the bob of another, both rods massless; both angles from the downward vertical",
         domain: "all motions",
-        source: "derived from its Lagrangian, solved for the accelerations; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 5",
+        source: "derived from its Lagrangian: L. D. Landau and E. M. Lifshitz, Mechanics, 3rd ed. (1976), section 5, problem 1",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -74,7 +74,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], pivot: ["0", "0"] }],
         description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
         domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
-        source: "derived from its Lagrangian; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 14",
+        source: "derived from its Lagrangian: L. D. Landau and E. M. Lifshitz, Mechanics, 3rd ed. (1976), section 14, problem 1",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -90,7 +90,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], pivot: ["0", "0"] }],
         description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
         domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
-        source: "derived from the force of the rod that keeps its length; attributed to J. L. Lagrange, Mecanique analytique (1788)",
+        source: "derived from the force of the rod that keeps its length; J. L. Lagrange, Mécanique analytique (1788), in Oeuvres 12, \
+                 part 2, section VIII",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -120,7 +121,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
         domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",
-        source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20",
+        source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20; not verified against the original",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -143,7 +144,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         count: Some("n"),
         description: "n equal pendulums on one axis, each with a torsion spring to the next, as coupled_pendulums has two; the ends are free; small swings have the angular frequencies sqrt(omega0^2 + 4*kappa*sin(pi*k/(2*n))^2), k = 0..n-1; the energy is the sum of theta[i]'^2/2 + 2*omega0^2*sin(theta[i]/2)^2 over pendulums and of kappa*(theta[i+1] - theta[i])^2/2 over springs",
         domain: "all motions; for waves much longer than the distance a of two pendulums the sine-Gordon equation with the speed a*sqrt(kappa)",
-        source: "derived from the torques; attributed to A. C. Scott, Am. J. Phys. 37, 52 (1969)",
+        source: "derived from the torques; attributed to A. C. Scott, Am. J. Phys. 37, 52 (1969); not verified against the original",
         ..NOTHING_SAID
     },
 ];

@@ -28,7 +28,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: HANGING,
         description: "a torque that alternates drives the pendulum at its axis; the standard example of chaos",
         domain: "all motions",
-        source: "attributed to G. L. Baker and J. P. Gollub, Chaotic Dynamics, Cambridge University Press (1996)",
+        source: "G. L. Baker and J. P. Gollub, Chaotic Dynamics: An Introduction, 2nd ed., Cambridge University Press (1996)",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -53,7 +53,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         }],
         description: "the pivot is at the height a*l*cos(omega*t), whose acceleration adds to gravity; energy in the frame of the pivot; fast and strong driving holds the pendulum upright",
         domain: "all motions",
-        source: "derived in the frame of the pivot; attributed to A. Stephenson, Phil. Mag. 15, 233 (1908), and P. L. Kapitza, Zh. Eksp. Teor. Fiz. 21, 588 (1951)",
+        source: "derived in the frame of the pivot; A. Stephenson, Phil. Mag. 15, 233 (1908), and P. L. Kapitza, Zh. Eksp. Teor. Fiz. 21, \
+                 588 (1951)",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -78,7 +79,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         }],
         description: "the pivot is at a*l*cos(omega*t) along the horizontal in the plane of the swing; energy in the frame of the pivot",
         domain: "all motions",
-        source: "derived in the frame of the pivot; attributed to L. D. Landau and E. M. Lifshitz, Mechanics (1960), section 30",
+        source: "derived in the frame of the pivot; L. D. Landau and E. M. Lifshitz, Mechanics, 3rd ed. (1976), section 5, problem 3(b), \
+                 and section 30, problem 2",
         ..NOTHING_SAID
     },
 ];

@@ -17,7 +17,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         description: "convection between two plates: x is the speed of the rolls, y the difference in temperature between what rises and what sinks, z how far the profile of temperatures is from a line; chaotic with the default values, with the largest Lyapunov exponent 0.9056",
         domain: "all motions; at rest in zero, which is unstable from rho = 1 on",
-        source: "attributed to E. N. Lorenz, J. Atmos. Sci. 20, 130 (1963), doi:10.1175/1520-0469(1963)020<0130:DNF>2.0.CO;2",
+        source: "E. N. Lorenz, J. Atmos. Sci. 20, 130 (1963), doi:10.1175/1520-0469(1963)020<0130:DNF>2.0.CO;2",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -37,7 +37,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         description: "the simplest flow that folds a band onto itself: a spiral in the plane of x and y that is lifted and led back; chaotic with the default values, with the largest Lyapunov exponent 0.0714",
         domain: "motions near the band; far from it they run away. Rest in the middle of the band: c^2 above 4*a*b",
-        source: "attributed to O. E. Roessler, Phys. Lett. A 57, 397 (1976), doi:10.1016/0375-9601(76)90101-8",
+        source: "O. E. Rössler, Phys. Lett. A 57, 397 (1976), doi:10.1016/0375-9601(76)90101-8",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -54,7 +54,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         description: "x is the number of prey, y of predators, each in units of its own; delta*x - gamma*ln(x) + beta*y - alpha*ln(y) is conserved, so that every motion is periodic; small ones have the angular frequency sqrt(alpha*gamma)",
         domain: "x and y above zero, which they stay",
-        source: "attributed to A. J. Lotka, Proc. Natl. Acad. Sci. 6, 410 (1920), doi:10.1073/pnas.6.7.410, and V. Volterra, Nature 118, 558 (1926), doi:10.1038/118558a0",
+        source: "A. J. Lotka, Proc. Natl. Acad. Sci. 6, 410 (1920), doi:10.1073/pnas.6.7.410, and V. Volterra, Nature 118, 558 (1926), \
+                 doi:10.1038/118558a0",
         ..NOTHING_SAID
     },
 ];

@@ -17,7 +17,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: HANGING,
         description: "a mass on a rigid massless rod under gravity; theta from the downward vertical",
         domain: "all motions",
-        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; attributed to C. Huygens, Horologium Oscillatorium (1673)",
+        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943; attributed to Huygens, Horologium Oscillatorium \
+                 (1673); not verified against the original",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -43,7 +44,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: HANGING,
         description: "a pendulum with a resistance against its velocity, whatever its direction: c*theta'*abs(theta')^(n-1), and any sum of powers",
         domain: "all motions; with dry friction the pendulum rests where omega0^2*abs(sin(theta)) is below the friction",
-        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54), with the resistance always against the velocity; attributed to C. A. Coulomb and G. G. Stokes for dry friction and linear damping",
+        source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54), always against the velocity; Coulomb \
+                 and Stokes damping: arXiv:2602.19725",
         ..NOTHING_SAID
     },
     NamedSystem {
@@ -92,7 +94,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         bodies: HANGING,
         description: "a body about a fixed axis; it displaces rho*m of fluid, whose weight m*g*rho lifts it at its centre of mass and which it must accelerate, Ca*rho*m at the distance d",
         domain: "homogeneous bodies small beside d, for buoyancy to act at the centre of mass and added mass to move as one point; without fluid (rho = 0) any body; resistance is left out",
-        source: "derived from torque and ideal flow; attributed to R. A. Nelson and M. G. Olsson, Am. J. Phys. 54, 112 (1986), doi:10.1119/1.14703, and G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851)",
+        source: "derived; G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851); attributed to R. A. Nelson and M. G. Olsson, Am. J. Phys. \
+                 54, 112 (1986); not verified against the original",
         ..NOTHING_SAID
     },
 ];
