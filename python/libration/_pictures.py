@@ -35,7 +35,7 @@ def _decay(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 def _motion(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, ("t / s", "θ / °"))
-    ax.plot(answer.samples.time_s_s, np.degrees(answer.samples.angle_rad))
+    ax.plot(answer.samples.time_s, np.degrees(answer.samples.angle_rad))
     return ax
 
 
@@ -72,10 +72,10 @@ def _plan(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _backbone(answer: "Answer", ax: "Axes | None") -> "Axes":
     points = answer.points
     ax = _plot.axes(ax, ("amplitude", "frequency"))
-    for name, label in [("frequency", "orbit"), ("series", f"series to order {answer['order']}"), ("exact", "exact")]:
+    for name, label in [("angular_frequency_rad_per_s", "orbit"), ("series_angular_frequency_rad_per_s", f"series to order {answer['order']}"), ("exact", "exact")]:
         values = np.asarray(points[name], dtype=float)
         if np.isfinite(values).any():
-            ax.plot(points.amplitude, values, label=label, linestyle="-" if name == "frequency" else "--")
+            ax.plot(points.amplitude, values, label=label, linestyle="-" if label == "orbit" else "--")
     _plot.legend(ax)
     return ax
 
@@ -237,14 +237,14 @@ def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
     is_angle = answer["amplitude_unit"] == "rad"
     scale = np.degrees(1.0) if is_angle else 1.0
     ax = _plot.axes(ax, ("Ω / (rad/s)", "amplitude / °" if is_angle else f"amplitude / {answer['amplitude_unit']}"))
-    ax.plot(answer.measurements.frequency_rad_per_s, scale * answer.measurements.amplitude, linestyle="", marker="o", markersize=4, label="measured")
+    ax.plot(answer.measurements.angular_frequency_rad_per_s, scale * answer.measurements.amplitude, linestyle="", marker="o", markersize=4, label="measured")
     curve = answer.curve
     for stable, dashes, label in [(True, "-", "stable"), (False, "--", "unstable")]:
         for branch in dict.fromkeys(curve.branch):
             own = curve.branch == branch
             here = curve.stable[own] == stable
             ax.plot(
-                curve.frequency_rad_per_s[own], np.where(here, scale * curve.amplitude[own], np.nan), dashes,
+                curve.angular_frequency_rad_per_s[own], np.where(here, scale * curve.amplitude[own], np.nan), dashes,
                 color=_plot.COLOURS[1], label=label if here.any() else "_",
             )
     _plot.legend(ax)

@@ -1,5 +1,6 @@
 """What the results of this package have in common."""
 
+import html
 from dataclasses import fields
 from typing import Any
 
@@ -17,6 +18,20 @@ class Record:
         return all(_equal(getattr(self, it.name), getattr(other, it.name)) for it in fields(self) if it.compare)  # type: ignore[arg-type]
 
     __hash__ = None  # type: ignore[assignment]
+
+
+class Shown:
+    """A table of facts in notebooks."""
+
+    __slots__ = ()
+
+    def _facts(self) -> list[tuple[str, object]]:
+        raise NotImplementedError
+
+    def _repr_html_(self) -> str:
+        cells = [(html.escape(name), html.escape(str(value))) for name, value in self._facts()]
+        rows = "".join(f'<tr><th style="text-align: left">{name}</th><td style="text-align: left">{value}</td></tr>' for name, value in cells)
+        return f"<table>{rows}</table>"
 
 
 def _equal(one: Any, other: Any) -> bool:

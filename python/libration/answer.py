@@ -43,7 +43,10 @@ class Fields(Mapping[str, Any]):
         object.__setattr__(self, "_fields", dict(fields))
 
     def __getitem__(self, name: str) -> Any:
-        return self._fields[name]
+        try:
+            return self._fields[name]
+        except KeyError:
+            raise KeyError(f"no field `{name}`: there are {', '.join(self)}") from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._fields)

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _ask, _native, _plot, questions
 from ._progress import Tell, go_on, told
-from ._record import Record
+from ._record import Record, Shown
 from .errors import ExpansionError
 from .polynomial import Polynomial
 
@@ -89,12 +89,12 @@ class GaugeSeries:
 
 
 @dataclass(frozen=True, eq=False)
-class Evaluation(Record):
-    """A series in numbers, term by term."""
+class Evaluation(Record, Shown):
+    """A series in numbers, term by term; of an array of amplitudes numbers are arrays, and the terms of each stand along the last axis."""
 
-    value: float
+    value: float | NDArray[np.float64]
     """The sum of all terms, rounded to a float."""
-    remainder: float
+    remainder: float | NDArray[np.float64]
     """At most so much is left out, or about so much where it is not proven, the rounding apart; infinite where the series is not known to converge."""
     is_proven: bool
     """Whether the remainder is a theorem, or an estimate from the decay of the terms."""
@@ -105,7 +105,12 @@ class Evaluation(Record):
     sums: NDArray[np.float64]
     """Up to and with each term."""
 
+    def _facts(self) -> list[tuple[str, object]]:
+        return [("value", self.value), ("left out, at most" if self.is_proven else "left out, about", self.remainder), ("terms", len(self.powers))]
+
     def __str__(self) -> str:
+        if np.ndim(self.value) > 0:
+            return f"{self.value} (left out: {'at most' if self.is_proven else 'about'} {self.remainder})"
         if self.remainder == np.inf:
             return f"{self.value!r} (no bound on what is left out)"
         return f"{self.value!r} (left out: {f'at most {self.remainder:.2g}' if self.is_proven else f'about {self.remainder:.2g}, an estimate'})"
@@ -159,13 +164,13 @@ class Expansion(Record):
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_expansion": None}
 
-    def evaluate(self, amplitude: float, quantity: str = "period") -> Evaluation:
+    def evaluate(self, amplitude: ArrayLike, quantity: str = "period") -> Evaluation:
         """A series at an amplitude, or at a strength of self-excitation, with a bound of what is missing; the sum itself is rounded once.
 
         Parameters
         ----------
-        amplitude : float
-            The largest displacement from the equilibrium; where that is an angle, in radians.
+        amplitude : array_like
+            The largest displacement from the equilibrium; where that is an angle, in radians. A number or an array of any shape.
         quantity : str
             ``"period"`` (T/T0), ``"frequency"`` (Ω/ω0), or a harmonic, such as ``"a3"``.
 
@@ -181,9 +186,18 @@ class Expansion(Record):
             question, order, gauge = self._question
             expansion, _ = _native.expand(question, order, gauge, None)
             object.__setattr__(self, "_expansion", expansion)
-        value, remainder, is_proven, steps = expansion.evaluate(amplitude, quantity)
-        powers, terms, sums = (np.array(column) for column in zip(*steps))
-        return Evaluation(value, remainder, is_proven, powers.astype(np.int64), terms, sums)
+        amplitudes = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+        if not np.isfinite(amplitudes).all():
+            raise ExpansionError(f"amplitude: got {amplitude!r}: give finite numbers")
+        found = [expansion.evaluate(float(it), quantity) for it in amplitudes.flat]
+        if not found:
+            raise ExpansionError("amplitude: got an empty array: give at least one amplitude")
+        powers = np.array([power for power, _, _ in found[0][3]], dtype=np.int64)
+        columns = [np.array([[step[n] for step in steps] for *_, steps in found]).reshape(*amplitudes.shape, len(powers)) for n in (1, 2)]
+        if amplitudes.ndim == 0:
+            return Evaluation(*found[0][:3], powers, *columns)
+        value, remainder = (np.array([it[n] for it in found]).reshape(amplitudes.shape) for n in (0, 1))
+        return Evaluation(value, remainder, all(it[2] for it in found), powers, *columns)
 
     def _given(self) -> dict[str, Any]:
         (text, values, letters, about), order, gauge = self._question

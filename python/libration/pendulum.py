@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
-from ._record import Record
+from ._record import Record, Shown
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,7 +28,7 @@ __all__ = ["Harmonics", "Motion", "Pendulum", "State"]
 
 
 @dataclass(frozen=True)
-class Pendulum:
+class Pendulum(Shown):
     """A simple pendulum: a point mass on a massless rod.
 
     Parameters
@@ -68,6 +68,14 @@ class Pendulum:
         names = ("length", "gravity", "angular_frequency", "small_angle_period")
         for name, value in zip(names, _native.pendulum(self.length, self.gravity)):
             object.__setattr__(self, name, value)
+
+    def _facts(self) -> list[tuple[str, object]]:
+        return [
+            ("length", f"{self.length} m"),
+            ("gravity", f"{self.gravity} m/s²"),
+            ("angular frequency of small swings", f"{self.angular_frequency} rad/s"),
+            ("period of small swings", f"{self.small_angle_period} s"),
+        ]
 
     def release(self, angle: float | str) -> "Motion":
         """The motion released at rest at t = 0.
@@ -117,6 +125,16 @@ class State(NamedTuple):
     velocity: Any
     """In rad/s."""
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, State):
+            return NotImplemented
+        return all(np.array_equal(one, it, equal_nan=True) for one, it in zip(self, other))
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = None  # type: ignore[assignment]
+
 
 @dataclass(frozen=True, eq=False)
 class Harmonics(Record):
@@ -144,7 +162,7 @@ class Harmonics(Record):
 
 
 @dataclass(frozen=True)
-class Motion:
+class Motion(Shown):
     """A motion of a pendulum, exact at any time; `Pendulum.release` and `Pendulum.launch` make it.
 
     Calling it with times in seconds, a number or an array of any shape, gives `State`, the angle in radians and the velocity in rad/s: 2.2 ulp of the
@@ -179,6 +197,17 @@ class Motion:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Motion, (self.pendulum, self.angle, self.velocity)
+
+    def _facts(self) -> list[tuple[str, object]]:
+        amplitude = [("amplitude", f"{self.amplitude} rad")] if self.amplitude is not None else []
+        return [
+            ("regime", self.regime),
+            ("angle at t = 0", self.angle if isinstance(self.angle, str) else f"{self.angle} rad"),
+            ("velocity at t = 0", self.velocity if isinstance(self.velocity, str) else f"{self.velocity} rad/s"),
+            *amplitude,
+            ("period", f"{self.period} s"),
+            ("pendulum", self.pendulum),
+        ]
 
     @property
     def regime(self) -> str:

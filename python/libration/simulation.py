@@ -19,10 +19,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
 from ._progress import Tell, go_on, told
-from ._record import Record
+from ._record import Record, Shown
 from .errors import NoAnswer, SimulationError
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
     from matplotlib.axes import Axes
 
@@ -59,7 +60,7 @@ class Events(States):
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation(States):
+class Simulation(States, Shown):
     """A motion; `simulate` makes it.
 
     Calling it with times between its ends, a number or an array of any shape, gives `States` there, as accurate as those at the times asked for.
@@ -77,8 +78,22 @@ class Simulation(States):
     """How many steps it took."""
     end: float
     """The last time that was reached: that of the event that ended the motion, if one did."""
+    success: bool
+    """Whether the motion came to its end: the last time, or the event that was to end it."""
+    message: str
+    """How the motion ended, in words."""
     _question: Any = field(repr=False, compare=False)
     _motion: Any = field(repr=False, compare=False)
+
+    def _facts(self) -> list[tuple[str, object]]:
+        last = [f"{name} = {value:.9g}" for name, value in zip(self.names, self.y[-1])] if len(self) else []
+        return [
+            ("system", self.title),
+            ("equations", self.equation),
+            ("samples", len(self)),
+            ("ended", self.message),
+            ("last sample", ", ".join(last)),
+        ]
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_motion": None}
@@ -92,6 +107,12 @@ class Simulation(States):
             object.__setattr__(self, "_motion", motion)
         states = motion.states_at(np.ravel(times))
         return States(times, states.reshape(*times.shape, len(self.names)), self.names)
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The states at the times asked for, by time."""
+        import pandas
+
+        return pandas.DataFrame({name: self[name] for name in self.names}, index=pandas.Index(self.t, name="t"))
 
     def to_xarray(self) -> "xarray.Dataset":
         """The states at the times asked for, with their units."""
@@ -200,7 +221,7 @@ def simulate(
     with told(progress, "simulate") as tell:
         motion, stopped_by = _native.simulate(question, np.ascontiguousarray(wanted), tell)
     names = list(looked_for) + ([ending[0]] if ending else [])
-    simulation = _simulation(motion, names, (question, wanted))
+    simulation = _simulation(motion, names, (question, wanted), stopped_by)
     if isinstance(stopped_by, SimulationError):
         stopped_by.partial = simulation
     go_on(stopped_by, simulation)
@@ -217,7 +238,7 @@ def _text(value: float | str | Fraction) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-def _simulation(motion: Any, looked_for: list[str], question: Any) -> Simulation:
+def _simulation(motion: Any, looked_for: list[str], question: Any, stopped_by: BaseException | None) -> Simulation:
     title, equation, names, units, steps, end = motion.words()
     t, y = motion.samples()
     happened = motion.events()
@@ -236,6 +257,8 @@ def _simulation(motion: Any, looked_for: list[str], question: Any) -> Simulation
         events=events,
         steps=steps,
         end=end,
+        success=stopped_by is None,
+        message=str(stopped_by or f"it reached t = {end!r}"),
         _question=question,
         _motion=motion,
     )

@@ -48,7 +48,7 @@ def test_they_pickle_copy_and_compare(decay):
 
 
 def test_they_print_well(decay):
-    assert repr(decay).startswith("Answer(schema=1, length_m=1.0") and "turning_points=[…5]" in repr(decay)
+    assert repr(decay).startswith("Answer(schema=2, length_m=1.0") and "turning_points=[…5]" in repr(decay)
     assert repr(decay.turning_points).startswith("<5 rows of cycle, time_s")
     page = decay._repr_html_()
     assert "<td>length_m</td><td>1</td><td>m</td>" in page and "<th>amplitude_rad</th>" in page
@@ -172,3 +172,8 @@ def test_what_the_command_draws_is_said_to_be_there():
     table = {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}
     with pytest.raises(TypeError, match=r"picture\(\) has that of the command"):
         lb.lab.fit_periods(table).plot()
+
+
+def test_a_missing_field_names_those_that_exist():
+    with pytest.raises(KeyError, match="no field `nothing`: there are schema, length_m"):
+        lb.questions.period("60deg")["nothing"]

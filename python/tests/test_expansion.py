@@ -153,3 +153,17 @@ def test_progress_is_told_and_may_end_the_call():
     with pytest.raises(RuntimeError, match="enough"):
         lb.expand("pendulum", 801, progress=refuse)
     assert lb.expand("pendulum", 5, progress=True).order == 5
+
+
+def test_an_array_of_amplitudes_is_evaluated():
+    series = lb.expand("pendulum", 7)
+    amplitudes = np.array([[0.1, 0.5], [1.0, 1.5]])
+    found = series.evaluate(amplitudes)
+    assert found.value.shape == (2, 2) and found.terms.shape == (2, 2, len(found.powers))
+    for place, amplitude in np.ndenumerate(amplitudes):
+        one = series.evaluate(amplitude)
+        assert (found.value[place], found.remainder[place]) == (one.value, one.remainder)
+    np.testing.assert_array_equal(found.sums[..., -1], series.evaluate(amplitudes).sums[..., -1])
+    for wrong in (np.inf, np.nan, [0.1, np.inf], []):
+        with pytest.raises(lb.errors.ExpansionError, match="amplitude: got"):
+            series.evaluate(wrong)

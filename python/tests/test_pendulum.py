@@ -143,3 +143,17 @@ def test_what_cannot_be_is_refused_with_the_reason(call, error, message):
 def test_texts_without_a_unit_are_warned_of():
     with pytest.warns(UserWarning, match="taken as 60 rad"):
         PENDULUM.release("60")
+
+
+def test_states_of_arrays_are_compared():
+    motion = lb.Pendulum("1m").release("60deg")
+    times = [0.0, 0.5]
+    assert motion(times) == motion(times) and not motion(times) != motion(times)
+    assert motion(times) != motion([0.0, 0.6]) and motion(0.1) == motion(0.1)
+
+
+def test_notebooks_show_facts():
+    pendulum = lb.Pendulum(1.0, 9.81)
+    shown = [pendulum, pendulum.release("60deg"), lb.expand("pendulum", 5).evaluate(0.5), lb.simulate("x' = -x", {"x": 1}, [0, 1])]
+    for it, fact in zip(shown, ["9.81 m/s²", "libration", "left out, at most", "t = 1.0"]):
+        assert fact in it._repr_html_() and it._repr_html_().startswith("<table>")

@@ -178,3 +178,13 @@ def test_a_motion_that_is_too_long_to_be_kept_ends_with_its_beginning():
     with pytest.raises(lb.errors.SimulationError, match="take 1 GB") as stopped:
         lb.simulate(chain, {"x[1]": 1}, times=1e9)
     assert stopped.value.partial.end > 1000
+
+
+def test_a_simulation_says_how_it_ended():
+    whole = lb.simulate("pendulum", {"theta": 1}, [0, 1])
+    assert whole.success and whole.message == "it reached t = 1.0"
+    frame = whole.to_pandas()
+    assert list(frame.columns) == ["theta", "theta'"] and frame.index.name == "t" and frame["theta"][0.0] == 1.0
+    with pytest.raises(lb.errors.SimulationError) as stopped:
+        lb.simulate("x' = x^2", {"x": 1}, [0, 2])
+    assert not stopped.value.partial.success and "singularity" in stopped.value.partial.message

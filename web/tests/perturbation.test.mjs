@@ -27,7 +27,7 @@ test("terms and backbone have the command's numbers", () =>
     assert.deepEqual(terms.map(([power, , term, sum]) => [read(power), read(term), read(sum)]), steps.map(({ power, term, sum }) => [power, Number(term.toPrecision(5)), Number(sum.toPrecision(15))]));
     const { points } = answer("backbone", "pendulum", "--amplitudes", "30deg,120deg", "--order", "7");
     const backbone = await rows(room, "Backbone");
-    assert.deepEqual(backbone.map(([, orbit, , exact, series]) => [orbit, exact, series].map(read)), points.map((it) => [it.frequency, it.exact, it.series].map((value) => Number(value.toPrecision(13)))));
+    assert.deepEqual(backbone.map(([, orbit, , exact, series]) => [orbit, exact, series].map(read)), points.map((it) => [it.angular_frequency_rad_per_s, it.exact, it.series_angular_frequency_rad_per_s].map((value) => Number(value.toPrecision(13)))));
   }));
 
 test("amplitudes without a unit have that of the switch where the variable is an angle, and are plain where it is none", () =>
@@ -40,7 +40,7 @@ test("amplitudes without a unit have that of the switch where the variable is an
     await enter(room, "Amplitudes of the backbone", "30:90:30");
     assert.equal(await unit("Amplitude to try it at"), "°");
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));
-    assert.deepEqual(await orbits(), answer("backbone", "pendulum", "--amplitudes", "30deg:90deg:30deg", "--order", "7").points.map(({ frequency }) => Number(frequency.toPrecision(13))));
+    assert.deepEqual(await orbits(), answer("backbone", "pendulum", "--amplitudes", "30deg:90deg:30deg", "--order", "7").points.map((it) => Number(it.angular_frequency_rad_per_s.toPrecision(13))));
     await room.getByLabel("Angles in").selectOption("rad");
     await settled(room);
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));

@@ -172,7 +172,7 @@ test("hostile questions end in a sentence, and what comes after is answered", ()
         await engine.ask({ words: ["period", "60deg"] }),
       ];
       const last = new TextDecoder().decode(answers.at(-1).output);
-      return [last, ...answers.map(({ status, error }) => [status, error.length > 0 && error.length < 4000])];
+      return [last, ...answers.map(({ status, error }) => [status, error.text.length > 0 && error.text.length < 4000])];
     });
     assert.match(statuses.shift(), /^amplitude/);
     assert.deepEqual(statuses.slice(-2), [[130, true], [0, false]]);

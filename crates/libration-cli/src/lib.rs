@@ -51,7 +51,7 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
         Err(help) if !help.use_stderr() => Ok(host.write(help.render().to_string().as_bytes())?),
         Err(error) => Err(QueryError::refused(&error)),
     });
-    answered.map_err(|error| error.named(&arguments))
+    answered.map_err(|error| error.named(&|value| questions::argument_name(&arguments, value)))
 }
 
 /// The motions that `simulate … --each FILE` asks for, at their start, with their system: to be asked for their states at one time after the

@@ -63,11 +63,14 @@ pub fn questions() -> Vec<Question> {
     leaves(&command, "")
 }
 
-/// The question that the words of a command line ask.
-pub(crate) fn of(words: &[OsString]) -> Option<Question> {
+/// The name of the argument whose value is called so in the help, in the question that the words of a command line ask.
+pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
-    questions().into_iter().filter(|it| it.words == one || it.words == two).max_by_key(|it| it.words.len())
+    let asked = questions().into_iter().filter(|it| it.words == one || it.words == two);
+    let question = asked.max_by_key(|it| it.words.len())?;
+    let is_it = |it: &Parameter| it.kind == ParameterKind::Argument && it.value == value;
+    question.parameters.into_iter().find(is_it).map(|it| it.name)
 }
 
 /// The commands below this one that can be asked by themselves.

@@ -65,7 +65,7 @@ Examples:
   libration period 60deg                     # exact, and by every formula
   libration expand duffing --order 9         # exact perturbation series
   libration simulate pendulum --initial theta=179deg --times 0:20:1
-  libration fit trace swing.csv --length 0.56m±0.002m --report swing.html
+  libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
 
 Angles: 60deg, 60°, 1.2rad, 1.2 (radians), pi-1e-6, 180deg-1e-9deg. Tables are
 as wide as the terminal, or as COLUMNS says; files and pipes get 80 columns.

@@ -16,7 +16,6 @@ use clap::error::{ContextKind, ContextValue};
 use libration::oscillator::Remedy;
 use libration::quantity::Angle;
 use serde_json::{Value, json};
-use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{Error, ErrorKind};
 use text::{Text, Words};
@@ -152,13 +151,10 @@ impl QueryError {
         Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
     }
 
-    /// The same error with the names that its arguments have in the query of these words.
-    pub(crate) fn named(self, words: &[OsString]) -> Self {
+    /// The same error with the names that a query has for its arguments, by those of their values in the help.
+    pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
         let About::Parameters(parameters) = &self.0.about else { return self };
-        let query = crate::questions::of(words);
-        let named =
-            |it: Parameter| query.as_ref().map_or_else(|| it.clone(), |query| it.clone().named(query));
-        let about = About::Parameters(parameters.iter().cloned().map(named).collect());
+        let about = About::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
         Self(Box::new(Content { about, ..*self.0 }))
     }
 

@@ -1,6 +1,5 @@
 //! The parameters of queries that errors are about.
 
-use crate::questions::{ParameterKind, Question};
 use std::borrow::Cow;
 use std::fmt::{Display, Formatter};
 
@@ -52,10 +51,9 @@ impl Parameter {
         self.name.clone().unwrap_or_else(|| self.shown.to_string())
     }
 
-    /// The argument with its name among the parameters of the query.
-    pub(super) fn named(self, query: &Question) -> Self {
-        let is_it = |it: &&crate::Parameter| it.kind == ParameterKind::Argument && it.value == *self.shown;
-        let name = query.parameters.iter().find(is_it).filter(|_| !self.is_option).map(|it| it.name.clone());
+    /// The parameter with the name that a query has for an argument whose value is called so in the help.
+    pub(super) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
+        let name = if self.is_option { None } else { name_of(&self.shown) };
         Self { name, ..self }
     }
 }

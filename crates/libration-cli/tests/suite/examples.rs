@@ -68,8 +68,11 @@ pub(crate) fn help(words: &[String]) -> String {
 }
 
 fn subcommands(help: &str) -> Vec<String> {
-    let list =
-        help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    // The command itself lists them in groups with titles.
+    let is_list = |line: &&str| !line.is_empty() || !help.contains("\nCommands:\n");
+    let begins = |line: &str| line == "Commands:" || line.starts_with("Usage: libration <COMMAND>");
+    let list = help.lines().skip_while(|line| !begins(line)).skip(1);
+    let list = list.take_while(|line| *line != "Options:").take_while(is_list);
     let names = list.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
     names
         .filter_map(|line| line.split_whitespace().next())

@@ -200,7 +200,9 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
 }
 
 /// Answers that have rare fields, beside those of other tests.
-const FURTHER: [&str; 55] = [
+const FURTHER: [&str; 56] = [
+    // A limit cycle has its distance from the orbit.
+    "expand|van_der_pol|--order|3|--evaluate|0.5",
     // A motion that never returns has no period.
     "motion|pi-1e-6|--velocity|0|--times|0,1",
     "motion|0|--velocity|7rad/s|--times|0,1",

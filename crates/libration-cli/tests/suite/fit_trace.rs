@@ -379,16 +379,20 @@ fn steady_amplitudes_leave_beta_open_without_an_alarm() {
     assert!(both["beta"].is_null(), "{}", both["beta"]);
 }
 
-#[test]
-fn a_wrong_scale_is_suspected_unless_it_is_fitted_or_the_damping_strong() {
-    let swing = Released { error: 0.03, ..Released::USUAL }.write("fit-trace-scale");
-    // Angles that are 10 % too large.
-    let table = fs::read_to_string(&swing).unwrap();
+/// Makes the angles of a file 10 % too large.
+fn too_large(swing: &str) {
+    let table = fs::read_to_string(swing).unwrap();
     let scaled = table.lines().skip(1).map(|line| {
         let (time, angle) = line.split_once(',').unwrap();
         format!("{time},{}\n", 1.1 * angle.parse::<f64>().unwrap())
     });
-    fs::write(&swing, format!("t (s),theta (deg)\n{}", scaled.collect::<String>())).unwrap();
+    fs::write(swing, format!("t (s),theta (deg)\n{}", scaled.collect::<String>())).unwrap();
+}
+
+#[test]
+fn a_wrong_scale_is_suspected_unless_it_is_fitted_or_the_damping_strong() {
+    let swing = Released { error: 0.03, ..Released::USUAL }.write("fit-trace-scale");
+    too_large(&swing);
     let suspected = warnings(&format!("fit trace {swing} --model linear"));
     assert!(suspected.contains("too large would do this"), "{suspected}");
     let fitted = json(&format!("fit trace {swing} --model linear --free-scale"));
@@ -397,7 +401,9 @@ fn a_wrong_scale_is_suspected_unless_it_is_fitted_or_the_damping_strong() {
         assert!(!text.contains("by single cycles"), "{text}");
     }
     let strong = Released { drag: 0.5, degrees: 120.0, seconds: 8, error: 0.01, ..Released::USUAL };
-    let damped = warnings(&format!("fit trace {} --model linear", strong.write("fit-trace-strong")));
+    let strong = strong.write("fit-trace-strong");
+    too_large(&strong);
+    let damped = warnings(&format!("fit trace {strong} --model linear"));
     assert!(damped.contains("such strong damping") && !damped.contains("would do this"), "{damped}");
 }
 

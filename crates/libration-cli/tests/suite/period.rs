@@ -79,7 +79,10 @@ fn every_row_of_a_range_has_the_right_values_and_every_formula() {
     let rows: Vec<&str> = table.lines().skip(1).collect();
     assert_eq!(rows.len(), 179);
     for (degrees, row) in (1_u32..).zip(rows) {
-        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let cells: Vec<f64> = row
+            .split(',')
+            .map(|cell| if cell.is_empty() { f64::NAN } else { cell.parse().unwrap() })
+            .collect();
         let angle = f64::from(degrees).to_radians();
         let exact = ratio(angle);
         let bernoulli = 1.0 + angle * angle / 16.0;

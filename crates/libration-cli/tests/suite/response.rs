@@ -77,8 +77,13 @@ fn limit_cycles_are_followed_to_their_hopf_points() {
     assert!(special.len() == 1 && special[0]["kind"] == "hopf", "{special:?}");
     assert!((number(&special[0], "parameter") - 2.0).abs() < 1e-14);
     for point in branch["points"].as_array().unwrap() {
-        let multipliers = point["multipliers"].as_array().unwrap();
-        assert!(multipliers.iter().any(|it| (it[0].as_f64().unwrap() - 1.0).abs() < 1e-15), "{point}");
+        let multipliers = point["multipliers"].as_array().unwrap().iter();
+        let errors = point["multiplier_errors"].as_array().unwrap();
+        let is_one = |(it, error): (&Value, &Value)| {
+            let stated = error.as_f64().unwrap();
+            stated < 1e-12 && (it[0].as_f64().unwrap() - 1.0).abs() <= stated.max(1e-15)
+        };
+        assert!(multipliers.zip(errors).any(is_one), "{point}");
     }
     let told = text("response van_der_pol --over mu=0.5:2 --digits 20");
     assert!(told.contains("symmetric, limit cycle:"), "{told}");

@@ -2,7 +2,7 @@
 
 use super::Case;
 use super::packed::{csv, truth};
-use crate::zip_archive::{Packed, archive, checksum, with_directory};
+use libration_testing::zip_archive::{Packed, archive, checksum, with_directory};
 
 pub(crate) fn cases() -> Vec<Case> {
     [kinds(), names(), refused(), crowded(), misplaced()].into_iter().flatten().collect()

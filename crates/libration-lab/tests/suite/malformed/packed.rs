@@ -1,7 +1,7 @@
 //! Workbooks and archives, made here and damaged.
 
 use super::{Case, Expected};
-use crate::zip_archive::{self, Packed};
+use libration_testing::zip_archive::{self, Packed};
 
 /// Written by the `xlwt` library from the header `Time (s)`, `Angle (rad)` and the rows of [`truth`], with a second
 /// sheet of words.

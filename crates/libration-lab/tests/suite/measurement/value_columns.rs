@@ -1,7 +1,7 @@
 //! The columns of a table that hold values, each with that of its uncertainties.
 
-use crate::zip_archive::{Packed, archive};
 use libration_lab::measurement::{Column, ReadOptions, Table, ValueColumn};
+use libration_testing::zip_archive::{Packed, archive};
 
 fn found(header: &str) -> Vec<(usize, Option<usize>)> {
     let row = vec!["1.5"; header.split(',').count()].join(",");

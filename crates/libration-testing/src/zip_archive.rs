@@ -4,22 +4,29 @@
 
 /// A file as its headers describe it, and its bytes as they stand in the archive.
 #[derive(Clone, Debug)]
-pub(crate) struct Packed {
-    pub(crate) name: Vec<u8>,
-    pub(crate) flags: u16,
-    pub(crate) method: u16,
-    pub(crate) checksum: u32,
+pub struct Packed {
+    /// The name.
+    pub name: Vec<u8>,
+    /// The general purpose flags.
+    pub flags: u16,
+    /// The method of compression: 0 stored, 8 deflated.
+    pub method: u16,
+    /// The cyclic redundancy check.
+    pub checksum: u32,
     /// Of the bytes before they were packed.
-    pub(crate) size: u32,
-    pub(crate) bytes: Vec<u8>,
+    pub size: u32,
+    /// As they stand in the archive.
+    pub bytes: Vec<u8>,
     /// Further fields of the entry in the directory.
-    pub(crate) extra: Vec<u8>,
+    pub extra: Vec<u8>,
 }
 
 impl Packed {
-    pub(crate) const DESCRIPTOR: u16 = 8;
+    /// The flag of a descriptor after the bytes.
+    pub const DESCRIPTOR: u16 = 8;
 
-    pub(crate) fn stored(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
+    /// A file that is not compressed.
+    pub fn stored(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
         Self {
             name: name.as_ref().to_vec(),
             flags: 0,
@@ -31,7 +38,8 @@ impl Packed {
         }
     }
 
-    pub(crate) fn deflated(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
+    /// A file that is deflated.
+    pub fn deflated(name: impl AsRef<[u8]>, bytes: &[u8]) -> Self {
         let packed = miniz_oxide::deflate::compress_to_vec(bytes, 6);
         Self { method: 8, bytes: packed, ..Self::stored(name, bytes) }
     }
@@ -55,7 +63,7 @@ impl Packed {
     }
 
     /// Header, bytes and, where it is promised, the descriptor behind them.
-    pub(crate) fn local(&self) -> Vec<u8> {
+    pub fn local(&self) -> Vec<u8> {
         let header =
             [&b"PK\x03\x04"[..], &self.common(true)[..], &self.name_size(), &[0, 0], &self.name].concat();
         let numbers = [self.checksum, self.packed_size(), self.size];
@@ -66,7 +74,7 @@ impl Packed {
     }
 
     /// The entry of the directory for a local header that stands there.
-    pub(crate) fn entry(&self, place: u32) -> Vec<u8> {
+    pub fn entry(&self, place: u32) -> Vec<u8> {
         let extra = u16::try_from(self.extra.len()).unwrap().to_le_bytes();
         let (made_by, common) = ([20, 0], self.common(false));
         let before = [&b"PK\x01\x02"[..], &made_by[..], &common, &self.name_size(), &extra].concat();
@@ -76,7 +84,7 @@ impl Packed {
 }
 
 /// The files one after the other, and the directory.
-pub(crate) fn archive(files: &[Packed]) -> Vec<u8> {
+pub fn archive(files: &[Packed]) -> Vec<u8> {
     let (mut bytes, mut directory) = (vec![], vec![]);
     for file in files {
         directory.extend(file.entry(u32::try_from(bytes.len()).unwrap()));
@@ -86,7 +94,7 @@ pub(crate) fn archive(files: &[Packed]) -> Vec<u8> {
 }
 
 /// The directory behind local files, and that it lists so many.
-pub(crate) fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> Vec<u8> {
+pub fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> Vec<u8> {
     let place = u32::try_from(files.len()).unwrap().to_le_bytes();
     let size = u32::try_from(directory.len()).unwrap().to_le_bytes();
     let count = u16::try_from(count).unwrap().to_le_bytes();
@@ -95,12 +103,7 @@ pub(crate) fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> 
 }
 
 /// The cyclic redundancy check with the reversed polynomial 0xedb88320, bit by bit.
-pub(crate) fn checksum(bytes: &[u8]) -> u32 {
+pub fn checksum(bytes: &[u8]) -> u32 {
     let shifted = |rest: u32| (rest >> 1) ^ if rest & 1 == 1 { 0xedb8_8320 } else { 0 };
     !bytes.iter().fold(!0, |rest, &byte| (0..8).fold(rest ^ u32::from(byte), |rest, _| shifted(rest)))
-}
-
-#[test]
-fn the_checksum_is_the_usual_one() {
-    assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
 }
