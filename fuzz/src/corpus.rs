@@ -36,6 +36,7 @@ pub fn equations() -> Vec<Vec<u8>> {
         "<b>x</b>",
         "'\"`$(ls)",
     ]);
+    all.push([b"x'' - ".to_vec(), b"x^-".repeat(60), b"x".to_vec()].concat());
     all.push([b"(".repeat(20_000), b"x".to_vec()].concat());
     all.push([b"x''=-x".to_vec(), b"^2".repeat(3000)].concat());
     all

@@ -40,7 +40,7 @@ pub fn run(target: &Target) -> Result<usize, String> {
     let time = seconds.map(Duration::from_secs);
     let seed = std::env::var("LIBRATION_SEED").ok().and_then(|it| it.parse().ok());
     let seed = seed.unwrap_or_else(|| if time.is_some() { clock() } else { SEED });
-    println!("{}: LIBRATION_SEED={seed}", target.name);
+    eprintln!("{}: LIBRATION_SEED={seed}", target.name);
     let watched = Watched::begin(target.name, seed);
     let begun = Instant::now();
     for input in &target.corpus {

@@ -7,7 +7,7 @@ use libration_testing::zip_archive::checksum;
 fn target(name: &str) {
     let target = all().into_iter().find(|it| it.name == name).expect("a target of this name");
     match run(&target) {
-        Ok(inputs) => println!("{name}: {inputs} inputs"),
+        Ok(inputs) => eprintln!("{name}: {inputs} inputs"),
         Err(failure) => panic!("{failure}"),
     }
 }
