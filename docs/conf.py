@@ -36,3 +36,10 @@ html_show_copyright = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0072B2", "color-brand-content": "#0072B2", "color-brand-visited": "#0072B2"},
 }
+
+
+def setup(app):
+    """Has all pages made anew when a file of the package or of the examples has changed, since notebooks show what these answer."""
+    examples = Path(__file__).parents[1] / "examples"
+    files = [it for folder in (Path(libration.__file__).parent, examples) for it in folder.rglob("*") if it.is_file() and it.suffix != ".pyc"]
+    app.add_config_value("files_of_notebooks", sorted((str(it), it.stat().st_mtime_ns) for it in files), "env")
