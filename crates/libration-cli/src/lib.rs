@@ -130,6 +130,7 @@ pub mod internals {
     }
     pub mod query_error {
         pub use crate::query_error::parameter::option;
+        pub use crate::query_error::text::CommandWords;
     }
     pub mod echo {
         pub use crate::query_error::echo::{LONGEST_LINE, excerpt, shortened};

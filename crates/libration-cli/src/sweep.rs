@@ -101,7 +101,7 @@ impl SweepPlan {
             return Err(QueryError::misuse(reason));
         }
         let outcomes = call::within(&Call::new(vec![], host), || command::sweep_outcomes(plan, chunk));
-        let outcomes = outcomes.ok_or_else(|| QueryError::cancelled("interrupted".to_owned()))?;
+        let outcomes = outcomes.ok_or_else(|| QueryError::cancelled("interrupted"))?;
         let (columns, mut answers) = (plan.columns().len(), SweepChunk::default());
         for outcome in outcomes {
             let (numbers, (status, message)) = match outcome {

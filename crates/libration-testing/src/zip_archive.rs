@@ -15,7 +15,7 @@ pub struct Packed {
     pub checksum: u32,
     /// Of the bytes before they were packed.
     pub size: u32,
-    /// As they stand in the archive.
+    /// The bytes as they stand in the archive.
     pub bytes: Vec<u8>,
     /// Further fields of the entry in the directory.
     pub extra: Vec<u8>,

@@ -4,6 +4,7 @@ use super::branch::{Branch, Origin, Walked};
 use super::error::NoBranch;
 use super::family::Family;
 use super::jumps::{Jump, jumps};
+use super::node::Node;
 use super::options::ResponseOptions;
 use super::orders::OrderAnswers;
 use super::point::BranchPoint;
@@ -125,8 +126,8 @@ struct Found {
     leaving: Vec<(usize, Leaving)>,
     /// Where a branch has met another one, which then has no second branch to switch to there.
     met: Vec<(Space, Meeting)>,
-    /// Those whose other branch is not looked for yet.
-    open: Vec<Meeting>,
+    /// Those whose other branch is not looked for yet, with the generation of the branch that ends there.
+    open: Vec<(usize, Meeting)>,
 }
 
 impl Search<'_> {
@@ -178,11 +179,12 @@ impl Search<'_> {
     fn keep(&self, found: &mut Found, walked: Walked, generation: usize) {
         found.leaving.extend(self.leaving(&walked, generation));
         found.met.extend(walked.meetings.iter().map(|it| (walked.branch.space, it.clone())));
-        found.open.extend(walked.meetings);
+        found.open.extend(walked.meetings.into_iter().map(|it| (generation, it)));
         found.branches.push(walked.branch);
     }
 
-    /// Follows a branch that leaves another one, or else one in which another one ends; `false` where none is left.
+    /// Follows a branch that leaves another one, or else one in which another one ends; `false` where none is left. The search ends: each branch that
+    /// leaves another one has a higher generation, and each in which another one ends has the same and a smaller space.
     fn follow_next(&self, found: &mut Found) -> bool {
         if let Some((generation, start)) = found.leaving.pop() {
             if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
@@ -192,24 +194,40 @@ impl Search<'_> {
             }
             return true;
         }
-        let Some(Meeting { parameter, unknowns, space }) = found.open.pop() else { return false };
+        let Some((generation, meeting)) = found.open.pop() else { return false };
+        let Meeting { parameter, unknowns, space } = meeting;
         let start = Start { unknowns, space };
         if !self.is_followed(&found.branches, parameter, &start)
-            && let Some(mut walked) = self.beside(parameter, &start)
+            && let Some(mut walked) = self.beside(&found.branches, parameter, &start)
         {
             walked.branch.origin = Origin::Meeting;
-            self.keep(found, walked, 0);
+            self.keep(found, walked, generation);
         }
         true
     }
 
-    /// The branch through a motion, from beside it on: the motion itself is singular, where the other branch ends.
-    fn beside(&self, parameter: f64, start: &Start) -> Option<Walked> {
-        /// Of the range.
+    /// The branch through a motion, from beside it on: the motion itself is singular, where the other branch ends, and known by interpolation only. `None`
+    /// where the branch is followed already.
+    fn beside(&self, branches: &[Branch], parameter: f64, start: &Start) -> Option<Walked> {
+        /// The distance as a part of the range.
         const ASIDE: f64 = 1e-3;
         let values = [1.0, -1.0].map(|side| parameter + side * ASIDE * self.width());
         let within = values.into_iter().filter(|value| (self.range[0]..=self.range[1]).contains(value));
-        within.filter_map(|value| self.both_ways(value, start).ok().flatten()).next()
+        let corrected = within.filter_map(|value| Some((value, self.corrected(value, start)?)));
+        let starts: Vec<(f64, Start)> = corrected.collect();
+        if starts.iter().any(|(value, start)| self.is_followed(branches, *value, start)) {
+            return None;
+        }
+        starts.iter().find_map(|(value, start)| self.both_ways(*value, start).ok().flatten())
+    }
+
+    /// The motion of a value of the parameter to which Newton's method comes.
+    fn corrected(&self, value: f64, start: &Start) -> Option<Start> {
+        let corrector = self.corrector(start.space);
+        let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
+        let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
+        let node = Node::near(&corrector, &place, [&along, &along], self.width())?;
+        Some(Start { unknowns: corrector.unknowns(&node.point), space: start.space })
     }
 
     /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.

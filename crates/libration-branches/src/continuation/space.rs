@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 pub struct Space {
     /// After how many halves of the drive's period.
     pub half_periods: u32,
-    /// Whether the motion is its mirror image then, in which all coordinates have the opposite sign, or some of them.
+    /// `true` if the motion is its mirror image then, in which all coordinates have the opposite sign, or some of them.
     pub mirrored: bool,
     /// The angle that goes around meanwhile, if one does.
     pub rotation: Option<Rotation>,

@@ -59,7 +59,7 @@ pub(crate) struct Derive {
     output: Option<PathBuf>,
 }
 
-/// What only the methods with series have a choice of.
+/// Options of the methods with series alone.
 #[derive(Debug, clap::Args)]
 struct SeriesOptions {
     /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`, for limit-cycle `van_der_pol`]
@@ -128,7 +128,7 @@ impl Derive {
         out.flush()?;
         match is_whole {
             true => Ok(()),
-            false => Err(QueryError::cancelled("interrupted: the steps up to then are written".to_owned())),
+            false => Err(QueryError::cancelled("interrupted: the steps up to then are written")),
         }
     }
 
@@ -137,7 +137,7 @@ impl Derive {
         if self.amplitude.is_none() && !self.pendulum.is_default() {
             let reason =
                 "<--length> and <--gravity> show their numbers at an amplitude: add <--amplitude> 40deg";
-            return Err(QueryError::misuse(reason.to_owned()));
+            return Err(QueryError::misuse(reason));
         }
         self.series.refuse(self.method)?;
         let derivation = match self.method {
@@ -168,7 +168,7 @@ impl Derive {
         let is_pendulum = chosen.key == Some(PENDULUM) && options.set.is_empty();
         if !is_pendulum && !self.pendulum.is_default() {
             let reason = "<--length> and <--gravity> belong to the pendulum: leave them out";
-            return Err(QueryError::misuse(reason.to_owned()));
+            return Err(QueryError::misuse(reason));
         }
         let frequency = if is_pendulum { Some(self.pendulum.pendulum()?.angular_frequency()) } else { None };
         let released =
@@ -248,7 +248,7 @@ fn failure(error: DerivationError) -> QueryError {
             QueryError::usage(option("small"), error)
         }
         DerivationError::Interrupted(_) => {
-            QueryError::cancelled("interrupted before the first step: nothing is written".to_owned())
+            QueryError::cancelled("interrupted before the first step: nothing is written")
         }
         error => QueryError::no_result("derivation", error),
     };

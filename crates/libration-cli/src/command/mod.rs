@@ -234,7 +234,7 @@ impl Libration {
         match &self.question {
             Question::Simulate(question) => question.ensemble(),
             _ => Err(QueryError::misuse(
-                "only <libration simulate> with <--each> has motions that go on together".to_owned(),
+                "only <libration simulate> with <--each> has motions that go on together",
             )),
         }
     }

@@ -37,7 +37,7 @@ pub enum Kind {
 
 /// The reason why a query has no result.
 ///
-/// As text it is the message in the words of the command, in which very long quotations are shortened.
+/// Its text is the message in the words of the command, in which very long quotations are shortened.
 #[derive(Debug)]
 pub struct QueryError(Box<Content>);
 
@@ -265,13 +265,13 @@ impl QueryError {
         }
     }
 
-    /// Whether the work was ended early.
+    /// `true` if the work was ended early.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         matches!(self.0.kind, Kind::Cancelled)
     }
 
-    /// Whether the reader of the output has gone.
+    /// `true` if the reader of the output has gone.
     pub(crate) fn is_closed_pipe(&self) -> bool {
         matches!(&self.0.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
     }
@@ -279,7 +279,7 @@ impl QueryError {
 
 impl Display for QueryError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.in_words(&text::Terminal))
+        f.write_str(&self.in_words(&text::CommandWords))
     }
 }
 
@@ -332,7 +332,7 @@ fn command_for(error: &clap::Error) -> Option<String> {
     Some(format!("<libration {query}> {word}"))
 }
 
-/// Whether a name ends as files of measurements do.
+/// `true` if a name ends as files of measurements do.
 fn is_recording(word: &str) -> bool {
     let end = word.rsplit_once('.').map(|it| it.1.to_ascii_lowercase());
     end.is_some_and(|end| {

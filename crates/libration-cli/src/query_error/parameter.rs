@@ -5,13 +5,13 @@ use std::fmt::{Display, Formatter};
 
 /// A parameter of a query.
 ///
-/// As text it is a mark, which a message in the words of a front end replaces by the parameter's name there.
+/// Its text is a mark, which a message in the words of a front end replaces by the parameter's name there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
     /// In the help of the command without dashes: `over`, `OSCILLATOR|EQUATION`.
     shown: Cow<'static, str>,
     is_option: bool,
-    /// Of an argument among the parameters of its query, when that is known.
+    /// The name of an argument among the parameters of its query, when that is known.
     name: Option<String>,
 }
 

@@ -25,9 +25,10 @@ pub trait Words {
 }
 
 /// The words of the command line.
-pub(super) struct Terminal;
+#[derive(Clone, Copy, Debug)]
+pub struct CommandWords;
 
-impl Words for Terminal {
+impl Words for CommandWords {
     fn parameter(&self, parameter: &Parameter) -> String {
         parameter.in_help()
     }
@@ -84,7 +85,7 @@ impl Text {
 
 /// A text with marks in the words of the command.
 pub(crate) fn in_command_words(marked: &str) -> String {
-    Text::marked(marked).in_words(&Terminal)
+    Text::marked(marked).in_words(&CommandWords)
 }
 
 /// The mark at the beginning of a text, and its length.

@@ -3,7 +3,8 @@
 use crate::command::{message, run};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
-use libration_cli::{AxisValues, Host, QueryError, QueryParameter, SweepPlan, Words, ask};
+use libration_cli::internals::query_error::CommandWords;
+use libration_cli::{AxisValues, Host, QueryError, SweepPlan, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -42,18 +43,6 @@ impl Host for Memory {
 
     fn goes_on(&self) -> bool {
         Some(self.looks.fetch_add(1, Ordering::Relaxed)) != self.patience
-    }
-}
-
-struct PlainWords;
-
-impl Words for PlainWords {
-    fn parameter(&self, parameter: &QueryParameter) -> String {
-        parameter.in_help()
-    }
-
-    fn query(&self, words: &str) -> String {
-        format!("libration {words}")
     }
 }
 
@@ -118,7 +107,7 @@ fn failures_have_the_reason_and_the_status_of_the_program() {
         assert_eq!(program.status.code(), Some(status), "{question}");
         // Before the reason clap has sentences of its own.
         let said = message(&program);
-        assert!(said.contains(&failure.message(&PlainWords)), "{question}: {failure}");
+        assert!(said.contains(&failure.message(&CommandWords)), "{question}: {failure}");
         assert!(!failure.to_string().contains("--help"), "{question}: {failure}");
         assert_eq!(*host.answer.lock().unwrap(), program.stdout, "{question}");
     }

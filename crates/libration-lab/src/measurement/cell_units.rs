@@ -8,7 +8,7 @@ use super::number::Cell;
 pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
 
 impl CellUnits {
-    /// Of so many columns, without any row.
+    /// The units of this number of columns, without any row.
     pub(super) fn of(columns: usize) -> Self {
         Self(vec![vec![]; columns])
     }

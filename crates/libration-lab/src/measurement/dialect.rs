@@ -72,7 +72,7 @@ pub struct Dialect {
 pub(super) struct Row {
     pub(super) line: u64,
     pub(super) cells: StringRecord,
-    /// Of cells that had one, which is taken off; empty where cells have none.
+    /// The units of cells that had one, which is taken off; empty where cells have none.
     pub(super) units: Vec<Option<Unit>>,
 }
 

@@ -67,7 +67,7 @@ pub enum MeasurementError {
     MixedUnits {
         /// The column, as messages name it.
         column: String,
-        /// What is mixed.
+        /// The units that are mixed.
         found: String,
     },
     /// A cell that is no finite number.

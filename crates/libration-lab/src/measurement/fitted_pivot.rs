@@ -1,4 +1,4 @@
-//! What angles owe to a pivot that is uncertain: where it is wrong, all of them are wrong together.
+//! The error of angles by a pivot that is uncertain: where it is wrong, all of them are wrong together.
 
 /// The pivot about which the angles of positions are, and how they depend on where it is: the centre of the circle through the positions, or a place
 /// that was given and that contradicts the positions.

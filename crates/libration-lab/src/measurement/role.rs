@@ -55,7 +55,7 @@ impl Role {
         self.contradicted_by_unit(heading).or_else(|| self.contradicted_by_name(heading))
     }
 
-    /// What the unit in the heading says the column holds, when that is not this.
+    /// The quantity of the unit in the heading, when that is not this.
     pub(super) fn contradicted_by_unit(self, heading: &Heading) -> Option<&'static str> {
         heading.unit.and_then(|unit| self.other_than(unit.measures()))
     }

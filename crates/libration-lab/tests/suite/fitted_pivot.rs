@@ -19,7 +19,7 @@ use crate::synthetic_trace::Synthetic;
 
 const DEGREE: f64 = TAU / 360.0;
 
-/// Swings of a metre about (0.3, 1.4), 30 times a second, seen to so many metres, about the pivot that is given or fitted.
+/// Swings of a metre about (0.3, 1.4), 30 times a second, seen with this error in metres, about the pivot that is given or fitted.
 fn positions_about(pivot: Option<(f64, f64)>, amplitude: f64, noise: f64, seed: u64) -> Trace {
     let mut random = Random::seeded(seed);
     let swing = Synthetic { amplitude, linear: 0.02, step: 1.0 / 30.0, rows: 360, ..Synthetic::USUAL };

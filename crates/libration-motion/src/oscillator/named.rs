@@ -33,7 +33,7 @@ pub struct NamedOscillator {
     pub description: &'static str,
     /// Which motions are oscillations about the equilibrium.
     pub domain: &'static str,
-    /// Where it comes from, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
+    /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
     /// remembered, with `not verified against the original` at the end.
     pub source: &'static str,
 }

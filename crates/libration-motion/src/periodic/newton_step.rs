@@ -10,7 +10,7 @@ pub const CLOSED: f64 = 32.0;
 /// The derivatives of the distance by which an orbit misses its start, by its free unknowns, in units.
 #[derive(Clone, Debug)]
 pub struct NewtonStep {
-    /// Of the components of the distance, then of the conditions that fix the phase, the family or the parameter.
+    /// The derivatives of the components of the distance, then of the conditions that fix the phase, the family or the parameter.
     rows: Vec<Vec<f64>>,
     units: Vec<f64>,
 }

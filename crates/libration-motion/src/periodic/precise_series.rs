@@ -56,7 +56,7 @@ pub fn precise_step(precision: usize, series: &[Vec<BigFloat>], size: isize) -> 
     (length.is_finite() && length > 0.0).then_some(length)
 }
 
-/// By how many powers of two a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
+/// The number of powers of two by which a step is too long for its terms to fall by [`FALL`] from the third quarter to the last: small terms
 /// may still grow, as those of eˣ do up to the order x, and a sum that ends among them is not near its end.
 fn excess(exponents: &[(f64, f64)], order: f64, log2_length: f64) -> f64 {
     /// Powers of two a term.

@@ -47,7 +47,7 @@ pub struct NamedSystem {
     pub description: &'static str,
     /// For which motions and parameters it holds.
     pub domain: &'static str,
-    /// Where it comes from, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
+    /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
     /// remembered, with `not verified against the original` at the end.
     pub source: &'static str,
 }

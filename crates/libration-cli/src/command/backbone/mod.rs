@@ -145,5 +145,5 @@ impl Backbone {
 
 fn early() -> QueryError {
     let reason = "interrupted before the frequency at any amplitude was known: nothing is written";
-    QueryError::cancelled(reason.to_owned())
+    QueryError::cancelled(reason)
 }

@@ -118,7 +118,7 @@ impl Bifurcation {
         if diagram.is_complete() {
             return Ok(());
         }
-        Err(QueryError::cancelled("interrupted: the complete values are written".to_owned()))
+        Err(QueryError::cancelled("interrupted: the complete values are written"))
     }
 
     /// The place in the state of what the picture shows.

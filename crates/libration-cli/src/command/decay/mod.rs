@@ -106,7 +106,7 @@ impl Decay {
         announce(out, self.form.form(), &drawn)?;
         if report.interrupted {
             out.flush()?;
-            return Err(QueryError::cancelled("interrupted: the cycles up to then are written".to_owned()));
+            return Err(QueryError::cancelled("interrupted: the cycles up to then are written"));
         }
         Ok(())
     }

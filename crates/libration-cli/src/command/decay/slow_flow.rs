@@ -42,7 +42,7 @@ pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Resul
     });
     found.map_err(|error| match error {
         NoSlowDecay::SlowFlow(SlowFlowError::Interrupted) => {
-            QueryError::cancelled("interrupted before the slow flow was known".to_owned())
+            QueryError::cancelled("interrupted before the slow flow was known")
         }
         NoSlowDecay::Exponent(_) => QueryError::usage(option("order"), error),
         other => QueryError::no_result("slow flow", other),

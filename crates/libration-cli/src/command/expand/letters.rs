@@ -23,7 +23,7 @@ pub(super) fn answer(
             Ok(in_words(chosen, *known, Some(order)))
         }
         Err(SymbolicExpansionError::Interrupted { known: None }) => {
-            Err(QueryError::cancelled("interrupted before any order was found".to_owned()))
+            Err(QueryError::cancelled("interrupted before any order was found"))
         }
         Err(error) => Err(QueryError::no_result("expansion", error)),
     }

@@ -363,7 +363,7 @@ impl Expand {
 fn refusal(error: ExpansionError) -> QueryError {
     match error {
         ExpansionError::Interrupted { .. } => {
-            QueryError::cancelled("interrupted before any order was certain".to_owned())
+            QueryError::cancelled("interrupted before any order was certain")
         }
         error => QueryError::no_result("expansion", &error).with_remedies(&error.remedies()),
     }

@@ -160,7 +160,7 @@ impl Series {
 
 /// That there is nothing to draw yet.
 fn early() -> QueryError {
-    QueryError::cancelled("interrupted before the first error was known: nothing is drawn".to_owned())
+    QueryError::cancelled("interrupted before the first error was known: nothing is drawn")
 }
 
 /// What the picture is about.

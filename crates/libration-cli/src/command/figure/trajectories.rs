@@ -205,7 +205,7 @@ impl Run {
         match integrated {
             Ok(_) => Ok(()),
             Err(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-                Err(QueryError::cancelled("interrupted before a motion was done".to_owned()))
+                Err(QueryError::cancelled("interrupted before a motion was done"))
             }
             Err(error) => Err(QueryError::no_result("figure trajectories", error)),
         }

@@ -136,7 +136,7 @@ impl FitGates {
 /// Blames the option, not the file, where that is to blame.
 fn failure(file: &str, error: &GatesError) -> QueryError {
     match error {
-        GatesError::Interrupted(_) => QueryError::cancelled("interrupted: nothing is written".to_owned()),
+        GatesError::Interrupted(_) => QueryError::cancelled("interrupted: nothing is written"),
         GatesError::NotUsable { name: "amplitude", .. } => QueryError::no_result(option("amplitude"), error),
         _ => QueryError::no_result(file, error),
     }

@@ -131,7 +131,7 @@ impl FitResponse {
     fn failure(&self, error: &ResponseFitError) -> QueryError {
         match error {
             ResponseFitError::Interrupted => {
-                QueryError::cancelled("interrupted before a fit was found: nothing is written".to_owned())
+                QueryError::cancelled("interrupted before a fit was found: nothing is written")
             }
             _ => self.input.no_answer(error),
         }

@@ -62,7 +62,7 @@ impl<'a> Answer<'a> {
 fn failure(measured: &Measured, error: SwingsError) -> QueryError {
     match error {
         SwingsError::Motion(TraceFitError::Interrupted) => {
-            QueryError::cancelled("interrupted: nothing is written".to_owned())
+            QueryError::cancelled("interrupted: nothing is written")
         }
         SwingsError::Gravity(error) => QueryError::no_result("gravity", error),
         error => QueryError::no_result(&measured.names(), error),

@@ -9,5 +9,5 @@ pub(super) fn error_table(formulas: &[PeriodFormula]) -> Result<ErrorTable, Quer
     interrupt::listen()?;
     let ask = |_: Progress| interrupt::go_on();
     let table = ErrorTable::new_watched(formulas, &Watch::new(&ask));
-    table.map_err(|_| QueryError::cancelled("interrupted: nothing is written".to_owned()))
+    table.map_err(|_| QueryError::cancelled("interrupted: nothing is written"))
 }

@@ -93,7 +93,7 @@ impl Lyapunov {
         out.flush()?;
         match answer.found.verdict {
             LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
-                Err(QueryError::cancelled("interrupted: the estimate up to then is written".to_owned()))
+                Err(QueryError::cancelled("interrupted: the estimate up to then is written"))
             }
             LyapunovVerdict::Undecided(Doubt::Stopped(cause)) => {
                 Err(QueryError::no_result("lyapunov", format!("{cause}: the estimate up to then is written")))
@@ -146,7 +146,7 @@ fn failure(error: LyapunovError) -> QueryError {
     match &error {
         LyapunovError::Nothing(Cause::Interrupted)
         | LyapunovError::Integration(IntegrationError::Stopped { cause: Cause::Interrupted, .. }) => {
-            QueryError::cancelled("interrupted before the first measurement".to_owned())
+            QueryError::cancelled("interrupted before the first measurement")
         }
         _ => QueryError::no_result("lyapunov", error),
     }

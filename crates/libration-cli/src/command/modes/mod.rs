@@ -61,9 +61,7 @@ impl Modes {
         let modes = parallel::until_asked("the modes", |watch| {
             NormalModes::about_watched(model.equation(), &guess, watch)
         });
-        let early = || {
-            QueryError::cancelled("interrupted before the modes were known: nothing is written".to_owned())
-        };
+        let early = || QueryError::cancelled("interrupted before the modes were known: nothing is written");
         let modes = modes.ok_or_else(early)?;
         let modes = modes.map_err(|error| QueryError::no_result(argument("SYSTEM|EQUATION"), error))?;
         if let Some(number) = self.follow.follow {
@@ -98,9 +96,7 @@ impl Modes {
         let found = parallel::until_asked("the orbits of the mode", |watch| {
             NonlinearMode::follow_watched(model.equation(), modes, mode, coordinate, &amplitudes, watch)
         });
-        let early = || {
-            QueryError::cancelled("interrupted before the orbits were known: nothing is written".to_owned())
-        };
+        let early = || QueryError::cancelled("interrupted before the orbits were known: nothing is written");
         let found = found.ok_or_else(early)?.map_err(|error| match error {
             NoNonlinearMode::NoMode { .. } => QueryError::usage(option("follow"), error),
             NoNonlinearMode::AtRest(_) => QueryError::usage(option("coordinate"), error),

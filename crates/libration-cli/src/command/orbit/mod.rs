@@ -79,8 +79,7 @@ impl OrbitQuestion {
             let harmonics = (0..model.coordinates().len()).map(|place| orbit.harmonics(place)).collect();
             Ok((kind, orbit, harmonics))
         });
-        let early =
-            || QueryError::cancelled("interrupted before the orbit was known: nothing is written".to_owned());
+        let early = || QueryError::cancelled("interrupted before the orbit was known: nothing is written");
         let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         let answer = Answer { model, kind, orbit, harmonics };
         let drawn = match &self.figure {

@@ -83,11 +83,8 @@ impl ResonanceQuestion {
             });
             Ok(Answer { model, form, initial, exchange })
         });
-        let early = || {
-            QueryError::cancelled(
-                "interrupted before the normal form was known: nothing is written".to_owned(),
-            )
-        };
+        let early =
+            || QueryError::cancelled("interrupted before the normal form was known: nothing is written");
         let answer = answer.ok_or_else(early)?.map_err(failure)?;
         let drawn = match &self.figure {
             Some(path) => {

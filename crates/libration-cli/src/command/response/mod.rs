@@ -139,7 +139,7 @@ impl ResponseQuestion {
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.response.interrupted {
-            true => Err(QueryError::cancelled("interrupted: the branches up to then are written".to_owned())),
+            true => Err(QueryError::cancelled("interrupted: the branches up to then are written")),
             false => Ok(()),
         }
     }
@@ -297,9 +297,9 @@ impl Answer {
 fn failure(error: NoBranch, model: &Model) -> QueryError {
     match error {
         NoBranch::NoStart(_) => QueryError::no_result("response", with_idle_drive(error, model)),
-        NoBranch::Interrupted(_) => QueryError::cancelled(
-            "interrupted before the first answer was known: nothing is written".to_owned(),
-        ),
+        NoBranch::Interrupted(_) => {
+            QueryError::cancelled("interrupted before the first answer was known: nothing is written")
+        }
         NoBranch::Range { .. } => QueryError::usage(option("over"), error),
         NoBranch::Outside { .. } => QueryError::usage(option("at"), error),
         NoBranch::Family => QueryError::no_result(

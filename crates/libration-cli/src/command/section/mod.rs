@@ -144,7 +144,7 @@ impl Answer<'_> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {
             SectionEnding::Stopped(Cause::Interrupted) => {
-                QueryError::cancelled("interrupted: the points up to then are written".to_owned())
+                QueryError::cancelled("interrupted: the points up to then are written")
             }
             other => {
                 let reason = other.to_string();

@@ -113,7 +113,7 @@ impl SimulatedMotion<'_> {
         let error = match self.no_errors {
             Some("--no-errors") => Moment { time: f64::NAN, state: vec![f64::NAN; end.state.len()] },
             _ => ending_error(system, &self.beginning(), last, &self.effort(), &end)
-                .map_err(|error| QueryError::failed(error.to_string()))?,
+                .map_err(QueryError::failed)?,
         };
         let (end, error) = (self.own(&end), self.own(&error));
         Ok(Ending::Event(EventEnding { name, end, error }))

@@ -87,7 +87,7 @@ impl StabilityQuestion {
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         match answer.chart.interrupted {
-            true => Err(QueryError::cancelled("interrupted: the curves up to then are written".to_owned())),
+            true => Err(QueryError::cancelled("interrupted: the curves up to then are written")),
             false => Ok(()),
         }
     }

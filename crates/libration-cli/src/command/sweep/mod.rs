@@ -97,7 +97,7 @@ impl Sweep {
             (Some(About::Join(join)), _) => join.answer(out),
             (Some(About::Status(status)), _) => status.answer(out),
             (None, Some(run)) => run.answer(out, described),
-            (None, None) => Err(QueryError::misuse("QUESTION: give the question of the sweep".to_owned())),
+            (None, None) => Err(QueryError::misuse("QUESTION: give the question of the sweep")),
         }
     }
 }

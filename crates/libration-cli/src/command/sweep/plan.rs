@@ -174,7 +174,7 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
             Err(failure) => drop(first.get_or_insert(failure)),
         }
     }
-    Err(first.unwrap_or_else(|| QueryError::failed("the sweep has no points".to_owned())))
+    Err(first.unwrap_or_else(|| QueryError::failed("the sweep has no points")))
 }
 
 /// All that stand alone; where there is none, it has to be chosen from the lists. What is null is a number if it has a unit, and else a word.

@@ -19,7 +19,7 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
         let question = command::question(words).map_err(|error| QueryError::refused(&error))?;
         let mut json = vec![];
         question.answer(&mut json)?;
-        let none = || QueryError::failed("the answer does not stand on the output".to_owned());
+        let none = || QueryError::failed("the answer does not stand on the output");
         serde_json::from_slice(&json).map_err(|_| none())
     })
 }

@@ -27,7 +27,7 @@ const NODES: u32 = 12;
 const CYCLES: f64 = 6.0;
 /// The most rows in a simulated period: with more the local fits miss nothing.
 const MOST_ROWS: f64 = 100.0;
-/// Of the integration, far below the noise of any instrument.
+/// The relative error of a step of the integration, far below the noise of any instrument.
 const TOLERANCE: f64 = 1e-12;
 
 /// The measurement that is simulated.
@@ -36,13 +36,13 @@ pub(super) struct Apparatus {
     pub(super) observable: Observable,
     /// The angular frequency of small swings, in rad/s.
     pub(super) omega0: f64,
-    /// Of the period of the longest swings in the time from row to row.
+    /// The number of rows in the period of the longest swings.
     pub(super) rows_per_period: f64,
     /// The standard deviation of a value.
     pub(super) noise: f64,
 }
 
-/// By which part of T0 measured periods are longer than the exact law says, at some amplitudes in radians, which increase.
+/// The part of T0 by which measured periods are longer than the exact law says, at some amplitudes in radians, which increase.
 #[derive(Clone, Debug)]
 pub(super) struct Bias(Vec<(f64, f64)>);
 
@@ -78,7 +78,7 @@ impl Bias {
         Row { period: row.period - TAU / omega0 * self.at(row.amplitude()), ..row.clone() }
     }
 
-    /// By the line through the two nodes about this amplitude, or at this end.
+    /// The bias on the line through the two nodes about this amplitude, or at this end.
     fn at(&self, amplitude: f64) -> f64 {
         let nodes = &self.0;
         let after = nodes.partition_point(|node| node.0 < amplitude).clamp(1, nodes.len() - 1);

@@ -1,4 +1,4 @@
-//! What all stretches of a trace show together.
+//! Passages and extremes of all stretches of a trace together.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ use crate::fit::Uncertain;
 use crate::measurement::Observable;
 use crate::statistics::median;
 
-/// Extremes below so many standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
+/// Extremes below this number of standard deviations of a value are left out. With 8 all recordings (`mod.rs`) had the same cycles; with 2
 /// the noisiest, a swing of three standard deviations, had 25 for none.
 const FAINTEST: f64 = 4.0;
 
@@ -23,7 +23,7 @@ impl Landmarks {
     }
 }
 
-/// What all stretches show together; passages and extremes are numbered through.
+/// Passages and extremes of all stretches, numbered through.
 #[derive(Default)]
 pub(super) struct Found {
     passages: Vec<Option<Passage>>,
@@ -33,7 +33,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Of stretches whose noise is in units of these uncertainties of the rows.
+    /// The passages and extremes of stretches whose noise is in units of these uncertainties of the rows.
     pub(super) fn new(stretches: &[Landmarks], uncertainty: f64) -> Self {
         let mut found = Self::default();
         for stretch in stretches {

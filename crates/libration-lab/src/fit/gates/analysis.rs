@@ -136,7 +136,7 @@ impl Swings {
 
 /// T0 under the exact law and with β free, where β differs from 1.
 fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
-    /// Of T0: what amplitudes by the speeds of single passages leave out of it.
+    /// The part of T0 that amplitudes by the speeds of single passages leave out.
     const LEAST: f64 = 4e-5;
     let [exact, free] =
         [("β = 1", t0), ("β free", beta.t0)].map(|(name, t0)| Estimate { name: name.to_owned(), t0 });

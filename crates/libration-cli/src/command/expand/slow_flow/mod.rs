@@ -68,9 +68,7 @@ impl About for Answer {
 
 fn failure(error: SlowFlowError) -> QueryError {
     match error {
-        SlowFlowError::Interrupted => {
-            QueryError::cancelled("interrupted before the slow flow was known".to_owned())
-        }
+        SlowFlowError::Interrupted => QueryError::cancelled("interrupted before the slow flow was known"),
         SlowFlowError::Gauge(_) => QueryError::usage(option("gauge"), error),
         SlowFlowError::UnknownParameter { .. } => QueryError::usage(option("small"), error),
         SlowFlowError::WhichIsSmall { .. } => {

@@ -115,5 +115,5 @@ fn failure(file: &str, error: &SpectrumError) -> QueryError {
 }
 
 fn interrupted() -> QueryError {
-    QueryError::cancelled("interrupted: nothing is written".to_owned())
+    QueryError::cancelled("interrupted: nothing is written")
 }

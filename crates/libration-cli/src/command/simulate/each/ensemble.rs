@@ -38,7 +38,7 @@ impl Simulate {
         let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();
         let (effort, setting) = (self.tolerance.effort(), &settings[0]);
         let ensemble = Ensemble::new(setting.system.clone(), &starts, &effort);
-        let ensemble = ensemble.map_err(|error| QueryError::failed(error.to_string()))?;
+        let ensemble = ensemble.map_err(QueryError::failed)?;
         Ok((setting.model.clone(), ensemble))
     }
 }

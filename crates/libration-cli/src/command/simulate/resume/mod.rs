@@ -101,7 +101,7 @@ impl Earlier {
             }
         }
         best.map_err(|reason| match reason {
-            Unusable::QueryError(failure) => failure,
+            Unusable::Failed(failure) => failure,
             Unusable::Refused(reason) => {
                 QueryError::no_result(&format!("--resume {}", path.display()), reason)
             }
@@ -117,7 +117,7 @@ impl Earlier {
             // With the message that all files get which cannot be read.
             Err(_) => Err(arguments::read_at_most(path, LARGEST).err().map_or_else(
                 || Unusable::Refused(ResumeError::NotAState(path.to_owned())),
-                Unusable::QueryError,
+                Unusable::Failed,
             )),
         }
     }
@@ -136,7 +136,7 @@ impl Earlier {
     }
 
     fn of_json(path: &Path, question: &Question, times: &Times) -> Result<Self, Unusable> {
-        let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::QueryError)?;
+        let bytes = arguments::read_at_most(path, LARGEST).map_err(Unusable::Failed)?;
         let document: Value =
             serde_json::from_slice(&bytes).map_err(|error| ResumeError::NotJson(error.to_string()))?;
         check_schema(&document)?;
@@ -200,7 +200,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
 #[derive(Debug)]
 enum Unusable {
     /// It cannot be read at all.
-    QueryError(QueryError),
+    Failed(QueryError),
     Refused(ResumeError),
 }
 

@@ -56,7 +56,7 @@ impl State {
     }
 }
 
-/// Whether a document has the names of fields of this version.
+/// Checks that a document has the names of fields of this version.
 pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
     match document["schema"].as_u64() {
         Some(found) if found != json::SCHEMA => Err(ResumeError::Schema { found, expected: json::SCHEMA }),
