@@ -92,7 +92,7 @@ struct Assembler<'a> {
     windows: Windows,
     packs: Packs,
     /// The values at the places where some were kept.
-    kept: HashMap<usize, usize>,
+    kept: Vec<Option<usize>>,
 }
 
 impl<'a> Assembler<'a> {
@@ -110,7 +110,7 @@ impl<'a> Assembler<'a> {
             stride: lanes * size_of::<f64>(),
             windows: Windows::new(set),
             packs: Packs::default(),
-            kept: HashMap::new(),
+            kept: vec![None; line.places()],
         })
     }
 
@@ -143,7 +143,7 @@ impl<'a> Assembler<'a> {
                 let address = self.address(home)?;
                 self.encode(Instruction::with2(set.store, address, register))?;
                 self.homes[value] = Some(home);
-                self.kept.insert(place, value);
+                self.kept[place] = Some(value);
                 self.release(number, &[value]);
             }
             // Its group was written before.

@@ -3,7 +3,7 @@
 //! What they read stands row by row in memory. So that a register can be loaded at once, numbers of several rows are put beside each
 //! other in the scratch when an inner product reads them first; most inner products read, of each row, one more than those before.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use iced_x86::{Code, Instruction, Register};
 
@@ -20,7 +20,7 @@ type Places = [usize; WIDEST];
 #[derive(Debug, Default)]
 pub(super) struct Packs {
     /// The first number of those that came from these places, by the width of the register.
-    at: HashMap<(usize, Places), usize>,
+    at: BTreeMap<(usize, Places), usize>,
     numbers: usize,
 }
 
@@ -216,7 +216,7 @@ impl Assembler<'_> {
 
     /// A number that may still be in a register.
     fn at_place(&self, place: usize) -> Result<Operand, NoCode> {
-        match self.kept.get(&place).and_then(|value| self.registers.find(*value)) {
+        match self.kept[place].and_then(|value| self.registers.find(value)) {
             Some(register) => Ok(Operand::Register(self.set.register(register))),
             None => Ok(Operand::Memory(self.address(Home::Place(place))?)),
         }

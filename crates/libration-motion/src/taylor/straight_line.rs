@@ -71,8 +71,8 @@ impl Expander<'_> {
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
-    /// Where values are.
-    places: RefCell<HashMap<Recorded, usize>>,
+    /// The place of the value of each step that is at one.
+    places: RefCell<Vec<Option<usize>>>,
     /// Quotients by integers, each of which is formed once.
     quotients: RefCell<HashMap<(Recorded, u64), Recorded>>,
 }
@@ -84,26 +84,27 @@ impl Recorder {
     fn push(&self, step: Arithmetic) -> Recorded {
         let mut steps = self.steps.borrow_mut();
         steps.push(step);
+        self.places.borrow_mut().push(None);
         steps.len() - 1
     }
 
     /// What is at a place from the beginning.
     fn found(&self, place: usize) -> Recorded {
         let value = self.push(Arithmetic::Place(place));
-        self.places.borrow_mut().insert(value, place);
+        self.places.borrow_mut()[value] = Some(place);
         value
     }
 
     fn keep(&self, value: Recorded, place: usize) {
         self.push(Arithmetic::Keep { value, place });
-        self.places.borrow_mut().insert(value, place);
+        self.places.borrow_mut()[value] = Some(place);
     }
 
     /// Of values at places behind each other.
     fn first_place(&self, values: &[Recorded]) -> Option<usize> {
         let places = self.places.borrow();
-        let first = *places.get(values.first()?)?;
-        let behind = (first..).zip(values).all(|(place, value)| places.get(value) == Some(&place));
+        let first = places[*values.first()?]?;
+        let behind = (first..).zip(values).all(|(place, value)| places[*value] == Some(place));
         behind.then_some(first)
     }
 }
