@@ -1,9 +1,9 @@
-//! The amplitudes a question is about: angles, lists and ranges of angles, or a file of them.
+//! The amplitudes a question is about: angles, lists and ranges of angles, a file of them, or those of given periods.
 
-use super::{bare, lines};
-use crate::query_error::{QueryError, argument};
-use libration::pendulum::Amplitude;
-use libration::quantity::{Angle, AngleRange, BareRadians, RangeError, angles};
+use super::{bare, lines, text};
+use crate::query_error::{QueryError, argument, option};
+use libration::pendulum::{Amplitude, Pendulum, PendulumError};
+use libration::quantity::{Angle, AngleRange, BareRadians, Quantity, RangeError, angles};
 use std::path::{Path, PathBuf};
 
 /// The options that say which amplitudes.
@@ -16,6 +16,15 @@ pub(crate) struct AmplitudeOptions {
     /// Read the amplitudes from a file, one per line; - for standard input
     #[arg(long, value_name = "FILE")]
     from_file: Option<PathBuf>,
+    /// The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the amplitude has one too
+    #[arg(long, value_name = "PERIOD", value_parser = text::period_with_uncertainty)]
+    period: Vec<Quantity>,
+    /// The amplitude whose period is this multiple of that of small swings, T/T₀
+    #[arg(long, value_name = "T/T0", value_parser = text::number_with_uncertainty)]
+    ratio: Vec<Quantity>,
+    /// The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps all digits of small amplitudes
+    #[arg(long, value_name = "EXCESS", value_parser = text::number_with_uncertainty)]
+    excess: Vec<Quantity>,
 }
 
 /// The angles one argument means.
@@ -27,10 +36,17 @@ enum AngleSet {
 
 /// Amplitudes, all of them known to be below π.
 #[derive(Debug)]
-pub(crate) struct Amplitudes(Vec<AngleSet>);
+pub(crate) struct Amplitudes {
+    sets: Vec<AngleSet>,
+    /// The uncertainties of amplitudes that follow from periods, one for each; otherwise none.
+    uncertainties: Vec<f64>,
+}
 
 impl AmplitudeOptions {
-    pub(crate) fn read(&self) -> Result<Amplitudes, QueryError> {
+    pub(crate) fn read(&self, pendulum: &Pendulum) -> Result<Amplitudes, QueryError> {
+        if self.are_of_periods() {
+            return self.of_periods(pendulum);
+        }
         let sets = match &self.from_file {
             Some(path) => vec![AngleSet::List(angles_in_file(path)?)],
             None => self.amplitudes.clone(),
@@ -38,36 +54,92 @@ impl AmplitudeOptions {
         let is_amplitude = |angle| Amplitude::new(angle).map(|_| ());
         let checked = sets.iter().flat_map(AngleSet::widest).try_for_each(is_amplitude);
         checked.map_err(|error| QueryError::no_result(argument("AMPLITUDE"), error))?;
-        Ok(Amplitudes(sets))
+        Ok(Amplitudes { sets, uncertainties: vec![] })
+    }
+
+    /// `true` if the amplitudes follow from periods.
+    pub(crate) fn are_of_periods(&self) -> bool {
+        [&self.period, &self.ratio, &self.excess].into_iter().any(|given| !given.is_empty())
+    }
+
+    fn of_periods(&self, pendulum: &Pendulum) -> Result<Amplitudes, QueryError> {
+        let period = |given: &Quantity| with_period(given, pendulum);
+        let of = |given: &[Quantity], name, found: &dyn Fn(&Quantity) -> Result<Found, PendulumError>| {
+            let found = given.iter().map(found).collect::<Result<Vec<Found>, _>>();
+            found.map_err(|error| QueryError::no_result(option(name), error))
+        };
+        let found = [
+            of(&self.period, "period", &period)?,
+            of(&self.ratio, "ratio", &with_ratio)?,
+            of(&self.excess, "excess", &with_excess)?,
+        ];
+        let (angles, uncertainties) = found.concat().into_iter().unzip();
+        Ok(Amplitudes { sets: vec![AngleSet::List(angles)], uncertainties })
     }
 }
 
+/// An amplitude and its uncertainty in radians.
+type Found = (Angle, f64);
+
+/// The part of itself that a number loses when it is rounded.
+const HALF_ULP: f64 = f64::EPSILON / 2.0;
+
+fn with_period(period: &Quantity, pendulum: &Pendulum) -> Result<Found, PendulumError> {
+    let small = pendulum.small_angle_period();
+    // Two roundings besides that of the text: of the period of small swings, and of the quotient.
+    let fraction = period.uncertainty.map_or(HALF_ULP, |it| it / period.value) + 2.0 * HALF_ULP;
+    with(period.value / small, fraction).map_err(|error| match error {
+        PendulumError::NoSuchPeriod(_) => {
+            PendulumError::ShorterThanSmallSwings { period: period.value, small }
+        }
+        error => error,
+    })
+}
+
+fn with_ratio(ratio: &Quantity) -> Result<Found, PendulumError> {
+    with(ratio.value, ratio.uncertainty.map_or(HALF_ULP, |it| it / ratio.value))
+}
+
+/// The amplitude of a ratio with an uncertainty, as a part of it, within which a ratio below 1 is taken for 1.
+fn with(ratio: f64, fraction: f64) -> Result<Found, PendulumError> {
+    let nearest = if ratio < 1.0 && ratio >= 1.0 - fraction { 1.0 } else { ratio };
+    let amplitude = Amplitude::from_period_ratio(nearest)?;
+    Ok((amplitude.angle(), amplitude.change_with_period(fraction)))
+}
+
+fn with_excess(excess: &Quantity) -> Result<Found, PendulumError> {
+    let amplitude = Amplitude::from_period_excess(excess.value)?;
+    let uncertainty = excess.uncertainty.unwrap_or(HALF_ULP * excess.value);
+    Ok((amplitude.angle(), amplitude.change_with_period(uncertainty / amplitude.period_ratio())))
+}
+
 impl Amplitudes {
-    pub(crate) fn iter(&self) -> impl Iterator<Item = Amplitude> + '_ {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (Amplitude, Option<f64>)> + '_ {
         (0..self.len()).filter_map(|place| self.get(place))
     }
 
-    /// The amplitude at a place, from zero.
-    pub(crate) fn get(&self, mut place: usize) -> Option<Amplitude> {
-        for set in &self.0 {
-            if place < set.len() {
+    /// The amplitude at a place, from zero, and its uncertainty if it follows from a period.
+    pub(crate) fn get(&self, place: usize) -> Option<(Amplitude, Option<f64>)> {
+        let mut in_set = place;
+        for set in &self.sets {
+            if in_set < set.len() {
                 let below_pi = "an angle no larger than an amplitude is an amplitude";
-                return set.get(place).map(|angle| Amplitude::new(angle).expect(below_pi));
+                let amplitude = set.get(in_set).map(|angle| Amplitude::new(angle).expect(below_pi))?;
+                return Some((amplitude, self.uncertainties.get(place).copied()));
             }
-            place -= set.len();
+            in_set -= set.len();
         }
         None
     }
 
-    /// How many there are.
+    /// The number of amplitudes.
     pub(crate) fn len(&self) -> usize {
-        self.0.iter().map(AngleSet::len).sum()
+        self.sets.iter().map(AngleSet::len).sum()
     }
 
     /// The amplitude, if there is exactly one.
-    pub(crate) fn single(&self) -> Option<Amplitude> {
-        let mut amplitudes = self.iter();
-        amplitudes.next().filter(|_| amplitudes.next().is_none())
+    pub(crate) fn single(&self) -> Option<(Amplitude, Option<f64>)> {
+        if self.len() == 1 { self.get(0) } else { None }
     }
 }
 

@@ -26,6 +26,17 @@ pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
     parse(text, Dimension::Length).map_err(|error| error.to_string())
 }
 
+/// A period above zero with the uncertainty it was given.
+pub(super) fn period_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    above_zero(text, Dimension::Time)?;
+    parse(text, Dimension::Time).map_err(|error| error.to_string())
+}
+
+/// A number with the uncertainty it was given.
+pub(super) fn number_with_uncertainty(text: &str) -> Result<Quantity, QuantityError> {
+    parse(text, Dimension::Number)
+}
+
 /// A mass above zero with the uncertainty it was given.
 pub(super) fn mass_with_uncertainty(text: &str) -> Result<Quantity, String> {
     above_zero(text, Dimension::Mass)?;

@@ -1,6 +1,6 @@
 //! `libration period`.
 
-use crate::command::{close, directory, json, libration, text};
+use crate::command::{close, directory, json, libration, message, text};
 
 #[test]
 fn decimal_degrees_mean_the_decimal() {
@@ -182,4 +182,69 @@ fn period_and_motion_say_the_same_period_to_the_last_bit() {
         let motion = json(&format!("motion {angle} --times 0"));
         assert_eq!(period["results"][0]["period_s"], motion["period_s"], "{angle}");
     }
+}
+
+#[test]
+fn amplitudes_follow_from_periods_ratios_and_excesses() {
+    let forward = json("period 60deg --length=57cm");
+    let swing = &forward["results"][0];
+    for (option, field) in [("period", "period_s"), ("ratio", "ratio"), ("excess", "excess")] {
+        let given = format!("period --{option}={} --length=57cm", swing[field]);
+        let back = &json(&given)["results"][0];
+        let off = (back["amplitude_rad"].as_f64().unwrap() - std::f64::consts::FRAC_PI_3).abs();
+        let stated = back["amplitude_uncertainty_rad"].as_f64().unwrap();
+        assert!(off <= stated && stated < 1e-14, "{option}: {off} {stated}");
+    }
+    assert!(swing.get("amplitude_uncertainty_rad").is_none());
+    // Next to the top it is the distance from there that has all digits: π − θ0 = 8 exp(−πR/2) to within its square.
+    let top = &json("period --ratio=100")["results"][0];
+    let expected = 8.0 * (-50.0 * std::f64::consts::PI).exp();
+    let complement = top["complement_rad"].as_f64().unwrap();
+    assert!((complement / expected - 1.0).abs() < 1e-13, "{complement}");
+    assert!(top["amplitude_uncertainty_rad"].as_f64().unwrap() < 1e-13 * complement);
+    let csv = text("period --excess=1e-20 --excess=7% --csv");
+    let header = csv.lines().next().unwrap();
+    assert!(header.contains(",amplitude_uncertainty_rad"), "{header}");
+    assert!(csv.lines().nth(1).unwrap().starts_with("4e-10,"), "{csv}");
+    assert_eq!(csv.lines().count(), 3);
+}
+
+/// (Half of the) width of the amplitudes from 2.09 to 2.11 s: 49.7° − 47.2°, with digits to it only.
+#[test]
+fn a_period_with_an_uncertainty_gives_digits_to_that_of_the_amplitude() {
+    let text = text("period --period=2.10(1)s --formulas=bernoulli");
+    assert!(text.contains("0.846 rad = 48.5°\n"), "{text}");
+    assert!(text.contains("uncertainty of θ₀      0.07 rad = 3°\n"), "{text}");
+}
+
+fn refused(arguments: &str) -> String {
+    let output = libration(arguments);
+    assert!(!output.status.success(), "{arguments}");
+    message(&output)
+}
+
+#[test]
+fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
+    let short = refused("period --period=1.9s");
+    assert!(
+        short.contains("no amplitude has a period of 1.9 s: small swings of this pendulum take 2.0064"),
+        "{short}"
+    );
+    // That of small swings itself, to its last digit, and within its uncertainty.
+    for accepted in [
+        "--period=2.0064092925890407s",
+        "--period=2.0064092925890402s",
+        "--period=2.00(1)s",
+        "--ratio=0.99±0.02",
+    ] {
+        let rest = &json(&format!("period {accepted}"))["results"][0];
+        assert!(
+            rest["amplitude_rad"].as_f64().unwrap() <= rest["amplitude_uncertainty_rad"].as_f64().unwrap(),
+            "{accepted}"
+        );
+    }
+    assert!(refused("period --ratio=0.9").contains("T/T0 = 0.9: it is 1 for the smallest swings"));
+    assert!(refused("period --excess=500").contains("give at most 441.08"));
+    assert!(refused("period --period=2,1s").contains("decimal point, 2.1s"));
+    assert!(refused("period --period=3s 60deg").contains("cannot be used with"));
 }

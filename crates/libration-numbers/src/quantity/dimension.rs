@@ -24,6 +24,8 @@ pub enum Dimension {
     Density,
     /// In one per second.
     Rate,
+    /// Without a unit.
+    Number,
 }
 
 impl Dimension {
@@ -40,6 +42,7 @@ impl Dimension {
             Self::Mass => "31g, 2.032 kg or 42.0 ± 0.5 g (a bare number is in kilograms)",
             Self::Density => "7850kg/m^3, 7.85 g/cm^3 or 1.20(2) kg/m^3 (a bare number is in kg/m^3)",
             Self::Rate => "0.03/s, 0.030(1)/s or 0.030 ± 0.001 1/s (a bare number is in 1/s)",
+            Self::Number => "1.07, 1.070(2), 1.070 ± 0.002 or 7%",
         }
     }
 }
@@ -56,6 +59,7 @@ impl fmt::Display for Dimension {
             Self::Mass => "a mass",
             Self::Density => "a density",
             Self::Rate => "a rate",
+            Self::Number => "a number",
         })
     }
 }

@@ -90,7 +90,7 @@ const fn half_turns(
 /// The SI unit of each dimension comes first. The inch is 25.4 mm and the foot twelve of them (international,
 /// 1959); the standard acceleration of gravity is 9.80665 m/s² (CGPM 1901), the pound 0.45359237 kg
 /// (international, 1959).
-static UNITS: [Unit; 39] = [
+static UNITS: [Unit; 41] = [
     unit(Dimension::Length, &["m", "metre", "metres", "meter", "meters"], 1, 1),
     unit(Dimension::Length, &["km"], 1000, 1),
     unit(Dimension::Length, &["dm"], 1, 10),
@@ -135,4 +135,6 @@ static UNITS: [Unit; 39] = [
     ),
     unit(Dimension::Rate, &["/s", "1/s", "s^-1", "s⁻¹", "per second"], 1, 1),
     unit(Dimension::Rate, &["/min", "1/min", "min^-1", "min⁻¹", "per minute"], 1, 60),
+    unit(Dimension::Number, &["1"], 1, 1),
+    unit(Dimension::Number, &["%"], 1, 100),
 ];

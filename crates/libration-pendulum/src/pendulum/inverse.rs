@@ -31,6 +31,29 @@ impl Amplitude {
         Self::from_excess(excess, 1.0 + excess)
     }
 
+    /// Largest change of the amplitude, in radians, when its period changes by this fraction of itself either way; at least an ulp of the
+    /// amplitude. Where the period would be too short, the amplitude is taken to be zero, and where it would be too long, to be π.
+    ///
+    /// # Examples
+    /// ```
+    /// # extern crate libration_pendulum as libration;
+    /// use libration::pendulum::Amplitude;
+    /// let amplitude = Amplitude::from_period_ratio(1.0732)?;
+    /// assert!((amplitude.change_with_period(1e-3) - 0.0073).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn change_with_period(&self, fraction: f64) -> f64 {
+        let (ratio, excess) = self.ratio_and_excess();
+        let rounding = f64::EPSILON * self.radians().min(self.complement());
+        let change = |fraction: f64| match Self::from_period_excess((excess + fraction * ratio).max(0.0)) {
+            Ok(other) if self.complement() < 1.0 => (other.complement() - self.complement()).abs(),
+            Ok(other) => (other.radians() - self.radians()).abs(),
+            Err(_) => self.complement(),
+        };
+        [fraction, -fraction].into_iter().map(change).fold(rounding, f64::max)
+    }
+
     fn from_excess(excess: f64, ratio: f64) -> Result<Self, PendulumError> {
         if !(0.0..f64::INFINITY).contains(&excess) {
             return Err(PendulumError::NoSuchPeriod(ratio));

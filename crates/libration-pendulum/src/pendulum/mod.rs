@@ -153,6 +153,16 @@ pub enum PendulumError {
         "no amplitude has the period ratio T/T0 = {0:?}: it is 1 for the smallest swings and grows without bound towards the top"
     )]
     NoSuchPeriod(f64),
+    /// A period shorter than that of small swings.
+    #[error(
+        "no amplitude has a period of {period:?} s: small swings of this pendulum take {small:?} s, and larger ones longer; give a longer period, a shorter length or a larger gravity"
+    )]
+    ShorterThanSmallSwings {
+        /// The period, in seconds.
+        period: f64,
+        /// That of small swings, in seconds.
+        small: f64,
+    },
     /// A period ratio whose amplitude is closer to the top than is kept.
     #[error(
         "the amplitude of the period ratio T/T0 = {0} is less than 1e-300 rad below the upright position: give at most 441.08"

@@ -329,3 +329,33 @@ fn seams_and_2000_amplitudes() -> Vec<Amplitude> {
     let radians = radians.into_iter().chain(drawn).map(Angle::from_radians);
     complements.into_iter().chain(radians).map(|angle| Amplitude::new(angle.unwrap()).unwrap()).collect()
 }
+
+/// Between the ends of the change the period changes by the fraction, and hardly more: at both ends of the branch of the inverse (an excess of
+/// 0.18), at zero and next to the top.
+#[test]
+fn the_change_with_the_period_is_that_of_the_forward_function() {
+    let seams =
+        [0.18_f64, 0.18_f64.next_down(), 0.18_f64.next_up(), 1e-30, 1e-9, 0.01, 0.07, 1.0, 30.0, 439.0];
+    for (excess, fraction) in seams.into_iter().flat_map(|it| [1e-12, 1e-6, 1e-3, 0.1].map(|part| (it, part)))
+    {
+        let amplitude = Amplitude::from_period_excess(excess).unwrap();
+        let change = amplitude.change_with_period(fraction);
+        let ratio_at = |by: f64| {
+            let moved = if amplitude.complement() < 1.0 {
+                Angle::from_complement((amplitude.complement() - by).max(1e-320)).unwrap()
+            } else {
+                Angle::from_radians((amplitude.radians() + by).max(0.0)).unwrap()
+            };
+            Amplitude::new(moved).unwrap().period_excess()
+        };
+        let changed = [change, -change].map(|by| (ratio_at(by) - excess).abs() / (1.0 + excess));
+        let largest = changed[0].max(changed[1]);
+        assert!(largest >= fraction * (1.0 - 1e-3), "{excess}, {fraction}: {changed:?}");
+        // One of the two sides is as far as stated, the other one nearer.
+        let least = changed[0].min(changed[1]);
+        let reaches_end = excess < fraction || excess + fraction * (1.0 + excess) > 440.08;
+        assert!(reaches_end || least <= fraction * (1.0 + 1e-3), "{excess}, {fraction}: {changed:?}");
+    }
+    let at_rest = Amplitude::from_period_excess(0.0).unwrap().change_with_period(1e-4);
+    assert!((at_rest - 0.04).abs() < 1e-5, "{at_rest}");
+}

@@ -11,23 +11,35 @@ use libration::period_formulas::PeriodFormula;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub(super) amplitude: Amplitude,
+    /// The uncertainty of the amplitude, in radians, if it follows from a period.
+    pub(super) uncertainty: Option<f64>,
     pub(super) small_angle_period: f64,
     pub(super) exact: SwingPeriod,
 }
 
 impl Swing {
-    pub(super) fn new(amplitude: Amplitude, pendulum: &Pendulum) -> Self {
+    pub(super) fn new((amplitude, uncertainty): (Amplitude, Option<f64>), pendulum: &Pendulum) -> Self {
         let small_angle_period = pendulum.small_angle_period();
-        Self { amplitude, small_angle_period, exact: pendulum.swing_period(&amplitude) }
+        Self { amplitude, uncertainty, small_angle_period, exact: pendulum.swing_period(&amplitude) }
     }
 
-    /// Of many amplitudes.
-    pub(super) fn all(amplitudes: &[Amplitude], pendulum: &Pendulum) -> Vec<Self> {
+    /// An angle of the swing in radians, to the second digit of its uncertainty.
+    fn radians(&self, angle: f64) -> String {
+        match self.uncertainty {
+            Some(uncertainty) => number::to_its_error(angle, uncertainty / 10.0, DIGITS),
+            None => number::rounded(angle, DIGITS),
+        }
+    }
+
+    /// The swings of many amplitudes.
+    pub(super) fn all(given: &[(Amplitude, Option<f64>)], pendulum: &Pendulum) -> Vec<Self> {
         let small_angle_period = pendulum.small_angle_period();
+        let amplitudes: Vec<Amplitude> = given.iter().map(|(amplitude, _)| *amplitude).collect();
         let mut exact = vec![SwingPeriod::default(); amplitudes.len()];
-        pendulum.swing_periods(amplitudes, &mut exact).expect("there is one for each");
-        let swing = |(&amplitude, exact)| Self { amplitude, small_angle_period, exact };
-        amplitudes.iter().zip(exact).map(swing).collect()
+        pendulum.swing_periods(&amplitudes, &mut exact).expect("there is one for each");
+        let swing =
+            |(&(amplitude, uncertainty), exact)| Self { amplitude, uncertainty, small_angle_period, exact };
+        given.iter().zip(exact).map(swing).collect()
     }
 }
 
@@ -43,18 +55,37 @@ pub(super) struct Estimate<'a> {
 pub(super) const SMALL_ANGLE_PERIOD: &str = "small-angle period T₀";
 pub(super) const DIGITS: usize = 15;
 
-pub(super) fn of_swing() -> Fields<Swing> {
+/// The fields of a swing, with the uncertainty of an amplitude that follows from a period.
+pub(super) fn of_swing(is_of_period: bool) -> Fields<Swing> {
     type Of = Field<Swing>;
-    Fields::from([
+    let uncertainty = Of::present(
+        "amplitude_uncertainty_rad",
+        "rad",
+        "uncertainty of an amplitude that follows from a period: from the period's, or else from its rounding",
+        |it| it.uncertainty,
+    )
+    .rounded("u(θ₀) / rad", 2)
+    .line_of("uncertainty of θ₀", |it| {
+        let uncertainty = it.uncertainty.unwrap_or(0.0);
+        format!("{} rad = {}°", number::at_most(uncertainty), number::at_most(uncertainty.to_degrees()))
+    });
+    let amplitude = Fields::from([
         Of::number("amplitude_rad", "rad", "amplitude", |it| it.amplitude.radians())
             .numeral("θ₀ / °", |it| number::short(it.amplitude.angle().degrees(), 12))
             .line_of("amplitude θ₀", |it| {
-                let radians = number::rounded(it.amplitude.radians(), DIGITS);
-                format!("{radians} rad = {}°", number::short(it.amplitude.angle().degrees(), 12))
+                let degrees = it.amplitude.angle().degrees();
+                let degrees = match it.uncertainty {
+                    Some(error) => number::to_its_error(degrees, error.to_degrees() / 10.0, 12),
+                    None => number::short(degrees, 12),
+                };
+                format!("{} rad = {degrees}°", it.radians(it.amplitude.radians()))
             }),
         Of::number("complement_rad", "rad", "π minus the amplitude", |it| it.amplitude.complement())
             .rounded("π − θ₀ / rad", 8)
-            .line("π − θ₀", DIGITS),
+            .line_of("π − θ₀", |it| it.radians(it.amplitude.complement())),
+    ]);
+    let amplitude = if is_of_period { amplitude.and([uncertainty]) } else { amplitude };
+    amplitude.and([
         Of::number("small_angle_period_s", "s", "period of small swings, 2π√(l/g)", |it| {
             it.small_angle_period
         })
@@ -109,9 +140,9 @@ pub(super) fn of_formula<'a>() -> Fields<Estimate<'a>> {
 pub(crate) fn answers() -> Vec<Answers> {
     let json = [
         PendulumOptions::fields().described(""),
-        of_swing().described("results[]."),
+        of_swing(true).described("results[]."),
         of_formula().described("results[].formulas[]."),
     ];
-    let csv = [of_swing().described_in_csv(), of_formula().described_in_csv()];
+    let csv = [of_swing(true).described_in_csv(), of_formula().described_in_csv()];
     vec![Answers { command: "period", option: "", json: json.concat(), csv: csv.concat() }]
 }

@@ -1,4 +1,4 @@
-//! `libration period`: the exact period, and every published formula with its error.
+//! `libration period`: the exact period, or the amplitude that has it, and every published formula with its error.
 
 mod fields;
 mod sheet;
@@ -16,12 +16,13 @@ use table::Swings;
 
 pub(crate) use fields::answers;
 
-/// The exact period at one or more amplitudes, and every published formula with its error
+/// The exact period at one or more amplitudes, or the amplitude of a period, and every published formula with its error
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
+  libration period --period 2.10(1)s    # the amplitude that has it
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
   printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]
@@ -49,15 +50,15 @@ enum Order {
 
 impl Period {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
-        let amplitudes = self.amplitudes.read()?;
         let pendulum = self.pendulum.pendulum()?;
+        let amplitudes = self.amplitudes.read(&pendulum)?;
         interrupt::listen()?;
         let swings = Swings { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,
             Form::Table => match amplitudes.single() {
-                Some(amplitude) => sheet::write(out, self, &Swing::new(amplitude, &pendulum))?,
+                Some(given) => sheet::write(out, self, &Swing::new(given, &pendulum))?,
                 None => swings.write(out)?,
             },
         }

@@ -22,9 +22,10 @@ pub(super) fn write(out: &mut dyn Write, question: &Period, swing: &Swing) -> io
     table.finish(out)
 }
 
-/// The pendulum stands behind the amplitude and its complement.
+/// The lines of a swing; those of the pendulum come after those of the amplitude.
 fn lines(question: &Period, swing: &Swing) -> Vec<(&'static str, String)> {
-    let mut lines = fields::of_swing().lines(swing);
-    lines.splice(2..2, question.pendulum.lines());
+    let mut lines = fields::of_swing(question.amplitudes.are_of_periods()).lines(swing);
+    let place = 2 + usize::from(swing.uncertainty.is_some());
+    lines.splice(place..place, question.pendulum.lines());
     lines
 }

@@ -30,13 +30,13 @@ impl Swings<'_> {
         table::sheet(out, &[question.pendulum.lines(), vec![period]].concat())?;
         writeln!(out)?;
         let formulas = question.formulas.chosen();
-        let exact = fields::of_swing();
+        let exact = fields::of_swing(self.question.amplitudes.are_of_periods());
         let errors = formulas.iter().map(|formula| Column::numbers(format!("error of {}", formula.key())));
         let mut table = Table::new(exact.columns().into_iter().chain(errors).collect());
-        for amplitude in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
-            let errors = fractional_errors(formulas, &[amplitude.angle()]);
+        for given in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
+            let errors = fractional_errors(formulas, &[given.0.angle()]);
             let errors = errors.into_iter().map(|error| number::rounded(error, 3));
-            let swing = Swing::new(amplitude, pendulum);
+            let swing = Swing::new(given, pendulum);
             table.row(out, exact.cells(&swing).into_iter().chain(errors).collect())?;
         }
         table.finish(out)
@@ -44,7 +44,8 @@ impl Swings<'_> {
 
     pub(super) fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let formulas = self.question.formulas.chosen_or_all();
-        let (exact, of_formula) = (fields::of_swing(), fields::of_formula());
+        let (exact, of_formula) =
+            (fields::of_swing(self.question.amplitudes.are_of_periods()), fields::of_formula());
         let more = formulas.iter().flat_map(|formula| of_formula.csv_names_for(formula.key()));
         csv::line(out, &exact.csv_names().into_iter().chain(more).collect::<Vec<_>>())?;
         let row = |text: &mut Vec<u8>, swing: &Swing, estimates: Vec<_>| {
@@ -63,7 +64,8 @@ impl Swings<'_> {
     pub(super) fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let question = self.question;
         let formulas = question.formulas.chosen_or_all();
-        let (of_swing, of_formula) = (fields::of_swing(), fields::of_formula());
+        let (of_swing, of_formula) =
+            (fields::of_swing(self.question.amplitudes.are_of_periods()), fields::of_formula());
         let item = |text: &mut Vec<u8>, swing: &Swing, estimates: Vec<_>| {
             let estimates = question.sorted(estimates);
             let record = of_swing.record(swing).with("formulas", of_formula.records(&estimates));
@@ -89,7 +91,8 @@ impl Swings<'_> {
         let all = amplitudes.len();
         let texts = |piece: usize| {
             let places = piece * PIECE..all.min((piece + 1) * PIECE);
-            let found: Vec<Amplitude> = places.filter_map(|place| amplitudes.get(place)).collect();
+            let found: Vec<(Amplitude, Option<f64>)> =
+                places.filter_map(|place| amplitudes.get(place)).collect();
             let swings = Swing::all(&found, pendulum);
             let estimates = estimates(&swings, formulas);
             swings.iter().zip(estimates).fold(vec![], |mut text, (swing, estimates)| {
