@@ -31,7 +31,7 @@ pub struct LyapunovExponent {
     pub convergence: Vec<(f64, f64)>,
 }
 
-/// Why no exponent can be measured.
+/// The reason why no exponent can be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LyapunovError {
