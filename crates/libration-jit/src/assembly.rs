@@ -22,12 +22,12 @@ use crate::{Arithmetic, StraightLine};
 pub(crate) struct Assembled {
     pub(crate) code: Vec<u8>,
     pub(crate) numbers: Vec<f64>,
-    /// How many numbers it puts down beside the places.
+    /// Number of values that it stores in the scratch memory.
     pub(crate) scratch: usize,
 }
 
-/// The code of a line in a set of instructions, where so many lanes stand beside each other in memory; `None` if more values are
-/// wanted at the same time than there are registers.
+/// The code of a line in a set of instructions, for this number of lanes side by side in memory; `None` if more values are needed at the same time
+/// than there are registers.
 pub(crate) fn assembled(
     line: &StraightLine,
     set: &'static InstructionSet,
@@ -51,7 +51,7 @@ pub(crate) fn assembled(
     Some(Assembled { code, numbers: assembler.numbers, scratch })
 }
 
-/// Where a value can be read again.
+/// The location from which a value can be loaded again.
 #[derive(Clone, Copy, Debug)]
 enum Home {
     Place(usize),
@@ -60,7 +60,7 @@ enum Home {
     Scratch(usize),
 }
 
-/// Why there is no code.
+/// The reason why there is no code.
 #[derive(Debug)]
 enum NoCode {
     /// All registers hold what is still needed and is nowhere else.
@@ -80,7 +80,7 @@ struct Assembler<'a> {
     line: &'a StraightLine,
     encoder: Encoder,
     registers: Registers,
-    /// By the numbers of the values.
+    /// Locations of the values, by their numbers.
     homes: Vec<Option<Home>>,
     uses: Uses,
     /// The step that is written.
@@ -153,7 +153,7 @@ impl<'a> Assembler<'a> {
     }
 }
 
-/// What an instruction reads last.
+/// The last operand of an instruction.
 #[derive(Clone, Copy)]
 enum Operand {
     Register(Register),
@@ -184,7 +184,7 @@ impl Assembler<'_> {
         Ok(MemoryOperand::with_base_displ(base, i64::from(displacement)))
     }
 
-    /// A register for a value, which is no operand of this step.
+    /// A register for a value that is not an operand of this step.
     fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
             let can_be_had_again =

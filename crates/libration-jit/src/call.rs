@@ -5,7 +5,7 @@ use memmap2::{Mmap, MmapMut};
 use crate::assembly::Assembled;
 use crate::{Aligned, StraightLine};
 
-/// What the code is given: the first of the places, of the arguments, of the numbers in the line and of the scratch.
+/// The signature of the code: pointers to the slots, the arguments, the numbers in the line and the scratch memory.
 type Function = unsafe extern "sysv64" fn(
     places: *mut f64,
     arguments: *const f64,
@@ -23,7 +23,7 @@ pub(crate) struct Code {
     arguments: usize,
     scratch: usize,
     lanes: usize,
-    /// How many lanes a register has.
+    /// Number of lanes in a register.
     width: usize,
 }
 

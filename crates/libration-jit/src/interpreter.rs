@@ -1,10 +1,10 @@
-//! What a line comes to, one step after the other and one lane after the other.
+//! Interpretation of a line, one step after the other and one lane after the other.
 
 use crate::inner_product::Numbers;
 use crate::{Arithmetic, StraightLine, inner_product};
 
 impl StraightLine {
-    /// Runs the line in so many lanes, the numbers of which stand beside each other at each place and in each argument.
+    /// Runs the line in `lanes` lanes, whose numbers are side by side in each slot and in each argument.
     ///
     /// # Panics
     /// If there are fewer numbers than places or arguments times lanes.

@@ -3,7 +3,7 @@
 /// One step of a [`StraightLine`]. All but `Keep` have a value, which others name by the number of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arithmetic {
-    /// What is at a place before the line is run.
+    /// The content of a slot before the line is run.
     Place(usize),
     /// An argument.
     Argument(usize),
@@ -27,7 +27,7 @@ pub enum Arithmetic {
         a: usize,
         /// The first place of the other, the last of which comes first.
         b: usize,
-        /// How many places each has.
+        /// Number of slots that each has.
         count: usize,
     },
     /// Puts a value at a place.
@@ -89,7 +89,7 @@ impl std::fmt::Display for OutOfOrder {
 impl std::error::Error for OutOfOrder {}
 
 impl StraightLine {
-    /// The line of these steps on so many places and arguments.
+    /// The line of these steps, with these numbers of slots and arguments.
     ///
     /// # Errors
     /// A step whose operands are no values of steps before it; places and arguments that are not there; what was at a place, in use after
@@ -124,19 +124,19 @@ impl StraightLine {
         Ok(Self { steps, places, arguments })
     }
 
-    /// What is done.
+    /// The steps of the line.
     #[must_use]
     pub fn steps(&self) -> &[Arithmetic] {
         &self.steps
     }
 
-    /// How many places there are.
+    /// The number of slots.
     #[must_use]
     pub fn places(&self) -> usize {
         self.places
     }
 
-    /// How many arguments.
+    /// The number of arguments.
     #[must_use]
     pub fn arguments(&self) -> usize {
         self.arguments

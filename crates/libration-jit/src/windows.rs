@@ -5,17 +5,17 @@ use iced_x86::{Code, IcedError, Instruction, MemoryOperand, Register};
 
 use crate::instruction_set::InstructionSet;
 
-/// Which a function may change; the first one points to the places.
+/// Registers that a function may change; the first one points to the slots.
 const BASES: [Register; 6] =
     [Register::RDI, Register::RAX, Register::R8, Register::R9, Register::R10, Register::R11];
 
 /// It is given in this one.
 const SCRATCH: Register = Register::RCX;
 
-/// How many registers behind each other are near on either side.
+/// Number of registers' widths on either side that are near.
 const LEAST: usize = 128;
 
-/// As many bytes of the places for each register, one behind the other.
+/// Windows of equal size on the slots, consecutive, one for each register.
 #[derive(Debug)]
 pub(crate) struct Windows {
     /// Half of the bytes that are near a register; zero where there is only the first one, at the first byte.
@@ -27,13 +27,13 @@ impl Windows {
         Self { half: if set.has_short_distances() { LEAST * set.bytes() } else { 0 } }
     }
 
-    /// How far behind the first byte of the scratch its register points.
+    /// The distance of the scratch register's address from the first byte of the scratch memory.
     fn middle_of_scratch(&self) -> usize {
         const LONGEST_PACK: usize = 64;
         if self.half == 0 { 0 } else { LEAST * LONGEST_PACK }
     }
 
-    /// What has to be done before: the first register is changed last, from which the others are made.
+    /// The instructions at the beginning: the first register is changed last, since the others are computed from it.
     pub(crate) fn openings(&self) -> impl Iterator<Item = Result<Instruction, IcedError>> + use<> {
         let half = self.half;
         let count = if half == 0 { 0 } else { BASES.len() };

@@ -23,7 +23,8 @@ pub struct NamedSystem {
     pub also: &'static [&'static str],
     /// The name used in a sentence.
     pub title: &'static str,
-    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what `x[0]` and `x[n+1]` are.
+    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what
+    /// `x[0]` and `x[n+1]` are.
     pub equations: &'static str,
     /// Its coordinates, in the order of the equations; `x[i]` for as many as are counted.
     pub coordinates: &'static [NamedCoordinate],
