@@ -1,7 +1,6 @@
 //! Lines in the instructions of x86-64: AVX2 with fused multiply-add, or AVX-512.
 //!
-//! Values stay in registers until these are wanted for others. What is kept at a place is written at once, and can be read again
-//! from there.
+//! Values stay in registers until these are needed for others. A value kept in a slot is stored at once, and can be loaded again from there.
 
 mod packing;
 
@@ -87,11 +86,11 @@ struct Assembler<'a> {
     now: usize,
     numbers: Vec<f64>,
     places_of_numbers: HashMap<u64, usize>,
-    /// Bytes from one place to the next.
+    /// Bytes from one slot to the next.
     stride: usize,
     windows: Windows,
     packs: Packs,
-    /// The values at the places where some were kept.
+    /// The values kept in the slots.
     kept: Vec<Option<usize>>,
 }
 

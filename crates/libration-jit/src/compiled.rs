@@ -32,7 +32,7 @@ impl Compiled {
     /// Runs the line as [`StraightLine::interpret`] does, in the lanes it was compiled for.
     ///
     /// # Panics
-    /// If there are fewer numbers than places or arguments times lanes.
+    /// If there are fewer numbers than slots or arguments times lanes.
     pub fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Aligned) {
         self.code.run(places, arguments, scratch);
     }

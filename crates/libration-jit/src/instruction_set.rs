@@ -18,9 +18,9 @@ pub(crate) struct InstructionSet {
     pub(crate) divide: Code,
     pub(crate) multiply_add: Code,
     pub(crate) exclusive_or: Code,
-    /// Before the return.
+    /// The instruction before the return.
     pub(crate) leave: Code,
-    /// With one lane: what is done to two or four numbers at once.
+    /// Instructions for two, four or eight numbers at once, with one lane.
     pub(crate) packed: Option<PackedSet>,
 }
 

@@ -7,7 +7,7 @@ impl StraightLine {
     /// Runs the line in `lanes` lanes, whose numbers are side by side in each slot and in each argument.
     ///
     /// # Panics
-    /// If there are fewer numbers than places or arguments times lanes.
+    /// If there are fewer numbers than slots or arguments times lanes.
     pub fn interpret(&self, places: &mut [f64], arguments: &[f64], lanes: usize) {
         let mut values = vec![0.0; self.steps().len()];
         for lane in 0..lanes {

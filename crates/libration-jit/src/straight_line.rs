@@ -21,20 +21,20 @@ pub enum Arithmetic {
     Divide(usize, usize),
     /// a·b + c with one rounding.
     MultiplyAdd(usize, usize, usize),
-    /// The [`inner_product`](crate::inner_product) of what is at places behind each other.
+    /// The [`inner_product`](crate::inner_product) of the values in consecutive slots.
     InnerProduct {
-        /// The first place of the one.
+        /// The first slot of the one factor.
         a: usize,
-        /// The first place of the other, the last of which comes first.
+        /// The first slot of the other factor, the last of which comes first.
         b: usize,
-        /// Number of slots that each has.
+        /// Number of slots of each factor.
         count: usize,
     },
-    /// Puts a value at a place.
+    /// Stores a value in a slot.
     Keep {
         /// The value.
         value: usize,
-        /// The place.
+        /// The slot.
         place: usize,
     },
 }
@@ -53,7 +53,7 @@ impl Arithmetic {
         operands.into_iter().flatten()
     }
 
-    /// The places that an inner product reads.
+    /// The slots that an inner product reads.
     pub(crate) fn read(&self) -> impl Iterator<Item = usize> + use<> {
         let ranges = match *self {
             Self::InnerProduct { a, b, count } => [a..a.saturating_add(count), b..b.saturating_add(count)],
@@ -63,7 +63,7 @@ impl Arithmetic {
     }
 }
 
-/// Steps one after the other, on places in memory and arguments that stay what they are.
+/// Consecutive steps on slots in memory and arguments that are not changed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightLine {
     steps: Vec<Arithmetic>,
@@ -92,8 +92,8 @@ impl StraightLine {
     /// The line of these steps, with these numbers of slots and arguments.
     ///
     /// # Errors
-    /// A step whose operands are no values of steps before it; places and arguments that are not there; what was at a place, in use after
-    /// something was kept there; a second value kept at the same place, or one where an inner product has read.
+    /// A step with an operand that is not the value of an earlier step; slots and arguments that do not exist; the initial value of a slot, used
+    /// after something was stored there; a second value stored in the same slot, or one stored where an inner product has read.
     pub fn new(steps: Vec<Arithmetic>, places: usize, arguments: usize) -> Result<Self, OutOfOrder> {
         let (mut kept, mut read) = (vec![false; places], vec![false; places]);
         for (number, step) in steps.iter().enumerate() {

@@ -7,7 +7,7 @@ use crate::StraightLine;
 pub(crate) struct Uses {
     /// Steps that use the first value, the second, ….
     steps: Vec<u32>,
-    /// Index of the first step of each value, and the end of all.
+    /// Index of the first use of each value, and the end of all uses.
     first: Vec<u32>,
 }
 

@@ -1,5 +1,5 @@
-//! Registers that point into the places, so that most addresses take one byte: a third less code, of which long lines have more than
-//! the first cache for instructions holds.
+//! Registers that point into the slots, so that most addresses take one byte: a third less code, of which long lines have more than the first cache
+//! for instructions holds.
 
 use iced_x86::{Code, IcedError, Instruction, MemoryOperand, Register};
 
@@ -9,13 +9,13 @@ use crate::instruction_set::InstructionSet;
 const BASES: [Register; 6] =
     [Register::RDI, Register::RAX, Register::R8, Register::R9, Register::R10, Register::R11];
 
-/// It is given in this one.
+/// The register in which the scratch memory is given.
 const SCRATCH: Register = Register::RCX;
 
-/// Number of registers' widths on either side that are near.
+/// Distance from a base register, on either side, that is near, in widths of a vector register.
 const LEAST: usize = 128;
 
-/// Windows of equal size on the slots, consecutive, one for each register.
+/// Consecutive windows of equal size onto the slots, one for each base register.
 #[derive(Debug)]
 pub(crate) struct Windows {
     /// Half of the bytes that are near a register; zero where there is only the first one, at the first byte.
@@ -53,7 +53,7 @@ impl Windows {
         (SCRATCH, distance.and_then(|distance| i64::try_from(distance).ok()))
     }
 
-    /// A register and how far from it a byte of the places is.
+    /// A register and the distance from it to a byte of the slots.
     pub(crate) fn around(&self, byte: usize) -> (Register, Option<i64>) {
         let window =
             byte.checked_div(2 * self.half).map_or(0, |window| if window < BASES.len() { window } else { 0 });

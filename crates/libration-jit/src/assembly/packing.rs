@@ -13,13 +13,13 @@ use crate::instruction_set::{Packed, PackedSet};
 use crate::written_out::inner_product_steps;
 use crate::{Arithmetic, StraightLine};
 
-/// One place for each lane.
+/// One slot for each lane.
 type Places = [usize; WIDEST];
 
 /// The content of the scratch memory.
 #[derive(Debug, Default)]
 pub(super) struct Packs {
-    /// The first number of those that came from these places, by the width of the register.
+    /// The first of the values that came from these slots, by the width of the register.
     at: BTreeMap<(usize, Places), usize>,
     numbers: usize,
 }
@@ -40,7 +40,7 @@ impl Packs {
 
 /// The rows that a group reads, and its registers.
 struct Rows {
-    /// The first places of either factor.
+    /// The first slots of either factor.
     first: [Places; 2],
     count: usize,
     lanes: usize,

@@ -17,14 +17,14 @@ pub enum Section {
     Stroboscope {
         /// The period; that of [`drive_period`] if none is given.
         period: Option<f64>,
-        /// At which part of the period after t = 0, from 0 to 1.
+        /// The phase of the flash after t = 0, as a part of the period, from 0 to 1.
         phase: f64,
     },
     /// Whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,
-        /// From which side.
+        /// The direction in which the motion crosses the surface.
         direction: Direction,
     },
 }
@@ -40,7 +40,7 @@ impl Section {
         }
     }
 
-    /// The first flash of a stroboscope after t = 0; `None` for a surface, or without a known period.
+    /// The time of a stroboscope's first flash after t = 0; `None` for a surface, or without a known period.
     pub(super) fn first_flash(&self, equation: &Equation) -> Option<f64> {
         match self {
             Self::Stroboscope { period, phase } => Some(phase * period.or_else(|| drive_period(equation))?),

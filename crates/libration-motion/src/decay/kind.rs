@@ -37,7 +37,7 @@ impl DampingKind {
         }
     }
 
-    /// With a coefficient, in its unit.
+    /// The damping term with a coefficient, in its unit.
     #[must_use]
     pub fn term(self, coefficient: f64) -> PowerLawTerm {
         PowerLawTerm { exponent: self.exponent(), coefficient }

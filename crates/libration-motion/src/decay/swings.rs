@@ -1,4 +1,4 @@
-//! From turning point to turning point by integration.
+//! Integration of a damped motion from turning point to turning point.
 
 use super::ending::DecayEnding;
 use super::half_swing::{HalfSwing, Turn};
@@ -25,7 +25,7 @@ pub struct TurningPoint {
 pub struct Swings<'a> {
     decay: &'a Decay,
     swing: HalfSwing,
-    /// In units of 1/ω0.
+    /// The time in units of 1/ω0.
     time: DoubleDouble,
     /// `None` before the start.
     amplitude: Option<Amplitude>,

@@ -24,7 +24,7 @@ const LONGEST_FRACTION: usize = 128;
 pub(super) struct Equilibrium {
     pub(super) at: Constant,
     pub(super) omega0_squared: Constant,
-    /// Power series above and below an equilibrium that differ from each other.
+    /// The forces on either side, where one power series holds above the equilibrium and another below.
     pub(super) sides: Option<Sides>,
 }
 

@@ -15,10 +15,10 @@ pub enum NumbersOrLetters {
 /// The reason why an equation is not an oscillator, with numbers or with letters.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NumbersOrLettersError {
-    /// With numbers.
+    /// The reason with numbers.
     #[error(transparent)]
     Numbers(#[from] OscillatorError),
-    /// With letters.
+    /// The reason with letters.
     #[error(transparent)]
     Letters(#[from] SymbolicOscillatorError),
 }

@@ -28,7 +28,7 @@ use libration_numbers::{
 #[derive(Clone, Debug)]
 pub struct SymbolicOscillator {
     equation: Equation,
-    /// With the displacement counted from the equilibrium.
+    /// The force, with the displacement counted from the equilibrium.
     force: Force,
     kind: Kind,
     odd: bool,

@@ -38,7 +38,7 @@ pub struct Body {
 }
 
 impl Bodies {
-    /// From the formulas of all places, with the coordinates' names.
+    /// The bodies with these formulas of all positions, in these names of coordinates.
     pub(super) fn new(places: &[[[Expression; 2]; 2]], names: &[Symbol]) -> Result<Self, WithoutValue> {
         let formulas: Vec<&Expression> = places.iter().flatten().flatten().collect();
         let time = [Symbol::plain("t")];

@@ -46,7 +46,7 @@ pub struct NamedSystem {
     pub bodies: &'static [NamedBody],
     /// A description of the system, and of how its coordinates are measured.
     pub description: &'static str,
-    /// For which motions and parameters it holds.
+    /// The motions and parameters for which it holds.
     pub domain: &'static str,
     /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
     /// remembered, with `not verified against the original` at the end.

@@ -9,7 +9,7 @@ use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, 
 /// The beginning of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Start {
-    /// In a state.
+    /// A state.
     State(Moment),
     /// The start of a step of an earlier integration.
     Checkpoint(Checkpoint),

@@ -38,7 +38,7 @@ pub struct Block<const N: usize> {
     pub unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
     pub coefficients: Aligned,
-    /// For machine code.
+    /// Scratch memory for machine code.
     scratch: Aligned,
     /// The low words of the state, which the first coefficients lack.
     low: Vec<[f64; N]>,

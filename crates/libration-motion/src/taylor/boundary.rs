@@ -21,7 +21,7 @@ pub(super) enum Forbidden {
     OddQuarterTurns,
 }
 
-/// A value on the tape, by its place, that must keep away from something.
+/// A value on the tape, by its slot, that must keep away from other values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Boundary<P> {
     pub(super) of: P,
@@ -72,7 +72,7 @@ pub(super) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     (0..reached.len()).filter(|&place| reached[place]).collect()
 }
 
-/// The places that are zero where this one is, simple zeros as far as the formula shows them.
+/// The slots that are zero where this one is, simple zeros as far as the formula shows them.
 fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
     let is_sign = |place: usize| matches!(tape.operations()[place], Operation::Input(n) if n >= first_sign);
     match tape.operations()[place] {

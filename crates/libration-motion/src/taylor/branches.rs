@@ -1,4 +1,4 @@
-//! On which side of zero the argument of each absolute value is, or whether it stays there.
+//! The side of zero on which the argument of each absolute value is, or whether it stays at zero.
 
 use super::Cause;
 use super::block::Block;

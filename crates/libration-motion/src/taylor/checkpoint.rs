@@ -34,7 +34,7 @@ pub struct ModulusCheckpoint {
 /// The state of the formula of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EventCheckpoint {
-    /// On which side of zero it is.
+    /// The side of zero on which it is.
     pub side: Option<f64>,
     /// Time of its last zero.
     pub last: Option<f64>,

@@ -11,7 +11,7 @@ use libration_numbers::roots::{Tolerance, zero_between};
 /// One formula on its way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contacts {
-    /// On which side of zero it is; none before the first step, and while it vanishes.
+    /// The side of zero on which it is; none before the first step, and while it vanishes.
     pub(super) side: Option<f64>,
     pub(super) begun: bool,
     /// Time of its last zero.

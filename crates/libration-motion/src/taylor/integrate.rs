@@ -1,4 +1,4 @@
-//! From a state to the states at given times.
+//! Integration from a state to the states at given times.
 
 use std::ops::ControlFlow;
 

@@ -30,7 +30,7 @@ pub(super) struct Linearised {
 /// The value of an operation, and how it changes with its operands.
 struct Differential {
     value: f64,
-    /// The places of the operands and the derivatives by them.
+    /// The slots of the operands, and the derivatives with respect to them.
     by: [Option<(usize, f64)>; 2],
     is_exact: bool,
 }

@@ -14,7 +14,7 @@ pub(super) struct Moduli {
 /// The argument of a |…| or a sign.
 #[derive(Clone, Debug)]
 pub(super) struct Modulus {
-    /// With signs in the place of all |…| within it.
+    /// The argument with signs in the place of all |…| within it.
     pub(super) argument: Expression,
     /// The argument as it is written.
     pub(super) written: Expression,

@@ -119,7 +119,7 @@ impl Beginning<'_> {
         None
     }
 
-    /// From zero to zero of what stands in a |…|.
+    /// The panels from zero to zero of the argument of a |…|.
     fn panels(&self, rates: &[f64], length: f64) -> Option<Vec<Panel>> {
         const LOOKS: u32 = 8;
         let arguments =

@@ -28,7 +28,7 @@ pub(super) struct Pieces {
 #[derive(Debug)]
 pub(super) struct Middle {
     pub(super) step: RoundedStep,
-    /// In its middle.
+    /// The spread in its middle.
     pub(super) spread: Spread,
     /// Errors that the step has added.
     pub(super) added: Vec<f64>,

@@ -36,8 +36,8 @@ pub struct Plan {
     pub(super) boundaries: Vec<Boundary<Row>>,
     /// Values of which the accelerations are steep functions.
     pub(super) steep: Vec<Steep<Row>>,
-    /// For the zeroth coefficients of all but functions, and what these need.
+    /// Code for the zeroth coefficients of all but functions, and of all that these need.
     pub(super) beginning: MachineCode,
-    /// For those of higher order.
+    /// Code for the coefficients of higher order.
     pub expansion: MachineCode,
 }

@@ -19,7 +19,7 @@ pub(super) enum Rest {
     Undecided,
 }
 
-/// The rest of a motion in one state component, going forward or backward in time; `None` if it has not come to rest.
+/// The outcome for a motion that has come to rest in one state component, going forward or backward in time; `None` if it has not.
 pub(super) fn rest(system: &System, moment: &Moment, parameters: &[f64], backward: bool) -> Option<Rest> {
     let passage = system.passage()?;
     let in_moduli = passage.roots().iter().filter_map(|&modulus| system.driven_in_modulus(modulus));

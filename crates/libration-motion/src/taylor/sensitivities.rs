@@ -32,7 +32,7 @@ pub struct Sensitivities {
     own: StateLayout,
     all: StateLayout,
     state_names: Vec<String>,
-    /// In the order in which they were asked for.
+    /// The quantities in the order in which they were requested.
     origins: Vec<Origin>,
 }
 
@@ -73,7 +73,7 @@ pub enum SensitivityError {
 }
 
 impl Sensitivities {
-    /// The derivatives with respect to parameters, whose values are given here only, and with respect to initial values, which have the names of the
+    /// The derivatives with respect to parameters, whose values enter only here, and with respect to initial values, which have the names of the
     /// state components.
     ///
     /// # Errors

@@ -56,7 +56,7 @@ pub struct StateErrors {
     crossings: Vec<(usize, Contact, Option<Crossing>)>,
     /// Number of steps that have added to the errors.
     pub(super) steps: f64,
-    /// At the start of the last step, and at its end.
+    /// The spreads at the start of the last step, and at its end.
     pub(super) spreads: [Spread; 2],
     bounds: [Vec<f64>; 2],
     /// Errors that the last step has added.
@@ -214,7 +214,7 @@ impl StateErrors {
         self.crossings[place].2.as_mut()
     }
 
-    /// At a time of the last step.
+    /// The spread at a time of the last step.
     fn spread_at(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64) -> Spread {
         let middle = self.pieces.as_ref().and_then(|pieces| pieces.last.as_ref());
         let start = (step.start(), &self.spreads[0]);

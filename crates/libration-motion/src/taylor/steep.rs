@@ -17,13 +17,13 @@ enum Enters {
     Exponent,
     /// cosh, sinh and tanh: they are smallest, or turn fastest, at zero.
     Hyperbolic,
-    /// Through a power, the exponent of which may be large.
+    /// A divisor, through a power whose exponent may be large.
     Divisor,
     /// A factor, with this exponent.
     Power(f64),
 }
 
-/// A value on the tape, by its place, of which something is a steep function.
+/// A value on the tape, by its slot, of which something is a steep function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Steep<P> {
     pub(super) of: P,
@@ -40,7 +40,7 @@ impl<P> Steep<P> {
         Self::new(of, Enters::Divisor)
     }
 
-    /// The same by another place.
+    /// The same with another slot.
     pub(super) fn moved<Q>(&self, of: Q) -> Steep<Q> {
         Steep { of, enters: self.enters, followed: self.followed }
     }

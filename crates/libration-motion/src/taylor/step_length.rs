@@ -107,9 +107,9 @@ pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, allowances: &[Al
 /// The logarithm of a radius of convergence in each lane.
 #[derive(Clone, Copy, Debug)]
 struct Log2Radius<const N: usize> {
-    /// From series whose first coefficients tell their size.
+    /// The logarithm from series whose first coefficients determine their size.
     of_sizes: [f64; N],
-    /// From others, whose size is taken to be the least number there is.
+    /// The logarithm from other series, whose size is taken to be the smallest positive number.
     of_nothing: [f64; N],
 }
 

@@ -32,9 +32,9 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) fresh: [bool; N],
     /// Motions with a step that would have ended elsewhere on the way to another goal.
     pub(super) goal_bound: [bool; N],
-    /// To the least of the tolerances of all coordinates.
+    /// Tolerances and step limit, with the smallest of the tolerances of all coordinates.
     pub(super) effort: Effort,
-    /// One for each number of the state.
+    /// One allowance for each state component.
     pub(super) allowances: Vec<Allowance>,
     pub(super) log2_part_of_radius: f64,
 }

@@ -71,7 +71,7 @@ impl Expander<'_> {
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
-    /// The place of the value of each step that is at one.
+    /// The slot of each step's value, if it is in one.
     places: RefCell<Vec<Option<usize>>>,
     /// Quotients by integers, each of which is formed once.
     quotients: RefCell<HashMap<(Recorded, u64), Recorded>>,

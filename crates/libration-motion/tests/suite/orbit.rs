@@ -129,9 +129,9 @@ fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
     }
 }
 
-/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the largest
-/// displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the corrections of
-/// later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
+/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the
+/// largest displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the
+/// corrections of later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
 #[test]
 fn van_der_pols_cycle_is_found_when_it_relaxes() {
     const ALPHA: f64 = 2.338_107_410_459_767;

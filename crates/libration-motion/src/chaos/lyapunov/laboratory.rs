@@ -12,7 +12,7 @@ use libration_numbers::watch::{Stage, Watch};
 /// The equations, the schedule and the units that all motions of one measurement share.
 pub(super) struct Laboratory<'a> {
     plain: System,
-    /// With the equations of one deviation.
+    /// The equations of motion with those of one deviation.
     extended: System,
     schedule: &'a Schedule,
     effort: &'a Effort,

@@ -9,7 +9,7 @@ pub(super) const BLOCKS: usize = 10;
 #[derive(Clone, Debug)]
 pub struct Record {
     interval: f64,
-    /// Up to each interval's end.
+    /// The logarithm at the end of each interval.
     logarithms: Vec<f64>,
 }
 
