@@ -15,7 +15,7 @@ pub struct Aligned {
 }
 
 impl Aligned {
-    /// So many zeros.
+    /// A vector of `count` zeros.
     #[must_use]
     pub fn zeros(count: usize) -> Self {
         const LINE: usize = 64;

@@ -1,7 +1,6 @@
 //! Lines in the instructions of x86-64: AVX2 with fused multiply-add, or AVX-512.
 //!
-//! Values stay in registers until these are wanted for others. What is kept at a place is written at once, and can be read again
-//! from there.
+//! Values stay in registers until these are needed for others. A value kept in a slot is stored at once, and can be loaded again from there.
 
 mod packing;
 
@@ -22,12 +21,12 @@ use crate::{Arithmetic, StraightLine};
 pub(crate) struct Assembled {
     pub(crate) code: Vec<u8>,
     pub(crate) numbers: Vec<f64>,
-    /// How many numbers it puts down beside the places.
+    /// Number of values that it stores in the scratch memory.
     pub(crate) scratch: usize,
 }
 
-/// The code of a line in a set of instructions, where so many lanes stand beside each other in memory; `None` if more values are
-/// wanted at the same time than there are registers.
+/// The code of a line in a set of instructions, for this number of lanes side by side in memory; `None` if more values are needed at the same time
+/// than there are registers.
 pub(crate) fn assembled(
     line: &StraightLine,
     set: &'static InstructionSet,
@@ -51,7 +50,7 @@ pub(crate) fn assembled(
     Some(Assembled { code, numbers: assembler.numbers, scratch })
 }
 
-/// Where a value can be read again.
+/// The location from which a value can be loaded again.
 #[derive(Clone, Copy, Debug)]
 enum Home {
     Place(usize),
@@ -60,7 +59,7 @@ enum Home {
     Scratch(usize),
 }
 
-/// Why there is no code.
+/// The reason why there is no code.
 #[derive(Debug)]
 enum NoCode {
     /// All registers hold what is still needed and is nowhere else.
@@ -80,18 +79,18 @@ struct Assembler<'a> {
     line: &'a StraightLine,
     encoder: Encoder,
     registers: Registers,
-    /// By the numbers of the values.
+    /// Locations of the values, by their numbers.
     homes: Vec<Option<Home>>,
     uses: Uses,
     /// The step that is written.
     now: usize,
     numbers: Vec<f64>,
     places_of_numbers: HashMap<u64, usize>,
-    /// Bytes from one place to the next.
+    /// Bytes from one slot to the next.
     stride: usize,
     windows: Windows,
     packs: Packs,
-    /// The values at the places where some were kept.
+    /// The values kept in the slots.
     kept: Vec<Option<usize>>,
 }
 
@@ -153,7 +152,7 @@ impl<'a> Assembler<'a> {
     }
 }
 
-/// What an instruction reads last.
+/// The last operand of an instruction.
 #[derive(Clone, Copy)]
 enum Operand {
     Register(Register),
@@ -184,7 +183,7 @@ impl Assembler<'_> {
         Ok(MemoryOperand::with_base_displ(base, i64::from(displacement)))
     }
 
-    /// A register for a value, which is no operand of this step.
+    /// A register for a value that is not an operand of this step.
     fn take(&mut self, value: usize, operands: &[usize]) -> Result<Register, NoCode> {
         let next_use = |held: usize| {
             let can_be_had_again =

@@ -5,7 +5,7 @@ use memmap2::{Mmap, MmapMut};
 use crate::assembly::Assembled;
 use crate::{Aligned, StraightLine};
 
-/// What the code is given: the first of the places, of the arguments, of the numbers in the line and of the scratch.
+/// The signature of the code: pointers to the slots, the arguments, the numbers in the line and the scratch memory.
 type Function = unsafe extern "sysv64" fn(
     places: *mut f64,
     arguments: *const f64,
@@ -23,7 +23,7 @@ pub(crate) struct Code {
     arguments: usize,
     scratch: usize,
     lanes: usize,
-    /// How many lanes a register has.
+    /// Number of lanes in a register.
     width: usize,
 }
 
@@ -51,11 +51,11 @@ impl Code {
         }
         let scratch = scratch.numbers_mut();
         for first in (0..*lanes).step_by(*width) {
-            // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the
-            // `places`, and reads as many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the
-            // `numbers`, reads and writes what is in `scratch`, and nothing else: what it was assembled from names no others, and
-            // the slices are as long. The first lane is a multiple of the width below `lanes`, which is another. It changes no register that a function may not
-            // change, and the processor has the instructions, as `InstructionSet` found out.
+            // SAFETY: the memory holds a whole function of this type, which reads and writes `width` numbers from each of the `places`, and reads as
+            // many from each of the `arguments`, `lanes` numbers apart, and `width` from each of the `numbers`, reads and writes what is in
+            // `scratch`, and nothing else: what it was assembled from names no others, and the slices are as long. The first lane is a multiple of
+            // the width below `lanes`, which is another. It changes no register that a function may not change, and the processor has the
+            // instructions, as `InstructionSet` found out.
             #[expect(unsafe_code, reason = "calling code that was made at run time")]
             unsafe {
                 let function: Function = std::mem::transmute(memory.as_ptr());

@@ -15,8 +15,7 @@ pub struct Compiled {
 
 #[cfg(all(target_arch = "x86_64", unix))]
 impl Compiled {
-    /// Code for so many lanes; `None` if there is none for this processor or this number of lanes, or the system grants no memory
-    /// for it.
+    /// Code for this number of lanes; `None` if there is none for this processor or this number of lanes, or the system grants no memory for it.
     #[must_use]
     pub fn new(line: &StraightLine, lanes: usize) -> Option<Self> {
         Self::in_set(line, lanes, InstructionSet::for_lanes(lanes).next()?)
@@ -33,7 +32,7 @@ impl Compiled {
     /// Runs the line as [`StraightLine::interpret`] does, in the lanes it was compiled for.
     ///
     /// # Panics
-    /// If there are fewer numbers than places or arguments times lanes.
+    /// If there are fewer numbers than slots or arguments times lanes.
     pub fn run(&self, places: &mut [f64], arguments: &[f64], scratch: &mut Aligned) {
         self.code.run(places, arguments, scratch);
     }

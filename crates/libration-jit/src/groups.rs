@@ -1,4 +1,4 @@
-//! Which inner products are formed at the same time.
+//! Groups of inner products that are formed at the same time.
 
 use std::collections::HashMap;
 
@@ -11,10 +11,10 @@ pub(crate) struct Group {
     pub(crate) count: usize,
 }
 
-/// How many numbers the widest registers hold in which inner products stand side by side.
+/// Largest number of inner products side by side in a register.
 pub(crate) const WIDEST: usize = 8;
 
-/// All inner products of a line in groups of so many at most, by the first step of each: there everything is known that the group reads.
+/// All inner products of a line in groups of at most `most`, keyed by the first step of each, at which all that the group reads is known.
 pub(crate) fn groups(line: &StraightLine, most: usize) -> HashMap<usize, Group> {
     let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Sums of products in an order that processors are fast at.
 
-/// What a sum of products is made of.
+/// The operations of a sum of products.
 pub trait MultiplyAdd {
     /// A number, or as many as are worked on side by side.
     type Element: Copy;

@@ -2,10 +2,10 @@
 
 use iced_x86::{Code, Register};
 
-/// What each operation is.
+/// The instructions for each operation.
 #[derive(Debug)]
 pub(crate) struct InstructionSet {
-    /// How many lanes a register has.
+    /// Number of lanes in a register.
     pub(crate) lanes: usize,
     pub(crate) registers: usize,
     first: Register,
@@ -18,13 +18,13 @@ pub(crate) struct InstructionSet {
     pub(crate) divide: Code,
     pub(crate) multiply_add: Code,
     pub(crate) exclusive_or: Code,
-    /// Before the return.
+    /// The instruction before the return.
     pub(crate) leave: Code,
-    /// With one lane: what is done to two or four numbers at once.
+    /// Instructions for two, four or eight numbers at once, with one lane.
     pub(crate) packed: Option<PackedSet>,
 }
 
-/// How two numbers are put beside each other, and two such pairs, and two of these, and what is done with each width.
+/// Instructions that combine two numbers, two such pairs, and two of these, and the operations for each width.
 #[derive(Debug)]
 pub(crate) struct PackedSet {
     /// The lower number of one and the lower one of another.
@@ -41,7 +41,7 @@ pub(crate) struct PackedSet {
     pub(crate) eight: Option<Eight>,
 }
 
-/// What is done with eight numbers, where registers hold so many.
+/// Instructions for eight numbers, where registers hold this many.
 #[derive(Debug)]
 pub(crate) struct Eight {
     /// Four numbers above four others.
@@ -50,13 +50,13 @@ pub(crate) struct Eight {
 }
 
 impl PackedSet {
-    /// How many numbers the registers hold in which inner products stand side by side.
+    /// The largest number of inner products side by side in a register.
     pub(crate) fn widest(&self) -> usize {
         if self.eight.is_some() { 8 } else { 4 }
     }
 }
 
-/// What is done with a register of one, two, four or eight numbers.
+/// Instructions for a register of one, two, four or eight numbers.
 #[derive(Debug)]
 pub(crate) struct Packed {
     first: Register,
@@ -76,7 +76,7 @@ impl Packed {
 }
 
 impl InstructionSet {
-    /// Those for which so many lanes are a multiple, and that the processor has; the widest first.
+    /// The sets of which `lanes` is a multiple, and that the processor has; the widest first.
     pub(crate) fn for_lanes(lanes: usize) -> impl Iterator<Item = &'static Self> {
         let is_known = lanes > 0 && is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
         let fits = move |set: &&'static Self| {
@@ -92,7 +92,7 @@ impl InstructionSet {
         self.lanes * size_of::<f64>()
     }
 
-    /// Whether addresses that are a multiple of the size of a register away, up to 127 times, are written in one byte.
+    /// Returns whether addresses that are a multiple of the size of a register away, up to 127 times, are written in one byte.
     pub(crate) fn has_short_distances(&self) -> bool {
         self.registers == EIGHT.registers
     }

@@ -1,13 +1,13 @@
-//! What a line comes to, one step after the other and one lane after the other.
+//! Interpretation of a line, one step after the other and one lane after the other.
 
 use crate::inner_product::Numbers;
 use crate::{Arithmetic, StraightLine, inner_product};
 
 impl StraightLine {
-    /// Runs the line in so many lanes, the numbers of which stand beside each other at each place and in each argument.
+    /// Runs the line in `lanes` lanes, whose numbers are side by side in each slot and in each argument.
     ///
     /// # Panics
-    /// If there are fewer numbers than places or arguments times lanes.
+    /// If there are fewer numbers than slots or arguments times lanes.
     pub fn interpret(&self, places: &mut [f64], arguments: &[f64], lanes: usize) {
         let mut values = vec![0.0; self.steps().len()];
         for lane in 0..lanes {

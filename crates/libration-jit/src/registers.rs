@@ -1,4 +1,4 @@
-//! Which values are in the vector registers.
+//! The values in the vector registers.
 
 /// The values in registers.
 #[derive(Debug)]

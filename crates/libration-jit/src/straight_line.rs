@@ -3,7 +3,7 @@
 /// One step of a [`StraightLine`]. All but `Keep` have a value, which others name by the number of the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arithmetic {
-    /// What is at a place before the line is run.
+    /// The content of a slot before the line is run.
     Place(usize),
     /// An argument.
     Argument(usize),
@@ -21,20 +21,20 @@ pub enum Arithmetic {
     Divide(usize, usize),
     /// a·b + c with one rounding.
     MultiplyAdd(usize, usize, usize),
-    /// The [`inner_product`](crate::inner_product) of what is at places behind each other.
+    /// The [`inner_product`](crate::inner_product) of the values in consecutive slots.
     InnerProduct {
-        /// The first place of the one.
+        /// The first slot of the one factor.
         a: usize,
-        /// The first place of the other, the last of which comes first.
+        /// The first slot of the other factor, the last of which comes first.
         b: usize,
-        /// How many places each has.
+        /// Number of slots of each factor.
         count: usize,
     },
-    /// Puts a value at a place.
+    /// Stores a value in a slot.
     Keep {
         /// The value.
         value: usize,
-        /// The place.
+        /// The slot.
         place: usize,
     },
 }
@@ -53,7 +53,7 @@ impl Arithmetic {
         operands.into_iter().flatten()
     }
 
-    /// The places that an inner product reads.
+    /// The slots that an inner product reads.
     pub(crate) fn read(&self) -> impl Iterator<Item = usize> + use<> {
         let ranges = match *self {
             Self::InnerProduct { a, b, count } => [a..a.saturating_add(count), b..b.saturating_add(count)],
@@ -63,7 +63,7 @@ impl Arithmetic {
     }
 }
 
-/// Steps one after the other, on places in memory and arguments that stay what they are.
+/// Consecutive steps on slots in memory and arguments that are not changed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightLine {
     steps: Vec<Arithmetic>,
@@ -89,11 +89,11 @@ impl std::fmt::Display for OutOfOrder {
 impl std::error::Error for OutOfOrder {}
 
 impl StraightLine {
-    /// The line of these steps on so many places and arguments.
+    /// The line of these steps, with these numbers of slots and arguments.
     ///
     /// # Errors
-    /// A step whose operands are no values of steps before it; places and arguments that are not there; what was at a place, in use after
-    /// something was kept there; a second value kept at the same place, or one where an inner product has read.
+    /// A step with an operand that is not the value of an earlier step; slots and arguments that do not exist; the initial value of a slot, used
+    /// after something was stored there; a second value stored in the same slot, or one stored where an inner product has read.
     pub fn new(steps: Vec<Arithmetic>, places: usize, arguments: usize) -> Result<Self, OutOfOrder> {
         let (mut kept, mut read) = (vec![false; places], vec![false; places]);
         for (number, step) in steps.iter().enumerate() {
@@ -124,19 +124,19 @@ impl StraightLine {
         Ok(Self { steps, places, arguments })
     }
 
-    /// What is done.
+    /// The steps of the line.
     #[must_use]
     pub fn steps(&self) -> &[Arithmetic] {
         &self.steps
     }
 
-    /// How many places there are.
+    /// The number of slots.
     #[must_use]
     pub fn places(&self) -> usize {
         self.places
     }
 
-    /// How many arguments.
+    /// The number of arguments.
     #[must_use]
     pub fn arguments(&self) -> usize {
         self.arguments

@@ -1,13 +1,13 @@
-//! When values are needed.
+//! The steps at which values are needed.
 
 use crate::StraightLine;
 
 /// The steps that need each value.
 #[derive(Debug)]
 pub(crate) struct Uses {
-    /// Those of the first value, of the second, ….
+    /// Steps that use the first value, the second, ….
     steps: Vec<u32>,
-    /// Where those of each begin, and where all end.
+    /// Index of the first use of each value, and the end of all uses.
     first: Vec<u32>,
 }
 

@@ -1,21 +1,21 @@
-//! Registers that point into the places, so that most addresses take one byte: a third less code, of which long lines have more than
-//! the first cache for instructions holds.
+//! Registers that point into the slots, so that most addresses take one byte: a third less code, of which long lines have more than the first cache
+//! for instructions holds.
 
 use iced_x86::{Code, IcedError, Instruction, MemoryOperand, Register};
 
 use crate::instruction_set::InstructionSet;
 
-/// Which a function may change; the first one points to the places.
+/// Registers that a function may change; the first one points to the slots.
 const BASES: [Register; 6] =
     [Register::RDI, Register::RAX, Register::R8, Register::R9, Register::R10, Register::R11];
 
-/// It is given in this one.
+/// The register in which the scratch memory is given.
 const SCRATCH: Register = Register::RCX;
 
-/// How many registers behind each other are near on either side.
+/// Distance from a base register, on either side, that is near, in widths of a vector register.
 const LEAST: usize = 128;
 
-/// As many bytes of the places for each register, one behind the other.
+/// Consecutive windows of equal size onto the slots, one for each base register.
 #[derive(Debug)]
 pub(crate) struct Windows {
     /// Half of the bytes that are near a register; zero where there is only the first one, at the first byte.
@@ -27,13 +27,13 @@ impl Windows {
         Self { half: if set.has_short_distances() { LEAST * set.bytes() } else { 0 } }
     }
 
-    /// How far behind the first byte of the scratch its register points.
+    /// The distance of the scratch register's address from the first byte of the scratch memory.
     fn middle_of_scratch(&self) -> usize {
         const LONGEST_PACK: usize = 64;
         if self.half == 0 { 0 } else { LEAST * LONGEST_PACK }
     }
 
-    /// What has to be done before: the first register is changed last, from which the others are made.
+    /// The instructions at the beginning: the first register is changed last, since the others are computed from it.
     pub(crate) fn openings(&self) -> impl Iterator<Item = Result<Instruction, IcedError>> + use<> {
         let half = self.half;
         let count = if half == 0 { 0 } else { BASES.len() };
@@ -53,7 +53,7 @@ impl Windows {
         (SCRATCH, distance.and_then(|distance| i64::try_from(distance).ok()))
     }
 
-    /// A register and how far from it a byte of the places is.
+    /// A register and the distance from it to a byte of the slots.
     pub(crate) fn around(&self, byte: usize) -> (Register, Option<i64>) {
         let window =
             byte.checked_div(2 * self.half).map_or(0, |window| if window < BASES.len() { window } else { 0 });

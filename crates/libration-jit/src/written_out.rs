@@ -46,7 +46,8 @@ fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic
     }
 }
 
-/// What an inner product is made of, and the step that is it. Places are numbered: first those of the one row, then those of the other.
+/// The steps of an inner product, and the number of the step with its value. Slots are numbered: first those of the one row, then those of the
+/// other.
 pub(crate) fn inner_product_steps(count: usize) -> (Vec<Arithmetic>, usize) {
     let steps = Steps::default();
     let row = |first: usize| -> Vec<usize> {

@@ -13,24 +13,24 @@ use crate::instruction_set::{Packed, PackedSet};
 use crate::written_out::inner_product_steps;
 use crate::{Arithmetic, StraightLine};
 
-/// One place for each lane.
+/// One slot for each lane.
 type Places = [usize; WIDEST];
 
-/// What was put into the scratch.
+/// The content of the scratch memory.
 #[derive(Debug, Default)]
 pub(super) struct Packs {
-    /// The first number of those that came from these places, by the width of the register.
+    /// The first of the values that came from these slots, by the width of the register.
     at: BTreeMap<(usize, Places), usize>,
     numbers: usize,
 }
 
 impl Packs {
-    /// How many numbers there are.
+    /// The number of values in the scratch memory.
     pub(super) fn numbers(&self) -> usize {
         self.numbers
     }
 
-    /// Room for one more register of so many numbers, at a multiple of its size.
+    /// Reserves room for one more register of `lanes` numbers, at a multiple of its size.
     fn room(&mut self, lanes: usize) -> usize {
         let first = self.numbers.next_multiple_of(lanes);
         self.numbers = first + lanes;
@@ -38,9 +38,9 @@ impl Packs {
     }
 }
 
-/// What a group reads, and in what registers.
+/// The rows that a group reads, and its registers.
 struct Rows {
-    /// The first places of either factor.
+    /// The first slots of either factor.
     first: [Places; 2],
     count: usize,
     lanes: usize,
@@ -66,7 +66,7 @@ impl Rows {
         Self { first, count: group.count, lanes, packed, set }
     }
 
-    /// Where a factor is: first come those of the one row of each lane, then those of the other.
+    /// The slots of a factor: first come the factors in the one row of each lane, then those in the other.
     fn places(&self, factor: usize) -> Places {
         self.first[factor / self.count].map(|first| first + factor % self.count)
     }
@@ -140,7 +140,7 @@ impl Assembler<'_> {
         Ok(())
     }
 
-    /// Where the numbers of a factor are beside each other.
+    /// The location where the numbers of a factor are side by side.
     fn packed_home(&self, rows: &Rows, factor: usize) -> Option<Home> {
         let places = rows.places(factor);
         match rows.lanes {

@@ -15,18 +15,18 @@ pub struct Family<'a> {
     pub equation: &'a Equation,
     /// The name of the parameter.
     pub parameter: &'a str,
-    /// Where the points are taken.
+    /// The surface or the stroboscope by which points are taken.
     pub section: &'a Section,
-    /// How many.
+    /// The numbers of points to skip and to record.
     pub points: Points,
 }
 
-/// Where the motion begins for each value of the parameter.
+/// The initial state of the motion for each value of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Continuation {
     /// Always at the same state.
     SameStart,
-    /// Where the motion for the value before has ended, so that it is followed as long as it is stable.
+    /// The last state of the motion for the previous value, so that a motion is followed as long as it is stable.
     LastState,
 }
 
@@ -39,7 +39,7 @@ pub struct DiagramColumn {
     pub section: PoincareSection,
 }
 
-/// Why there is no diagram.
+/// The reason why there is no bifurcation diagram.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DiagramError {

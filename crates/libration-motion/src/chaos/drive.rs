@@ -98,7 +98,7 @@ fn ratio(a: &Expression, b: &Expression) -> Option<Rational> {
     at([2, 3]).filter(|ratio| at([5, 7]).as_ref() == Some(ratio))
 }
 
-/// How many periods of the first drive are whole numbers of periods of all.
+/// Smallest number of periods of the first drive that is a whole number of periods of every drive; `None` above [`LONGEST`].
 fn common_period(ratios: &[Rational]) -> Option<i32> {
     let whole = |times: i64| {
         let times = Rational::from(times);

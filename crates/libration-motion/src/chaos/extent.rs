@@ -1,4 +1,4 @@
-//! How far a motion goes in each number of its state.
+//! The range of a motion in each component of its state.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Of nothing yet.
+    /// An empty range, before any state is included.
     pub(super) fn new(numbers: usize) -> Self {
         Self { ends: vec![(f64::INFINITY, f64::NEG_INFINITY); numbers] }
     }
@@ -20,17 +20,17 @@ impl Extent {
         }
     }
 
-    /// How far apart the ends are.
+    /// The width of the range of each component.
     pub(super) fn widths(&self) -> Vec<f64> {
         self.ends.iter().map(|(low, high)| (high - low).max(0.0)).collect()
     }
 
-    /// How far the numbers are from zero at most.
+    /// The largest magnitude of each component.
     pub(super) fn sizes(&self) -> Vec<f64> {
         self.ends.iter().map(|(low, high)| low.abs().max(high.abs())).collect()
     }
 
-    /// What counts as one in each number: how far it goes, at most a turn in an angle; one where it stands still.
+    /// The unit of each component: the width of its range, at most one turn for an angle; 1 if the component is constant.
     pub(super) fn units(&self, angles: &[bool]) -> Vec<f64> {
         let widths = self.widths().into_iter().zip(angles.iter().copied().chain(std::iter::repeat(false)));
         let units = widths.map(|(width, angle)| if angle { width.min(TAU) } else { width });

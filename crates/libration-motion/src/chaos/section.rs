@@ -10,21 +10,21 @@ use crate::taylor::{
 use libration_numbers::expression::{Equation, Expression, WithoutValue};
 use libration_numbers::watch::{Stage, Watch};
 
-/// When the state of a motion is taken.
+/// The condition under which a state of the motion is recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Section {
     /// Once in each period of what drives the motion.
     Stroboscope {
         /// The period; that of [`drive_period`] if none is given.
         period: Option<f64>,
-        /// At which part of the period after t = 0, from 0 to 1.
+        /// The phase of the flash after t = 0, as a part of the period, from 0 to 1.
         phase: f64,
     },
     /// Whenever a formula of coordinates, velocities or rates of change, and time changes its sign.
     Crossing {
         /// The formula, zero on the surface.
         formula: Expression,
-        /// From which side.
+        /// The direction in which the motion crosses the surface.
         direction: Direction,
     },
 }
@@ -40,7 +40,7 @@ impl Section {
         }
     }
 
-    /// When a stroboscope flashes first after t = 0.
+    /// The time of a stroboscope's first flash after t = 0; `None` for a surface, or without a known period.
     pub(super) fn first_flash(&self, equation: &Equation) -> Option<f64> {
         match self {
             Self::Stroboscope { period, phase } => Some(phase * period.or_else(|| drive_period(equation))?),
@@ -49,7 +49,7 @@ impl Section {
     }
 }
 
-/// How many points of a section are skipped before the first that is recorded, and how many are recorded.
+/// The numbers of section points that are skipped first, and recorded after these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Points {
     /// The transient.
@@ -63,11 +63,11 @@ pub struct Points {
 pub struct PoincareSection {
     /// Times and states.
     pub points: Vec<Moment>,
-    /// Why there are not as many as asked for.
+    /// The reason why there are fewer points than requested.
     pub stopped: Option<SectionEnding>,
 }
 
-/// Why a section has fewer points than were asked for.
+/// The reason why a section has fewer points than requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionEnding {
@@ -77,12 +77,12 @@ pub enum SectionEnding {
     /// The motion crosses the surface no more, as far as it was followed.
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
-    /// And has never crossed it.
+    /// The motion has never crossed the surface.
     #[error("the motion never crosses the surface, as far as it was followed")]
     NeverCrossed,
 }
 
-/// Why there is no section.
+/// The reason why there is no section.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionError {
@@ -251,8 +251,8 @@ const fn no_more(found: &[Moment]) -> SectionEnding {
     if found.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
 }
 
-/// How far the first stretch goes at most, how much farther the next, and a time that only a motion at rest comes to: one
-/// without forces takes a single step to any time, in which a crossing must not be too near to the beginning.
+/// The largest duration of the first stretch, the factor from one stretch to the next, and a time that only a motion at rest reaches: a motion
+/// without forces takes a single step to any time, in which a crossing must not be too near the beginning.
 const NEAREST: f64 = 1e-6;
 const FARTHER: f64 = 1e3;
 const NEVER: f64 = 1e200;

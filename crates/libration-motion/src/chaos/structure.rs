@@ -1,4 +1,4 @@
-//! What the form of the equations tells about their motions.
+//! Properties of motions that follow from the form of their equations.
 
 use crate::taylor::StateLayout;
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
@@ -35,7 +35,7 @@ fn occurs(equation: &Equation, symbol: &Symbol) -> bool {
     equation.derivatives().iter().any(|formula| formula.contains(symbol))
 }
 
-/// Whether a formula is the same after a turn of the coordinate.
+/// Returns whether a formula stays the same when the coordinate is increased by a full turn.
 fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
     if !formula.contains(coordinate) {
         return true;
@@ -57,7 +57,7 @@ fn turns_leave(formula: &Expression, coordinate: &Symbol) -> bool {
     }
 }
 
-/// Whether sign(…) stands in the equations, at whose jumps the linearised equations fail.
+/// Returns whether the equations contain sign(…), at whose jumps the linearised equations fail.
 #[doc(hidden)]
 pub fn has_jumps(equation: &Equation) -> bool {
     fn jumps(formula: &Expression) -> bool {
@@ -66,7 +66,7 @@ pub fn has_jumps(equation: &Equation) -> bool {
     equation.derivatives().iter().any(jumps)
 }
 
-/// Why no motion of a system can be chaotic.
+/// The reason why no motion of a system can be chaotic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Theorem {
     /// One coordinate without the time, or several that know nothing of each other, or two whose equations are of the first order: in a
@@ -87,7 +87,8 @@ pub fn theorem(equation: &Equation) -> Option<Theorem> {
     equation.derivatives().iter().all(linear).then_some(Theorem::Linear)
 }
 
-/// Whether a state has two numbers at most, or each equation depends on its own coordinate and velocity alone; always without the time.
+/// Returns whether a state has at most two components, or each equation depends on its own coordinate and velocity alone; in both cases without the
+/// time.
 fn planes(equation: &Equation) -> bool {
     let time = Symbol::plain(TIME);
     if StateLayout::new(equation).numbers() <= 2 && !occurs(equation, &time) {

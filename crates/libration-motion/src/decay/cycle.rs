@@ -85,7 +85,7 @@ impl Cycle {
         4.0 * self.integrals.first.to_f64()
     }
 
-    /// What a damping takes.
+    /// The energy that a damping dissipates in the cycle.
     pub(super) fn loss(&self, damping: &Damping) -> f64 {
         damping.terms().iter().map(|term| term.coefficient * self.integral(term.exponent)).sum()
     }

@@ -1,4 +1,4 @@
-//! What slows the pendulum down: sums of powers of the velocity.
+//! Damping of the pendulum: sums of powers of the velocity.
 
 use super::DecayError;
 
@@ -73,7 +73,7 @@ impl Damping {
         self.terms.iter().map(|term| term.coefficient * libm::pow(velocity, term.exponent)).sum()
     }
 
-    /// Whether it is analytic in the velocity on each side of zero, that is, all powers are whole.
+    /// Returns whether the damping is analytic in the velocity on each side of zero, that is, whether all powers are whole.
     pub(super) fn is_analytic(&self) -> bool {
         self.terms.iter().all(|term| term.exponent.fract() == 0.0)
     }

@@ -1,6 +1,6 @@
-//! How the swings of a damped pendulum end.
+//! The end of the swings of a damped pendulum.
 
-/// Why no turning point follows.
+/// The reason why no turning point follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecayEnding {

@@ -7,7 +7,7 @@ use super::{Decay, LEAST_AMPLITUDE};
 use libration_numbers::quadrature::gauss;
 use libration_pendulum::pendulum::Amplitude;
 
-/// How fast the amplitude is said to fall.
+/// The law by which the amplitude falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnvelopeLaw {
     /// dE/dt is the mean over a cycle without damping, with exact integrals at any amplitude.
@@ -28,7 +28,7 @@ pub struct DecayEnvelope<'a> {
     tangent: f64,
 }
 
-/// What is integrated at once: a fall of tan(A/2) by this logarithm. Singularities are π/2 away in the imaginary direction.
+/// The fall of ln tan(A/2) over one panel of the quadrature. Singularities are π/2 away in the imaginary direction.
 const PANEL: f64 = 1.5;
 
 impl<'a> DecayEnvelope<'a> {
@@ -37,7 +37,7 @@ impl<'a> DecayEnvelope<'a> {
         Self { decay, law, tangent: modulus.modulus() / modulus.complementary_modulus() }
     }
 
-    /// The amplitude in radians so many seconds after the release; zero once it is below 1e-100 rad.
+    /// The amplitude in radians at a time in seconds after the release; zero below 1e-100 rad.
     ///
     /// # Accuracy
     /// 1e-13 relative to the law, as long as the amplitude falls by less than nine orders of magnitude.
@@ -60,8 +60,8 @@ impl<'a> DecayEnvelope<'a> {
         if left.is_nan() { f64::NAN } else { 0.0 }
     }
 
-    /// When the amplitude has fallen to this one, in seconds; zero where it is not below the start. Amplitudes below 1e-100 rad count
-    /// as 1e-100.
+    /// The time in seconds at which the amplitude has fallen to this one; zero where it is not below the start. Amplitudes below 1e-100 rad count as
+    /// 1e-100.
     #[must_use]
     pub fn time_of(&self, amplitude: &Amplitude) -> f64 {
         let modulus = amplitude.modulus();

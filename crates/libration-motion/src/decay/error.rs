@@ -1,4 +1,4 @@
-//! Why there is no decay to describe.
+//! The reasons why there is no decay to describe.
 
 use crate::taylor::IntegrationError;
 use libration_pendulum::pendulum::PendulumError;
@@ -6,7 +6,7 @@ use libration_pendulum::pendulum::PendulumError;
 /// More terms of a damping are refused.
 pub(super) const MOST_TERMS: usize = 16;
 
-/// Why a damping or a damped motion cannot be.
+/// The reason why a damping or a damped motion is impossible.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DecayError {

@@ -51,7 +51,7 @@ impl HalfSwing {
         }
     }
 
-    /// How long the swing from this amplitude takes, and the amplitude it arrives at.
+    /// The duration of the swing that begins at this amplitude, and the amplitude at its end.
     pub(super) fn after(&self, amplitude: &Amplitude) -> Result<Turn, IntegrationError> {
         if amplitude.sine() <= self.damping.coefficient_of(0.0) {
             return Ok(Err(DecayEnding::Sticks));
@@ -75,7 +75,7 @@ impl HalfSwing {
         })
     }
 
-    /// When and where the pendulum comes to rest, if it does so in time.
+    /// The time and position at which the pendulum comes to rest; `None` if it does not within `longest`.
     fn turn(
         &self,
         frame: &Frame,
@@ -104,7 +104,7 @@ impl HalfSwing {
         Moment { time: passage.duration, state: vec![coordinate + passage.distance, speed] }
     }
 
-    /// When and where the pendulum comes to rest, if it does so in this step or is about to.
+    /// The time and position at which the pendulum comes to rest, if it does so in this step or shortly after.
     fn turn_in(&self, step: &Step, frame: &Frame) -> Option<(f64, f64)> {
         let end = step.state_at(step.end());
         if end[1] <= 0.0 {
@@ -162,7 +162,7 @@ fn number(value: f64) -> Expression {
     Expression::Number(exact)
 }
 
-/// Where the velocity, positive inside the step and not at its end, becomes zero.
+/// The time at which the velocity, positive inside the step and not at its end, becomes zero.
 fn zero_of_velocity(step: &Step) -> f64 {
     let moves = |time| step.state_at(time)[1] > 0.0;
     let [_, rest] = bisect([step.start(), step.end()], Tolerance::LAST_BIT, moves);

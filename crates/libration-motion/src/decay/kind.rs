@@ -27,7 +27,7 @@ impl DampingKind {
         }
     }
 
-    /// Of the velocity, as [`PowerLawTerm`] counts it.
+    /// The exponent of the velocity, as in [`PowerLawTerm`].
     #[must_use]
     pub fn exponent(self) -> f64 {
         match self {
@@ -37,13 +37,13 @@ impl DampingKind {
         }
     }
 
-    /// With a coefficient, in its unit.
+    /// The damping term with a coefficient, in its unit.
     #[must_use]
     pub fn term(self, coefficient: f64) -> PowerLawTerm {
         PowerLawTerm { exponent: self.exponent(), coefficient }
     }
 
-    /// Of its coefficient; `1` where there is none.
+    /// The unit of the coefficient; `1` if it is dimensionless.
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {

@@ -1,6 +1,5 @@
-//! How the amplitude of a damped pendulum decays, θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0: by integration from turning
-//! point to turning point, by averaging with the exact loss of energy in a cycle at any amplitude, and by the law of small
-//! amplitudes.
+//! The decay of the amplitude of a damped pendulum, θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0: by integration from turning point to turning point, by
+//! averaging with the exact loss of energy in a cycle at any amplitude, and by the law of small amplitudes.
 //!
 //! n = 0 is dry friction, n = 1 viscous damping, n = 2 the drag of a fast flow. Averaging takes each cycle for one of the
 //! pendulum without damping, so it holds while a cycle takes a small part of the energy, and of the energy that is missing

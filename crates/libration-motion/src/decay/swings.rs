@@ -1,4 +1,4 @@
-//! From turning point to turning point by integration.
+//! Integration of a damped motion from turning point to turning point.
 
 use super::ending::DecayEnding;
 use super::half_swing::{HalfSwing, Turn};
@@ -7,12 +7,12 @@ use crate::taylor::IntegrationError;
 use libration_kernels::double_double::DoubleDouble;
 use libration_pendulum::pendulum::Amplitude;
 
-/// Where and when the pendulum turns.
+/// A turning point of the pendulum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningPoint {
-    /// When, in seconds after the release.
+    /// The time, in seconds after the release.
     pub time: f64,
-    /// How far from the bottom. The first, third, fifth, … turning point is on the side of the release.
+    /// The angle from the bottom. The first, third, fifth, … turning point is on the side of the release.
     pub amplitude: Amplitude,
 }
 
@@ -25,7 +25,7 @@ pub struct TurningPoint {
 pub struct Swings<'a> {
     decay: &'a Decay,
     swing: HalfSwing,
-    /// In units of 1/ω0.
+    /// The time in units of 1/ω0.
     time: DoubleDouble,
     /// `None` before the start.
     amplitude: Option<Amplitude>,
@@ -38,7 +38,7 @@ impl<'a> Swings<'a> {
         Self { decay, swing, time: DoubleDouble::ZERO, amplitude: None, ended: None }
     }
 
-    /// Why there are no more turning points; `None` as long as there may be one, and after an error.
+    /// The reason why there are no more turning points; `None` as long as there may be one, and after an error.
     #[must_use]
     pub fn ending(&self) -> Option<DecayEnding> {
         self.ended.and_then(Result::ok)

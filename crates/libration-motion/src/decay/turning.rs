@@ -3,7 +3,7 @@
 use super::Damping;
 use libration_numbers::quadrature::double_exponential;
 
-/// How long the pendulum needs next to a turning point, and how far it goes.
+/// The duration of the motion next to a turning point, and the distance covered.
 pub(super) struct Passage {
     pub(super) duration: f64,
     pub(super) distance: f64,
@@ -22,7 +22,7 @@ pub(super) fn departure(gravity: f64, damping: &Damping) -> (Passage, f64) {
     (passage(speed, |velocity| gravity - damping.at(velocity)), speed)
 }
 
-/// Whether a speed against gravity is so small that what is left is an [`arrival`].
+/// Returns whether a speed against gravity is so small that the rest of the motion is an [`arrival`].
 pub(super) fn is_close(speed: f64, gravity: f64) -> bool {
     speed <= SLOW * gravity
 }

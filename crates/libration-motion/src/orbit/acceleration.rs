@@ -12,9 +12,9 @@ use libration_numbers::{
 #[derive(Debug)]
 pub struct Acceleration {
     pub tape: Tape,
-    /// Whether it is one of the place only, which conserves an energy.
+    /// `true` if the acceleration depends on the position only, so that an energy is conserved.
     pub(super) is_free_of_velocity: bool,
-    /// Whether it is the same for the opposite velocity, so that motions go back as they came.
+    /// `true` if the acceleration is the same for the opposite velocity, so that motions retrace their paths.
     pub(super) is_reversible: bool,
 }
 
@@ -24,7 +24,7 @@ const LOOKS: usize = 8;
 const PRECISION: usize = 128;
 
 impl Acceleration {
-    /// That of the first coordinate, which is the only one.
+    /// The acceleration of the first coordinate, which is the only one.
     pub fn new(equation: &Equation) -> Result<Self, WithoutValue> {
         let name = equation.variables().first().map_or("", String::as_str);
         let velocity = Symbol::plain(name).with_primes(1);
@@ -35,7 +35,7 @@ impl Acceleration {
         Ok(Self { tape, is_free_of_velocity, is_reversible })
     }
 
-    /// Whether no |…| and no sign stands in it, which have no derivative at zero.
+    /// Returns whether the formula contains neither |…| nor sign(…), which have no derivative at zero.
     pub(super) fn is_smooth(&self) -> bool {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.tape.operations().iter().enumerate();
@@ -47,7 +47,7 @@ impl Acceleration {
         Jet::new(&Doubles, &self.tape, state).map_or(f64::NAN, |jet| jet.result(0)[0])
     }
 
-    /// Whether it has a value where double precision has none.
+    /// Returns whether the acceleration has a value that double precision cannot represent.
     pub(super) fn is_too_large(&self, state: &[f64]) -> bool {
         self.tape.overflows_at(state)
     }
@@ -61,8 +61,8 @@ impl Acceleration {
         [largest, errors.fold(0.0, f64::max) / largest]
     }
 
-    /// How far the acceleration in double precision is from that of a place that rounds to this one; zero where a |…| or a sign
-    /// changes its branch between such places: what a jump does to the energy on so short a way is what rounding the place does.
+    /// The difference between the acceleration in double precision and that at a position which rounds to this one. Zero where a |…| or a sign
+    /// changes its branch between such positions: over so short a distance a jump changes the energy as much as rounding the position does.
     fn error(&self, state: &[f64]) -> Option<f64> {
         let ring = Floats { precision: PRECISION };
         let exact: Vec<BigFloat> =
@@ -81,7 +81,7 @@ impl Acceleration {
         Some((above.result(0)[0].clone() - own).to_f64().abs())
     }
 
-    /// Whether what stands in a |…| or a sign is zero in one of two states, or of another sign than in the other.
+    /// Returns whether the argument of a |…| or a sign is zero in one of two states, or has opposite signs in them.
     fn changes_branch(&self, state: &Jet<'_, Floats>, other: &Jet<'_, Floats>) -> bool {
         let values = |jet: &Jet<'_, Floats>| -> Vec<f64> { jet.values().map(BigFloat::to_f64).collect() };
         let states = [values(state), values(other)];
@@ -96,7 +96,7 @@ impl Acceleration {
     }
 }
 
-/// Whether a formula is proved to be the same for the opposite value of a symbol.
+/// Returns whether a formula is proved to be even in a symbol.
 fn is_even(formula: &Expression, symbol: &Symbol) -> bool {
     let opposite = Expression::Negate(Box::new(Expression::Symbol(symbol.clone())));
     let mirrored = formula.substitute(symbol, &opposite);

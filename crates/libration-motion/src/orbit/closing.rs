@@ -22,13 +22,13 @@ pub(super) struct Round {
     pub(super) path: Path,
     /// End minus start.
     pub(super) defect: Vec<f64>,
-    /// How the end depends on the start, by rows.
+    /// Derivatives of the end with respect to the start, by rows.
     pub(super) monodromy: Vec<Vec<f64>>,
-    /// How the end depends on the duration.
+    /// Derivatives of the end with respect to the duration.
     pub(super) rate: Vec<f64>,
 }
 
-/// What moves by less than this part of its distance from zero is measured by that.
+/// Smallest size of a component, as a part of its distance from zero; a component that moves by less is measured by this size.
 const LEAST_SIZE: f64 = 1e-5;
 /// Steps of one round; van der Pol's oscillator with the strength 1000 takes 3e5.
 const MOST_STEPS: usize = 1_000_000;
@@ -94,7 +94,7 @@ impl<'w> Rounds<'w> {
         Ok(fastest.unwrap_or(0))
     }
 
-    /// How the state after a time depends on that at the start, by rows.
+    /// The derivatives of the state after a time with respect to the state at the start, by rows.
     fn monodromy(&self, state: &[f64], duration: f64) -> Result<Vec<Vec<f64>>, IntegrationError> {
         Ok(self.flow.variations(state, &[], [0.0, duration], VARIATIONS[0], || self.watch.flow())?.by_start)
     }
@@ -118,8 +118,8 @@ impl<'w> Rounds<'w> {
 }
 
 impl Round {
-    /// How far each number of the state goes on the way, in which its errors are measured: at least [`LEAST_SIZE`] of the
-    /// coordinate, and as far as the others of its kind if it hardly moves at all.
+    /// The range of each state component on the orbit, in which its errors are measured: at least [`LEAST_SIZE`] of the coordinate, and the range of
+    /// the others of its kind if it hardly moves at all.
     pub(super) fn sizes(&self, layout: &StateLayout, start: &OrbitGuess) -> Vec<f64> {
         let pace = TAU / start.period;
         let least = |number: usize| {

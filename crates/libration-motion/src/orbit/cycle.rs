@@ -22,7 +22,7 @@ const MOST_MAXIMA: usize = 3000;
 /// Steps of the search after a maximum, before it is given up: a turn of van der Pol's oscillator with the strength
 /// 1000 takes 3e5, and their number grows as the square of the strength.
 const MOST_STEPS: usize = 500_000;
-/// So many maxima may lie between a state and its return: a cycle that has doubled its period three times.
+/// Largest number of maxima between a state and its return: a cycle that has doubled its period three times.
 const LONGEST: usize = 8;
 /// Swings below this part of the whole range are rest: a thousand tolerances of the search.
 const VANISHED: f64 = 1e-9;
@@ -54,7 +54,7 @@ impl Orbit {
         Self::limit_cycle_watched(equation, start, &Watch::none())
     }
 
-    /// As [`limit_cycle`](Self::limit_cycle); `watch` is asked at each step.
+    /// Computes [`limit_cycle`](Self::limit_cycle); `watch` is called at each step and can cancel.
     ///
     /// # Errors
     /// As [`limit_cycle`](Self::limit_cycle), and [`NoOrbit::Interrupted`].
@@ -174,15 +174,15 @@ struct Maxima {
     found: Vec<Moment>,
     /// Steps since the last one.
     steps: usize,
-    /// How far each number of the state has moved since the last one.
+    /// Largest change of each state component since the last maximum.
     moved: Vec<f64>,
-    /// And had moved between the last two.
+    /// Largest change of each state component between the last two maxima.
     swing: Vec<f64>,
     /// The least and the greatest value of the first coordinate so far.
     range: (f64, f64),
     /// The time so far.
     time: f64,
-    /// How fast the first coordinate moves there.
+    /// Speed of the first coordinate at that time.
     pace: f64,
     /// Steps one after the other with next to no motion at their ends.
     faded: usize,
@@ -243,28 +243,28 @@ impl Maxima {
         differences.into_iter().all(|((now, then), swing)| (now - then).abs() <= RETURNED * swing)
     }
 
-    /// Whether no more are waited for.
+    /// Returns whether the search has reached its limit of maxima or of steps since the last one.
     fn are_enough(&self) -> bool {
         self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
     }
 
-    /// Whether the motion has faded at the ends of several steps, one of which may be a turning point.
+    /// Returns whether the motion has faded at the ends of several steps, one of which may be a turning point.
     fn fade(&self) -> bool {
         self.faded >= 3
     }
 
-    /// Whether the first coordinate would take many times the time so far to move by anything beside all the way that was gone.
+    /// Returns whether the first coordinate is at rest: at its speed it would take many times the elapsed time for a significant part of its range.
     fn is_still(&self) -> bool {
         self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
     }
 
-    /// Whether it has gone farther than any orbit that is looked for.
+    /// Returns whether the first coordinate has gone farther than any orbit that is searched for.
     fn goes_away(&self) -> bool {
         const FAR: f64 = 1e100;
         self.range.1 - self.range.0 > FAR
     }
 
-    /// Whether the last swing is nothing beside all the way that was gone.
+    /// Returns whether the last swing is negligible compared with the whole range.
     fn vanish(&self) -> bool {
         self.found.len() > 1 && self.swing[0] < VANISHED * (self.range.1 - self.range.0)
     }

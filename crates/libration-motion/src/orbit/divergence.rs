@@ -1,4 +1,4 @@
-//! How fast deviations of one coordinate shrink or grow together.
+//! The rate at which deviations of one coordinate shrink or grow together.
 
 use super::path::Path;
 use libration_numbers::algebra::Doubles;
@@ -7,7 +7,7 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// How fast deviations of one coordinate that no force beats time for shrink or grow together: ∂F/∂x′.
+/// The rate at which deviations of one autonomous coordinate shrink or grow together: ∂F/∂x′.
 #[derive(Debug)]
 pub(super) struct Divergence {
     of_state: Tape,

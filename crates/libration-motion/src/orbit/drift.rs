@@ -10,7 +10,7 @@ use super::near::OrbitGuess;
 /// A leap changes the state by this part of its way in half a turn. From a fourth of its amplitude van der Pol's cycle is in reach of
 /// Newton's method, which begins at three fifths, after seven of them.
 const LEAP: f64 = 0.15;
-/// An amplitude grows by e⁹ = 8000 in so many.
+/// Largest number of leaps; an amplitude grows by e⁹ = 8000 in this many.
 pub(super) const MOST_LEAPS: usize = 60;
 
 /// The maximum to which the drift of one turn leads from a maximum in a leap; `None` where the first coordinate has no velocity, or does not

@@ -33,7 +33,7 @@ impl Orbit {
         Self::driven_watched(equation, period, start, &Watch::none())
     }
 
-    /// As [`driven`](Self::driven); `watch` is asked at each step.
+    /// Computes [`driven`](Self::driven); `watch` is called at each step and can cancel.
     ///
     /// # Errors
     /// As [`driven`](Self::driven), and [`NoOrbit::Interrupted`].
@@ -81,7 +81,7 @@ impl Orbit {
 
 /// The state after ten periods; each begins at t = 0 again, where the force is the same.
 fn later(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<Vec<f64>, NoOrbit> {
-    /// As many as the transient of a quality of 14 takes to fall to a tenth.
+    /// Number of drive periods in which the transient of a quality factor of 14 falls to a tenth.
     const PERIODS: u32 = 10;
     (0..PERIODS).try_fold(guess.state.clone(), |state, _| {
         Ok(rounds.path(&state, guess.period, 1e-12)?.state_at(guess.period))

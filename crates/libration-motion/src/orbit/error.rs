@@ -1,10 +1,10 @@
-//! Why there is no periodic orbit, or why it is not found.
+//! Reasons why there is no periodic orbit, or why it is not found.
 
 use crate::taylor::{Cause, IntegrationError};
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
 use libration_numbers::watch::{Interrupted, Watch};
 
-/// Why there is no periodic orbit.
+/// The reason why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoOrbit {
@@ -28,9 +28,9 @@ pub enum NoOrbit {
         "the start {state:?} does not fit: give {wanted} finite numbers, coordinates and then velocities"
     )]
     Start {
-        /// What was given.
+        /// The given state.
         state: Vec<f64>,
-        /// How many numbers there should be.
+        /// The number of components that the state should have.
         wanted: usize,
     },
     /// A period that cannot be.
@@ -62,7 +62,7 @@ pub enum NoOrbit {
     NoReturn {
         /// The place of the release.
         start: f64,
-        /// What it does instead.
+        /// The behaviour of the motion.
         why: Lost,
     },
     /// A motion that conserves energy and yet comes to rest elsewhere than it began.
@@ -91,7 +91,7 @@ pub enum NoOrbit {
     NotClosed {
         /// The place of the release.
         start: f64,
-        /// Where the next maximum or minimum on the same side is.
+        /// The next maximum or minimum on the same side.
         end: f64,
     },
     /// A motion that nearly stops on the way.
@@ -104,7 +104,7 @@ pub enum NoOrbit {
         start: f64,
         /// The period that was found.
         period: f64,
-        /// How wrong it may be.
+        /// The uncertainty of the period.
         uncertainty: f64,
     },
     /// A motion that does not settle.
@@ -143,7 +143,7 @@ impl From<IntegrationError> for NoOrbit {
     }
 }
 
-/// What a motion does instead of coming back.
+/// The behaviour of a motion that does not return.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Lost {
@@ -169,9 +169,9 @@ pub enum Lost {
         "after {steps} steps of the integration, at t = {time:?}, it still moves: give a start nearer to the orbit, or a guess of its period"
     )]
     Slow {
-        /// So far it was followed.
+        /// The time up to which the motion was followed.
         time: f64,
-        /// In so many steps.
+        /// The number of integration steps taken.
         steps: usize,
     },
     /// Neither.
@@ -179,7 +179,7 @@ pub enum Lost {
     Irregular(f64),
 }
 
-/// What a search has come to; what it came to after it was told to stop is no answer.
+/// Returns the outcome of a search; the outcome of a cancelled search is discarded.
 pub(super) fn finished<T>(outcome: Result<T, NoOrbit>, watch: &Watch<'_>) -> Result<T, NoOrbit> {
     if watch.is_stopped() { Err(Interrupted.into()) } else { outcome }
 }

@@ -7,7 +7,7 @@ use super::periodic::Orbit;
 use super::shooting::{Unknowns, closed};
 use libration_numbers::expression::Equation;
 
-/// Whether a neighbour has to close as well, for the orbit to be one of a family.
+/// The condition under which an orbit counts as one of a family: a neighbour may have to close as well.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Family {
     /// The energy is conserved: it is.
@@ -16,10 +16,10 @@ pub(super) enum Family {
     Asked,
 }
 
-/// How far the neighbour begins from the orbit, in parts of the way to where it is half a period later: a cycle that draws motions in by one
-/// part in 1e7 each turn misses its start by the 1e-10 at which an orbit is closed.
+/// The distance at which the neighbour begins from the orbit, as a part of the way to the state half a period later: a cycle that attracts motions
+/// by one part in 1e7 each turn misses its start by the 1e-10 at which an orbit is closed.
 const ASIDE: f64 = 1e-3;
-/// What moves by less than this part of its place in half a period is at rest.
+/// Largest change in half a period, relative to its value, of a component that is at rest.
 const STILL: f64 = 1e-9;
 
 /// The orbit of a family through the very state of a guess, of which only the period is improved; `None` where the motion from there does not

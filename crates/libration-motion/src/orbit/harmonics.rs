@@ -27,13 +27,13 @@ impl Harmonic {
 /// The harmonics of one number of the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Harmonics {
-    /// From n = 0 to the last one that stands above the rounding errors.
+    /// The harmonics from n = 0 to the last one that exceeds the rounding errors.
     pub terms: Vec<Harmonic>,
     /// No harmonic that is left out is larger, as the last quarter of those that the samples tell apart suggests.
     pub remainder: f64,
     /// The error of each coefficient: twice that of the states, and what the sums round.
     pub error: f64,
-    /// At how many times in a period the orbit was looked at.
+    /// Number of times in a period at which the orbit was sampled.
     pub samples: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Where Newton's method begins.
+//! The starting point of Newton's method.
 
 /// A guess of an orbit.
 #[derive(Clone, Debug, PartialEq)]

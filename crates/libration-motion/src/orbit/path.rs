@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 pub(super) struct Path {
     steps: DenseSolution,
     end: f64,
-    /// Whether the steps are the first half only, and the second is the same backwards.
+    /// `true` if the steps are the first half only, and the second half is the same backwards.
     there_and_back: bool,
 }
 
@@ -155,19 +155,19 @@ pub(super) fn until(
     Ok(None)
 }
 
-/// When a number of the state changes its sign in a step, to the last bit; `None` when it has the same sign at both ends.
-/// A step that begins with zero has the sign that it takes soon after.
+/// The time at which a state component changes its sign in a step, to the last bit; `None` when it has the same sign at both ends. A step that
+/// begins with zero has the sign that it takes soon after.
 pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
     zero_in(step, |time| step.state_at(time)[number])
 }
 
-/// When the rate of change of the first coordinate changes its sign in a step, to the last bit, as that of [`sign_change`].
+/// The time at which the rate of change of the first coordinate changes its sign in a step, to the last bit, as that of [`sign_change`].
 pub(super) fn turn_in(step: &Step<'_>) -> Option<f64> {
     zero_in(step, |time| step.speeds_at(time)[0])
 }
 
 fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
-    /// Of the step: a zero at its very beginning was one of the step before.
+    /// Part of the step that is skipped after a zero at its beginning, which belongs to the step before.
     const SOON: f64 = 1e-3;
     /// A step may be longer than half a wave, as that of an oscillator, whose series converge everywhere, with 4 radians; none of its quarters
     /// is.

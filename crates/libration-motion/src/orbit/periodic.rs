@@ -88,7 +88,7 @@ impl Orbit {
         self.state_at(0.0)
     }
 
-    /// By how much each number of the state at the end of the period misses its start; zero for a motion that goes the same way back.
+    /// The difference between each state component at the end of the period and at its start; zero for a motion that returns on the same path.
     #[must_use]
     pub fn closing_error(&self) -> Vec<f64> {
         let [start, end] =

@@ -3,7 +3,7 @@
 use libration_numbers::algebra::{BigFloat, Rational};
 use libration_numbers::quantity::Displacement;
 
-/// Where a motion begins: a displacement from an origin. Both are held as exactly as they were given.
+/// The starting position of a motion: a displacement from an origin. Both are held as exactly as they were given.
 #[derive(Clone, Debug)]
 pub struct ReleasePlace {
     origin: BigFloat,
@@ -21,7 +21,7 @@ impl ReleasePlace {
         Some(Self { origin: BigFloat::from_integer(0, 1), displacement })
     }
 
-    /// Rounded to so many bits.
+    /// The position rounded to `precision` bits.
     pub(super) fn to_bits(&self, precision: usize) -> BigFloat {
         // An equilibrium may be taken from it again.
         let wide = 2 * precision;

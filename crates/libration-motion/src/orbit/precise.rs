@@ -1,7 +1,7 @@
 //! The motion of one coordinate from rest to rest in floats of many bits, for what double precision cannot tell.
 //!
-//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from
-//! them is a difference of δ² in energy. So every number is carried in so many bits that what is left of them is enough.
+//! Next to a separatrix the energy decides how long a motion lingers, and between two saddles of the same height a distance of δ from them is a
+//! difference of δ² in energy. The precision of all numbers is therefore high enough to leave sufficient significant bits.
 //!
 //! Coefficients do not show everything: of e^(−20000(x − 2)²) none of those at x = 3 is above the last bit of a motion that is about
 //! to pass x = 2. So each step is compared with an integration in double precision, which looks for such forces, and is shortened
@@ -38,7 +38,7 @@ pub struct HalfPeriod {
     pub end: BigFloat,
 }
 
-/// Why there is no such motion.
+/// The reason why there is no such motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoHalfPeriod {
     /// It comes so near an equilibrium that these bits do not tell what it does there.
@@ -61,8 +61,8 @@ pub struct Motion<'a> {
 
 /// Steps of a half period; more are taken only by motions without end.
 const MOST_STEPS: usize = 600;
-/// Of the place, by which the same step in double precision may end elsewhere: roundings of the start, some 1e-16 of it, grow at most as
-/// e^T from an unstable equilibrium, and where steps are so long that this is more they are halved without need.
+/// Difference of the positions, relative to their size, at which the same step in double precision may end: roundings of the start, about 1e-16,
+/// grow at most as e^T from an unstable equilibrium. Where steps are so long that this exceeds the limit, they are halved without need.
 const UNSEEN: f64 = 1e-12;
 /// Halvings after which two integrations do not agree for another reason than the length of the step.
 const MOST_HALVINGS: u32 = 60;
@@ -137,7 +137,7 @@ impl<'a> Motion<'a> {
         lengths.into_iter().find(agrees).ok_or(NoHalfPeriod::Unable)
     }
 
-    /// How far the same step in double precision ends from the sums of the series; `None` where it has no values.
+    /// The difference between the end of the same step in double precision and the sums of the series; `None` where double precision has no values.
     fn misfit(&self, state: &State, series: &Series, length: f64) -> Option<[f64; 2]> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
@@ -150,7 +150,7 @@ impl<'a> Motion<'a> {
         misfits.collect::<Vec<_>>().try_into().ok()
     }
 
-    /// When the velocity vanishes in a step, to the last bit; `None` when it does not.
+    /// The time at which the velocity vanishes in a step, to the last bit; `None` when it does not.
     fn rest_within(&self, series: &Series, length: f64) -> Option<BigFloat> {
         let near = sign_change(&scaled(&series.velocity, length))? * length;
         let mut time = BigFloat::from_f64(near, self.ring.precision)?;
@@ -164,7 +164,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// How near an equilibrium a motion comes: where velocity and acceleration are both small.
+/// The distance of a motion from equilibria, where velocity and acceleration are both small.
 #[derive(Default)]
 struct Nearness {
     /// The first acceleration, then the largest, and the largest velocity, as powers of two.
@@ -199,13 +199,13 @@ impl Nearness {
     }
 }
 
-/// What is on the separatrix to p bits comes within 2^(−p/2) of the equilibrium, where an energy is lost in rounding; nothing is
-/// decided from 2^(−3p/8) on.
+/// The exponent below which nothing is decided, 2^(−3p/8): a motion on the separatrix to p bits comes within 2^(−p/2) of the equilibrium, where its
+/// energy is lost in rounding.
 fn limit(precision: usize) -> isize {
     isize::try_from(3 * precision / 8).unwrap_or(isize::MAX)
 }
 
-/// Whether a place is so far from the first that nothing that passed an equilibrium slowly comes back from there.
+/// Returns whether a position is so far from the first that no motion returns from there after passing an equilibrium slowly.
 fn is_far(place: &BigFloat, size: isize) -> bool {
     const FAR: isize = 40;
     place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
@@ -222,7 +222,7 @@ fn scaled(series: &[BigFloat], length: f64) -> Vec<f64> {
     series.iter().zip(powers).map(|(c, power)| (c.rounded_to(ENOUGH) * power).to_f64()).collect()
 }
 
-/// Where a polynomial on [0, 1] first changes its sign; one that begins with zero has the sign that it takes soon after.
+/// The first sign change of a polynomial on [0, 1]; a polynomial that begins with zero has the sign that it takes soon after.
 fn sign_change(polynomial: &[f64]) -> Option<f64> {
     const LOOKS: u32 = 16;
     const SOON: f64 = 1e-3;

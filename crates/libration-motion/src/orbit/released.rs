@@ -18,12 +18,12 @@ use libration_numbers::watch::Watch;
 const MOST_STEPS: usize = 20_000;
 /// A period that may be wrong by more than this part of it is none: four digits are the least that a comparison needs.
 const UNCERTAIN: f64 = 1e-4;
-/// And one that may be wrong by more than this part of it, 2⁻⁴⁵ or 128 roundings, is looked for with more bits.
+/// Largest relative error of a period in double precision, 2⁻⁴⁵ or 128 roundings; above it the period is computed with more bits.
 const TRUSTED: f64 = 2.9e-14;
 /// Further off than this part of the swing an oscillation does not end where it began: next to an unstable equilibrium a rounding of
 /// the energy moves a turning point by its root, 1e-8, and a hundred of that are left.
 const NEARLY_CLOSED: f64 = 1e-6;
-/// A motion whose force takes or gives energy is closed within so many times the error of its integration.
+/// Largest closing error of a motion whose force takes or gives energy, in units of its integration error.
 const CLOSED: f64 = 32.0;
 /// Bits in which motions are followed that double precision does not tell; 256 are enough for a distance of 1e-28 from a separatrix.
 const PRECISIONS: [usize; 3] = [128, 192, 256];
@@ -59,7 +59,7 @@ impl Orbit {
         Self::released_watched(equation, place, &Watch::none())
     }
 
-    /// As [`released`](Self::released); `watch` is asked at each step.
+    /// Computes [`released`](Self::released); `watch` is called at each step and can cancel.
     ///
     /// # Errors
     /// As [`released`](Self::released), and [`NoOrbit::Interrupted`].
@@ -124,7 +124,7 @@ impl<'a> Release<'a> {
         if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
     }
 
-    /// Whether squares of the displacement and of the velocity are so small that they are rounded to fewer digits than others, or to zero.
+    /// Returns whether squares of the displacement and of the velocity are so small that they are rounded to fewer digits than others, or to zero.
     fn is_too_small(&self) -> bool {
         const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
         let force = self.acceleration.at(&[self.start, 0.0]).abs();
@@ -158,8 +158,8 @@ impl<'a> Release<'a> {
         Ok(Orbit::new(self.equation, around.full, uncertainty, None, errors))
     }
 
-    /// By how many parts of it the period changes when the amplitude changes by a part of the swing, as a neighbour tells it: infinite
-    /// where the neighbour is another motion altogether. Next to a kink no better answer follows, and both sides are asked.
+    /// The relative change of the period per change of the amplitude as a part of the swing, estimated from a neighbour: infinite where the
+    /// neighbour is a motion of another kind. Next to a kink no better estimate is available, and both sides are used.
     fn condition(&self, period: f64, swing: f64) -> f64 {
         // Small beside any distance from a separatrix at which double precision is trusted, large beside its errors.
         const PART: f64 = 1e-8;
@@ -182,7 +182,7 @@ impl<'a> Release<'a> {
         Err(NoOrbit::Unsure { start: self.start, period, uncertainty })
     }
 
-    /// The orbit with as many bits as it takes, or what double precision found where that is no way.
+    /// The orbit with the precision that it requires, or the result in double precision where higher precision is not possible.
     fn precisely(&self, rough: Result<Orbit, NoOrbit>) -> Result<Orbit, NoOrbit> {
         let mut before: Option<BigFloat> = None;
         for precision in PRECISIONS {
@@ -245,8 +245,8 @@ impl<'a> Release<'a> {
 
     /// From rest to the next rest.
     fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
-        /// What has not turned by then goes one way for good: a force that is felt at all turns a motion in the square root of what a
-        /// number can hold.
+        /// Distance beyond which a motion that has not turned moves one way for good: any noticeable force turns a motion within the square root of
+        /// the largest number.
         const FAR: f64 = 1e100;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {
@@ -271,8 +271,8 @@ impl<'a> Release<'a> {
         }
     }
 
-    /// In times in which the first acceleration leads to zero, about: a harmonic oscillator has come to rest after π of them, and most
-    /// motions after so many.
+    /// First time limit, in units of about the time in which the first acceleration leads to zero: a harmonic oscillator comes to rest after π of
+    /// them, and most motions within this limit.
     const HORIZON: f64 = 8.0;
 }
 
@@ -319,7 +319,7 @@ fn why_lost(error: IntegrationError) -> Lost {
     }
 }
 
-/// Whether the time stands in one of the accelerations.
+/// Returns whether an equation contains the time.
 pub fn depends_on_time(equation: &Equation) -> bool {
     let time = Symbol::plain("t");
     equation.derivatives().iter().any(|formula: &Expression| formula.contains(&time))

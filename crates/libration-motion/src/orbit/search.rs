@@ -10,25 +10,25 @@ use crate::taylor::StateLayout;
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
 
-/// What is known of an orbit that is looked for.
+/// The known properties of an orbit that is searched for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrbitSearch {
     /// A state at t = 0 on the orbit, near it, or that leads to it: coordinates, then velocities.
     pub start: Vec<f64>,
     /// The period of the drive or a multiple of it, or a guess of the period where nothing drives.
     pub period: Option<f64>,
-    /// Whether the motion conserves an energy, so that orbits come in families and the start chooses one of them.
+    /// `true` if the motion conserves an energy, so that orbits come in families and the start chooses one of them.
     pub conserves_energy: bool,
     /// The coordinate whose value at the start chooses one of a family near a guess; the one farthest from zero if there is none.
     pub held: Option<usize>,
 }
 
-/// How an orbit came about.
+/// The way in which an orbit was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OrbitKind {
     /// One coordinate released from rest.
     Released,
-    /// What a motion without drive settles to.
+    /// The limit cycle to which a motion without drive settles.
     LimitCycle,
     /// The answer to a periodic force.
     Driven,
@@ -60,7 +60,7 @@ impl Orbit {
         Self::search_watched(equation, search, &Watch::none())
     }
 
-    /// As [`search`](Self::search); `watch` is asked at each step.
+    /// Computes [`search`](Self::search); `watch` is called at each step and can cancel.
     ///
     /// # Errors
     /// As [`search`](Self::search), and [`NoOrbit::Interrupted`].
@@ -107,7 +107,7 @@ impl OrbitSearch {
         period: f64,
         watch: &Watch<'_>,
     ) -> Result<(OrbitKind, Orbit), NoOrbit> {
-        /// Of an isolated cycle it is some roundings, of a family whatever Newton's method came to.
+        /// Largest relative uncertainty of the period of an isolated cycle, which is some roundings; in a family the period is arbitrary.
         const OPEN: f64 = 1e-4;
         let guess = OrbitGuess { state: self.start.clone(), period };
         let [start, family] = self.fixed(layout);

@@ -41,7 +41,7 @@ impl Orbit {
         Self::near_watched(equation, guess, fixed, &Watch::none())
     }
 
-    /// As [`near`](Self::near); `watch` is asked at each step.
+    /// Computes [`near`](Self::near); `watch` is called at each step and can cancel.
     ///
     /// # Errors
     /// As [`near`](Self::near), and [`NoOrbit::Interrupted`].
@@ -61,11 +61,11 @@ impl Orbit {
     }
 }
 
-/// What Newton's method may change.
+/// The unknowns that Newton's method may change.
 pub(super) struct Unknowns {
     /// Numbers of the state.
     pub(super) free: Vec<usize>,
-    /// Whether the period is one of the unknowns.
+    /// `true` if the period is one of the unknowns.
     pub(super) period: bool,
 }
 
@@ -109,7 +109,7 @@ fn check(rounds: &Rounds<'_>, guess: &OrbitGuess) -> Result<(), NoOrbit> {
     Ok(())
 }
 
-/// Where Newton's method is.
+/// The state of Newton's method.
 struct Newton<'a> {
     rounds: &'a Rounds<'a>,
     unknowns: &'a Unknowns,
@@ -128,7 +128,7 @@ impl<'a> Newton<'a> {
         Ok(Self { rounds, unknowns, at: guess.clone(), round, sizes, miss })
     }
 
-    /// What a rest is at which it has ended: one to which motions come, or another.
+    /// The kind of equilibrium at which Newton's method has ended: attracting or not.
     fn kind_of_rest(&self) -> Lost {
         /// Variations are integrated to this part of their size.
         const VARIATIONS: f64 = 1e-12;
@@ -248,7 +248,7 @@ impl<'a> Newton<'a> {
         Ok(Orbit::new(equation, self.round.path, uncertainty, floquet, errors))
     }
 
-    /// What the rounding of each component of the start becomes at the end.
+    /// The effect of rounding each component of the start on the end.
     fn rounding(&self) -> Vec<f64> {
         let of_row = |row: &Vec<f64>| row.iter().zip(&self.at.state).map(|(a, x)| (a * x).abs()).sum::<f64>();
         let end = self.round.monodromy.iter().zip(&self.at.state).map(|(row, x)| of_row(row) + x.abs());

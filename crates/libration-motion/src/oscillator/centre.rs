@@ -1,4 +1,4 @@
-//! Where a force drives back to, with or without an expansion.
+//! Stable equilibria, with or without an expansion of the force.
 
 use super::constant::Constant;
 use super::equilibrium::{candidates, given, refined, vanishes_at};
@@ -33,7 +33,7 @@ pub fn centre_of(equation: &Equation, about: Option<&Expression>) -> Option<Cons
     }
 }
 
-/// Where the force at rest vanishes, zero before all others.
+/// The positions where the force at rest vanishes, zero before all others.
 fn places(force: &Force) -> impl Iterator<Item = Constant> {
     let zero = Rational::from(0);
     let at_zero = vanishes_at(force, &zero).then_some(Constant::Exact(zero));

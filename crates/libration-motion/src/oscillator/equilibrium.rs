@@ -1,4 +1,4 @@
-//! Where an oscillator can rest, and whether it returns there.
+//! Equilibria of an oscillator, and whether motions return to them.
 
 use super::constant::{Approximation, Constant, PRECISION};
 use super::error::{FrequencySource, OscillatorError, RejectedEquilibrium, RejectionReason};
@@ -12,8 +12,8 @@ use libration_numbers::internals::expression::Tape;
 use libration_numbers::internals::roots::{correction, newton};
 use libration_numbers::roots::polynomial_sign_changes;
 
-/// How far a zero may be from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, and
-/// a hundred of that are left.
+/// Largest distance of a zero from the number found for it, relative to it or to one: a double zero is found to half the digits, 1e-8, with a margin
+/// of a factor of a hundred.
 const FOUND_WITHIN: f64 = 1e-6;
 
 /// Bits of the longest fractions that are tried as zeros.
@@ -24,7 +24,7 @@ const LONGEST_FRACTION: usize = 128;
 pub(super) struct Equilibrium {
     pub(super) at: Constant,
     pub(super) omega0_squared: Constant,
-    /// Where there is one power series above it and another below.
+    /// The forces on either side, where one power series holds above the equilibrium and another below.
     pub(super) sides: Option<Sides>,
 }
 
@@ -32,11 +32,11 @@ pub(super) struct Equilibrium {
 pub(super) struct Candidates {
     /// The nearest to zero first, of equal distance the positive one.
     pub(super) near: Vec<f64>,
-    /// What is said if none of them is a zero.
+    /// The error that is returned if none of them is a zero.
     pub(super) none: OscillatorError,
 }
 
-/// Where the force at rest passes zero, to double precision.
+/// The sign changes of the force at rest, to double precision.
 pub(super) fn candidates(force: &Force) -> Candidates {
     let at_rest = force.at_rest();
     let polynomial = at_rest.polynomial_coefficients(&force.x).filter(|it| it.len() <= LARGEST_DEGREE + 1);
@@ -81,7 +81,7 @@ fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
     Some(fraction(&digits, RECOGNISED_BITS).unwrap_or(Constant::Approximate(Approximation(digits))))
 }
 
-/// Whether the force at rest is proved to vanish there.
+/// Returns whether the force at rest is proved to vanish there.
 pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
     let at_rest = force.at_rest();
     let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
@@ -91,7 +91,7 @@ pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
     value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
 }
 
-/// Whether a number of [`PRECISION`] bits may be what rounding leaves of zero.
+/// Returns whether a number of [`PRECISION`] bits may be a rounding error of zero.
 fn is_tiny(number: &BigFloat) -> bool {
     let quarter = isize::try_from(PRECISION / 4).unwrap_or(isize::MAX);
     number.exponent().is_none_or(|size| size < -quarter)
@@ -117,7 +117,7 @@ fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
     found.into_iter().next().filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0))
 }
 
-/// Whether the next step of Newton's method would be below the last bits.
+/// Returns whether the next step of Newton's method would be below the last bits.
 fn is_last(step: &BigFloat, x: &BigFloat) -> bool {
     let bits = isize::try_from(x.precision() * 9 / 10).unwrap_or(isize::MAX);
     step.exponent().is_none_or(|size| size < x.exponent().unwrap_or(0).max(0) - bits)
@@ -186,7 +186,7 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Rejection
     Err(RejectionReason::NotRestoring { omega0_squared: omega0_squared.to_string() })
 }
 
-/// Whether motions about a place are proved to run back as they came, as such or seen in a mirror.
+/// Returns whether motions about a place are proved to retrace their paths, as such or mirrored.
 fn returns(force: &Force, at: &Constant) -> bool {
     force.is_reversible() || at.exact().is_some_and(|place| force.is_mirrored_about(place))
 }

@@ -1,11 +1,11 @@
-//! Why an equation is no oscillator.
+//! The reasons why an equation is not an oscillator.
 
 use super::neighbourhood::{Roughness, Tendency};
 use super::remedy::Remedy;
 use super::roots::SEARCHED;
 use libration_numbers::expression::{EquationError, NotSecondOrder};
 
-/// Why an equation of motion cannot be taken as an oscillator about an equilibrium.
+/// The reason why an equation of motion cannot be taken as an oscillator about an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OscillatorError {
@@ -39,7 +39,7 @@ pub enum OscillatorError {
         /// Their names.
         names: Vec<String>,
     },
-    /// A self-excitation of what is no linear oscillator.
+    /// A self-excitation of an oscillator that is not linear.
     #[error(
         "a limit cycle is expanded in {parameter} only about a linear oscillator with rational coefficients, such as x'' = -2*x, and at {parameter} = 0 the \
              equation is {variable}'' = {left}: give {parameter} a value"
@@ -76,10 +76,10 @@ pub enum OscillatorError {
     /// Equilibria, but none that can be expanded about.
     #[error("there is no expansion about any equilibrium: {}", list(.0))]
     NoStableEquilibrium(Vec<RejectedEquilibrium>),
-    /// What is given as the equilibrium is no constant.
+    /// An expression, given as the equilibrium, that is not a constant.
     #[error("`{place}` is not a position: {why}")]
     NotAPlace {
-        /// What is given, shortened.
+        /// The given expression, shortened.
         place: String,
         /// The reason.
         why: String,
@@ -127,7 +127,7 @@ impl RejectionReason {
     }
 }
 
-/// Why there are no oscillations about an equilibrium.
+/// The reason why there are no oscillations about an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at {at} {reason}")]
 pub struct RejectedEquilibrium {
@@ -137,7 +137,7 @@ pub struct RejectedEquilibrium {
     pub reason: RejectionReason,
 }
 
-/// What is wrong with an equilibrium.
+/// The defect of an equilibrium.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RejectionReason {
@@ -150,19 +150,19 @@ pub enum RejectionReason {
     /// The force has no linear part.
     #[error("{}", without_linear_part(*.force, *.frequency))]
     NoLinearPart {
-        /// Which way it drives all the same, where that is known.
+        /// The direction of the force nevertheless, where it is known.
         force: Option<Tendency>,
-        /// What finds a frequency there.
+        /// The method that finds a frequency there.
         frequency: FrequencySource,
     },
     /// The force has no power series there.
     #[error("the acceleration has no power series to expand: {roughness}{}", without_series(*.force, *.frequency))]
     NotAnalytic {
-        /// What is wrong with it.
+        /// The defect of the force.
         roughness: Roughness,
-        /// Which way it drives all the same, where that is known.
+        /// The direction of the force nevertheless, where it is known.
         force: Option<Tendency>,
-        /// What finds a frequency there.
+        /// The method that finds a frequency there.
         frequency: FrequencySource,
     },
     /// The force jumps between two straight lines.
@@ -195,7 +195,7 @@ pub enum RejectionReason {
     Irreversible,
 }
 
-/// What finds the frequency of oscillations that have no expansion.
+/// The method that finds the frequency of oscillations that have no expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrequencySource {
     /// An orbit for each amplitude.

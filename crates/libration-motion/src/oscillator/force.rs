@@ -8,7 +8,7 @@ use libration_numbers::{
 
 use super::constant::{Approximation, Constant, PRECISION};
 
-/// A fraction is recognised in a number with which it agrees to so many bits.
+/// Number of bits to which a number must agree with a fraction to be recognised as that fraction.
 pub(super) const RECOGNISED_BITS: usize = 400;
 
 /// An acceleration F(x, x′).
@@ -43,32 +43,32 @@ impl Force {
         slope.substitute(&self.velocity, &Expression::from(0)).simplified()
     }
 
-    /// Whether F(x, x′) = F(x, 0) is not proved. The derivative does not decide it: that of sign(x′) is zero on either side.
+    /// Returns whether F(x, x′) = F(x, 0) is not proved. The derivative does not decide it: that of sign(x′) is zero on either side.
     pub(super) fn uses_velocity(&self) -> bool {
         self.formula.contains(&self.velocity) && !difference(self.formula.clone(), self.at_rest()).vanishes()
     }
 
-    /// Whether F(x, −x′) = F(x, x′) is proved.
+    /// Returns whether F(x, −x′) = F(x, x′) is proved.
     pub(super) fn is_reversible(&self) -> bool {
         // What is too long to be compared term by term may have no velocity in it at all.
         !self.formula.contains(&self.velocity)
             || difference(reflected(&self.formula, &self.velocity, None), self.formula.clone()).vanishes()
     }
 
-    /// Whether F is the opposite on the other side of a place with the same velocity, and that is proved.
+    /// Returns whether F is proved to be the opposite on the other side of a place with the same velocity.
     pub(super) fn is_mirrored_about(&self, place: &Rational) -> bool {
         let other_side = reflected(&self.formula, &self.x, Some(place));
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }
 
-    /// Whether F is the opposite on the other side of a place, with the opposite velocity, and that is proved.
+    /// Returns whether F is proved to be the opposite on the other side of a place with the opposite velocity.
     pub(super) fn is_odd_about(&self, place: &Rational) -> bool {
         let other_side = reflected(&self.formula, &self.x, Some(place));
         let other_side = reflected(&other_side, &self.velocity, None);
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }
 
-    /// Whether a change of sign of velocity and parameter together changes nothing, and that is proved.
+    /// Returns whether F is proved to be unchanged by a change of sign of both velocity and parameter.
     pub(super) fn is_reversible_with(&self, parameter: &Symbol) -> bool {
         let backwards = reflected(&reflected(&self.formula, &self.velocity, None), parameter, None);
         difference(backwards, self.formula.clone()).vanishes()
@@ -113,7 +113,7 @@ impl<'a> Curve<'a> {
         self.value(&Doubles, x).unwrap_or(f64::NAN)
     }
 
-    /// Whether it has a first Taylor coefficient there, as |x| has not at zero.
+    /// Returns whether the function has a first Taylor coefficient there; |x| has none at zero.
     pub(super) fn is_smooth_at(&self, x: &BigFloat) -> bool {
         let ring = Floats { precision: x.precision() };
         let Ok(mut jet) = Jet::new(&ring, &self.tape, std::slice::from_ref(x)) else { return false };
@@ -138,7 +138,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The fraction of least denominator that agrees with a number to so many bits, or so many after the point.
+/// The fraction of least denominator that agrees with a number to `bits` bits, or to this many after the point.
 pub(super) fn simplest_about(number: &BigFloat, bits: usize) -> Rational {
     let value = number.to_rational();
     let scale = value.magnitude().max(Rational::from(1));

@@ -9,7 +9,7 @@ use libration_numbers::algebra::Rational;
 use libration_numbers::expression::{Equation, Expression, Symbol};
 use libration_numbers::quantity::excerpt;
 
-/// So many places of rest, the nearest to zero, are looked at.
+/// Largest number of equilibria, the nearest to zero, that are examined.
 pub(super) const MOST_PLACES: usize = 20;
 
 /// One variable that oscillates about an equilibrium.
@@ -35,7 +35,7 @@ pub struct Oscillator {
     odd: bool,
 }
 
-/// What makes the motions of an oscillator periodic.
+/// The property that makes the motions of an oscillator periodic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The acceleration depends on the position only: energy is conserved.
@@ -164,7 +164,7 @@ impl Oscillator {
         &self.force.formula
     }
 
-    /// Where it rests.
+    /// The equilibrium.
     #[must_use]
     pub fn equilibrium(&self) -> &Constant {
         &self.equilibrium.at
@@ -182,14 +182,14 @@ impl Oscillator {
         self.equilibrium.sides.as_ref()
     }
 
-    /// What makes its motions periodic.
+    /// The property that makes its motions periodic.
     #[must_use]
     pub fn kind(&self) -> &Kind {
         &self.kind
     }
 
-    /// Whether the acceleration is proved to be the opposite at the opposite displacement and velocity. Then the
-    /// motion has no even harmonics. About an equilibrium that is known in digits nothing is proved.
+    /// Returns whether the acceleration is proved to be the opposite at the opposite displacement and velocity. Then the motion has no even
+    /// harmonics. For an equilibrium that is known in digits only, nothing is proved.
     #[must_use]
     pub fn is_odd(&self) -> bool {
         self.odd
@@ -218,7 +218,7 @@ fn open_parameter(equation: &Equation) -> Result<Option<String>, OscillatorError
     Ok(names.pop())
 }
 
-/// Refuses what is no constant with a value.
+/// Refuses an expression that is not a constant with a value.
 fn refuse_no_place(place: &Expression) -> Result<(), OscillatorError> {
     let why = match (place.symbols().pop_first(), place.without_value()) {
         (Some(inside), _) => format!("{inside} in it has no value; give a number, such as 0.5 or pi/2"),
@@ -228,7 +228,7 @@ fn refuse_no_place(place: &Expression) -> Result<(), OscillatorError> {
     Err(OscillatorError::NotAPlace { place: excerpt(&place.to_string()), why })
 }
 
-/// What is left of the acceleration at strength zero.
+/// The acceleration at strength zero.
 fn left_without(force: &Force, parameter: &Symbol) -> Expression {
     force.formula.substitute(parameter, &Expression::from(0)).simplified()
 }

@@ -21,7 +21,7 @@ pub struct NamedOscillator {
     pub key: &'static str,
     /// Other names for it.
     pub also: &'static [&'static str],
-    /// What it is called in a sentence.
+    /// The name used in a sentence.
     pub title: &'static str,
     /// Its equation of motion.
     pub equation: &'static str,
@@ -29,9 +29,9 @@ pub struct NamedOscillator {
     pub parameters: &'static [NamedParameter],
     /// The parameter in which a limit cycle is expanded; it keeps no value.
     pub expansion_parameter: Option<&'static str>,
-    /// What it describes.
+    /// A description of the oscillator.
     pub description: &'static str,
-    /// Which motions are oscillations about the equilibrium.
+    /// The motions that are oscillations about the equilibrium.
     pub domain: &'static str,
     /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
     /// remembered, with `not verified against the original` at the end.
@@ -52,7 +52,7 @@ impl NamedOscillator {
     /// not given stays.
     ///
     /// # Errors
-    /// A value for what is no parameter, or one that is not constant.
+    /// A value for a name that is not a parameter, or one that is not constant.
     pub fn equation_with(&self, values: &[(&str, Expression)]) -> Result<Equation, EquationError> {
         self.equation_with_letters(values, &[])
     }
@@ -60,7 +60,7 @@ impl NamedOscillator {
     /// The same where parameters of these names stay letters.
     ///
     /// # Errors
-    /// As [`equation_with`](Self::equation_with), or a letter that is no parameter, or has a value.
+    /// The errors of [`equation_with`](Self::equation_with), and a letter that is not a parameter, or has a value.
     pub fn equation_with_letters(
         &self,
         values: &[(&str, Expression)],

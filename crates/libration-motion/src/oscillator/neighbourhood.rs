@@ -8,7 +8,7 @@ use libration_numbers::{
     internals::expression::Side,
 };
 
-/// Which way a force drives next to a place where it vanishes.
+/// The direction of a force next to a place where it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
     /// Back to the place, from both sides.
@@ -21,7 +21,7 @@ pub enum Tendency {
     None,
 }
 
-/// What is wrong with the derivative of a force where it has no power series.
+/// The defect of the derivative of a force where it has no power series.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Roughness {
@@ -82,7 +82,7 @@ impl<'a> Neighbourhood<'a> {
         Some(Self { curve: Curve::new(at_rest, x)?, at_rest, x, at })
     }
 
-    /// Which way the force drives; `None` where that cannot be told.
+    /// The direction of the force; `None` where it is unknown.
     pub(super) fn tendency(&self) -> Option<Tendency> {
         let signs = TRIED.iter().filter_map(|&n| {
             Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?)).filter(|it| *it != (0, 0))
@@ -120,7 +120,7 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// What is wrong with the derivative.
+    /// The defect of the derivative.
     pub(super) fn roughness(&self) -> Roughness {
         match (self.slope(Towards::Below), self.slope(Towards::Above)) {
             (OneSided::NoValue, OneSided::NoValue) => Roughness::Edge("on either side of"),
@@ -163,7 +163,7 @@ impl<'a> Neighbourhood<'a> {
         if near > 1.2 * far { OneSided::Infinite } else { OneSided::Unclear }
     }
 
-    /// Whether absolute values and signs are all that is rough, so that integration passes the place.
+    /// Returns whether the force has no other singularity than absolute values and signs, so that integration passes the place.
     pub(super) fn is_analytic_on_both_sides(&self) -> bool {
         let (symbols, state) = ([self.x.clone()], [self.at.to_f64()]);
         [-1, 1].into_iter().all(|sign| {

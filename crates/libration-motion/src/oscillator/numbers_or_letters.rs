@@ -12,13 +12,13 @@ pub enum NumbersOrLetters {
     Letters(SymbolicOscillator),
 }
 
-/// Why an equation is no oscillator, with numbers or with letters.
+/// The reason why an equation is not an oscillator, with numbers or with letters.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NumbersOrLettersError {
-    /// With numbers.
+    /// The reason with numbers.
     #[error(transparent)]
     Numbers(#[from] OscillatorError),
-    /// With letters.
+    /// The reason with letters.
     #[error(transparent)]
     Letters(#[from] SymbolicOscillatorError),
 }

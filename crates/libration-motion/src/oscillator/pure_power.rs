@@ -27,8 +27,8 @@ pub struct PurePower {
 }
 
 impl PurePower {
-    /// That of an equation of motion, which may have letters: these stand for positive numbers. About the place to which the force drives back
-    /// that is nearest to zero, or a given one. `None` for other forces.
+    /// The pure-power force of an equation of motion, which may have letters: these stand for positive numbers. The expansion is about a given
+    /// place, or else about the stable equilibrium nearest to zero. `None` for other forces.
     #[must_use]
     pub fn of(equation: &Equation, about: Option<&Expression>) -> Option<Self> {
         let force = force(equation).ok().filter(|force| !force.uses_velocity())?;
@@ -125,7 +125,7 @@ impl Monomial {
         }
     }
 
-    /// Of a polynomial with fractions of which all other terms cancel.
+    /// The monomial to which a polynomial with fractions reduces if all its other terms cancel.
     fn of_polynomial(formula: &Expression, x: &Symbol) -> Option<Self> {
         let coefficients = formula.polynomial_coefficients(x)?;
         let mut present = coefficients.into_iter().enumerate().filter(|(_, it)| !it.is_zero());

@@ -2,19 +2,19 @@
 
 use libration_numbers::internals::roots::sign_change;
 
-/// The interval searched for zeros of what is no polynomial.
+/// The interval searched for zeros of functions that are not polynomials.
 pub(super) const SEARCHED: f64 = 10.0;
 /// The pieces it is cut into; of two zeros within one piece both are missed.
 const PIECES: i32 = 2000;
 /// Polynomials up to this degree are searched everywhere.
 pub(super) const LARGEST_DEGREE: usize = 40;
 
-/// What a search has seen of a function.
+/// The result of a search for the zeros of a function.
 #[derive(Debug)]
 pub struct Scan {
-    /// Where it changes its sign through zero, ascending.
+    /// The zeros at which the function changes its sign, ascending.
     pub zeros: Vec<f64>,
-    /// Whether it has a value anywhere.
+    /// `true` if the function has a value anywhere.
     pub has_values: bool,
 }
 

@@ -28,7 +28,7 @@ use libration_numbers::{
 #[derive(Clone, Debug)]
 pub struct SymbolicOscillator {
     equation: Equation,
-    /// With the displacement counted from the equilibrium.
+    /// The force, with the displacement counted from the equilibrium.
     force: Force,
     kind: Kind,
     odd: bool,
@@ -144,7 +144,7 @@ impl SymbolicOscillator {
         &self.constants
     }
 
-    /// Where it rests.
+    /// The equilibrium.
     #[must_use]
     pub fn equilibrium(&self) -> &LaurentPolynomial {
         &self.equilibrium
@@ -156,13 +156,13 @@ impl SymbolicOscillator {
         &self.omega0_squared
     }
 
-    /// Whether energy is conserved, or each motion runs back as it came.
+    /// The property that makes the motions periodic: conserved energy, or motions that retrace their paths.
     #[must_use]
     pub fn kind(&self) -> &Kind {
         &self.kind
     }
 
-    /// Whether the acceleration is proved to be the opposite at the opposite displacement.
+    /// Returns whether the acceleration is proved to be the opposite at the opposite displacement.
     #[must_use]
     pub fn is_odd(&self) -> bool {
         self.odd
@@ -191,7 +191,7 @@ impl SymbolicOscillator {
     }
 }
 
-/// What the tape says about rest.
+/// The values and derivatives on the tape at rest.
 struct AtRest {
     values: Vec<LaurentPolynomial>,
     /// ∂F/∂x.
@@ -244,14 +244,14 @@ fn counted_from(formula: &Expression, x: &Symbol, place: &Expression) -> Express
     formula.substitute(x, &shifted)
 }
 
-/// Why an oscillator with letters has no expansion.
+/// The reason why an oscillator with letters has no expansion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SymbolicOscillatorError {
-    /// What holds with values too.
+    /// An error that holds with values too.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
-    /// What values may mend.
+    /// A case that values may remedy.
     #[error(
         "no value is given for {}: give one, such as {}=0.1; letters allow no expansion about {variable} = {at}, because {reason}",
         names.join(", "),
@@ -264,27 +264,27 @@ pub enum SymbolicOscillatorError {
         variable: String,
         /// The place that was to be the equilibrium.
         at: String,
-        /// Why not.
+        /// The reason.
         reason: NoSymbolicExpansion,
     },
 }
 
-/// What letters do not allow.
+/// The property that letters do not allow.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoSymbolicExpansion {
-    /// Something is no Laurent polynomial in the letters and their roots.
+    /// A quantity is not a Laurent polynomial in the letters and their roots.
     NoSeries,
     /// The acceleration does not vanish there.
     NotAtRest {
-        /// What it is.
+        /// The acceleration.
         acceleration: String,
     },
     /// ω0² is zero.
     NoLinearPart,
     /// ω0² is negative.
     Unstable {
-        /// What it is.
+        /// The value of ω0².
         omega0_squared: String,
     },
     /// Energy is lost or won in small oscillations.

@@ -18,12 +18,12 @@ pub struct Floquet {
     pub logarithm: Option<f64>,
 }
 
-/// What small deviations do. A shift along an orbit that no force beats time for stays, and does not count.
+/// The behaviour of small deviations. A shift along an autonomous orbit persists, and does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// All die out.
     Attracting,
-    /// None grows exponentially, some stay, as in conservative systems; or the errors of the multipliers leave open which.
+    /// No deviation grows exponentially, some persist, as in conservative systems; or the errors of the multipliers leave the decision open.
     Neutral,
     /// Some grow exponentially.
     Unstable,

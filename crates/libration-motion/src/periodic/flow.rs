@@ -26,14 +26,14 @@ pub struct Flow {
 pub struct Variations {
     /// The state at the end.
     pub end: Vec<f64>,
-    /// By the components of the start, as the rows of a matrix.
+    /// Derivatives with respect to the components of the start, as the rows of a matrix.
     pub by_start: Vec<Vec<f64>>,
-    /// By each parameter.
+    /// Derivatives with respect to each parameter.
     pub by_parameters: Vec<Vec<f64>>,
 }
 
 impl Flow {
-    /// The flow of a system whose motions take at most so many steps.
+    /// The flow of a system whose motions take at most `most_steps` steps.
     ///
     /// # Errors
     /// A symbol that is neither a component of the state, the time, nor one of the parameters.
@@ -147,7 +147,7 @@ impl Flow {
         Ok(solution.end.state)
     }
 
-    /// Where a component stands in the state with its variations: of the motion, copy 0, or of a derivative.
+    /// The address of a component in the state with its variations: of the motion, copy 0, or of a derivative.
     fn address(&self, number: usize, copy: usize) -> usize {
         self.layout.place_in_copy(number, copy, self.parameters + self.layout.numbers())
     }

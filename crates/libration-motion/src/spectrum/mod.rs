@@ -37,7 +37,7 @@ pub struct Spectrum {
     amplitudes: Vec<f64>,
 }
 
-/// Why there is no spectrum.
+/// The reason why there is no spectrum.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoSpectrum {
@@ -76,7 +76,7 @@ pub enum NoSpectrum {
 }
 
 impl Spectrum {
-    /// What a line leaves of its height far from it: the side lobes of the window.
+    /// The part of its height that a line leaves far from it: the side lobes of the window.
     pub const SIDE_LOBES: f64 = 2e-8;
 
     /// Fewer values have no spectrum.
@@ -150,7 +150,7 @@ impl Spectrum {
         }
     }
 
-    /// Whether the amplitudes have fallen to what lines leave far from them before the last eighth of the frequencies.
+    /// Returns whether the amplitudes have fallen to the level that lines leave far from them before the last eighth of the frequencies.
     fn is_resolved(&self) -> bool {
         let largest = |amplitudes: &[f64]| amplitudes.iter().copied().fold(0.0, f64::max);
         let (lower, highest) = self.amplitudes.split_at(self.amplitudes.len() / 8 * 7);
@@ -184,7 +184,7 @@ impl Spectrum {
         0.5 * TAU / self.interval
     }
 
-    /// How far from its middle a line ends, in rad/s.
+    /// The half-width of a line, in rad/s.
     #[must_use]
     pub fn resolution(&self) -> f64 {
         window::half_width() * TAU / (self.interval * float(self.weighted.len()))

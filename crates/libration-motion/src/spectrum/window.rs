@@ -13,7 +13,7 @@ pub(super) fn weighted(values: &[f64]) -> Vec<f64> {
     values.iter().zip(weights).map(|(value, weight)| value * (weight / sum)).collect()
 }
 
-/// Where the main lobe ends, in steps of 2π over the duration: √(1 + (β/π)²).
+/// The half-width of the main lobe, in steps of 2π over the duration: √(1 + (β/π)²).
 pub(super) fn half_width() -> f64 {
     libm::hypot(1.0, SHAPE / PI)
 }

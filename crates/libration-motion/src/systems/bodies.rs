@@ -1,4 +1,4 @@
-//! Where the bodies of a system are.
+//! Positions of the bodies of a system.
 
 use crate::taylor::Moment;
 use libration_numbers::algebra::Doubles;
@@ -31,14 +31,14 @@ pub struct Bodies {
 /// A body at a time: to the right and upwards, in metres where the system has metres, and else in lengths of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
-    /// Where it is.
+    /// The position of the body.
     pub place: [f64; 2],
-    /// Where the other end of the rod or the spring is that holds it.
+    /// The position of the other end of the rod or the spring that holds the body.
     pub pivot: [f64; 2],
 }
 
 impl Bodies {
-    /// From the formulas of all places, with the coordinates' names.
+    /// The bodies with these formulas of all positions, in these names of coordinates.
     pub(super) fn new(places: &[[[Expression; 2]; 2]], names: &[Symbol]) -> Result<Self, WithoutValue> {
         let formulas: Vec<&Expression> = places.iter().flatten().flatten().collect();
         let time = [Symbol::plain("t")];

@@ -9,7 +9,7 @@ pub struct Coordinate {
     pub name: String,
     /// Its unit: `rad` for an angle, empty where an equation that was typed does not tell.
     pub unit: String,
-    /// Where it is at rest; zero where no such place is known.
+    /// The value at rest; zero where none is known.
     pub at_rest: f64,
 }
 
@@ -20,7 +20,7 @@ impl Coordinate {
         Self { name: name.to_owned(), unit: unit.to_owned(), at_rest: 0.0 }
     }
 
-    /// Whether it is an angle, in radians.
+    /// Returns whether the coordinate is an angle, in radians.
     #[must_use]
     pub fn is_angle(&self) -> bool {
         self.unit == "rad"

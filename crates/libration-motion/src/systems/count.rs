@@ -1,9 +1,9 @@
-//! How many bodies a system has, where that is a parameter.
+//! The number of bodies of a system, where that is a parameter.
 
 use super::{ModelError, NamedSystem};
 use libration_numbers::expression::Expression;
 
-/// The equations for so many bodies, and the values that stand in them.
+/// The equations for a given number of bodies, and the values of their parameters.
 pub(super) struct Counted {
     pub(super) equations: String,
     pub(super) values: Vec<(String, Expression)>,

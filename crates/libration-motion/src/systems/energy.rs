@@ -30,11 +30,11 @@ pub struct Energy {
     coordinates: usize,
     tape: Tape,
     holds: Holds,
-    /// Of each coordinate, where the tape holds forces.
+    /// Mass of each coordinate, where the tape holds forces.
     masses: Vec<f64>,
 }
 
-/// What the tape of an energy holds.
+/// The content of the tape of an energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
     /// The energy.
@@ -119,7 +119,7 @@ impl Energy {
     }
 }
 
-/// What is known of the energy of a motion, to be gone on from.
+/// The record of the energy of a motion so far, from which it can be continued.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnergyAccount {
     /// The first state.
@@ -128,7 +128,7 @@ pub struct EnergyAccount {
     pub last: Vec<f64>,
     /// The potential energy gained until the last state in two words, where it has no formula.
     pub potential: [f64; 2],
-    /// By how much the potential energy may be wrong, beyond roundings.
+    /// The uncertainty of the potential energy, beyond roundings.
     pub quadrature_error: f64,
     /// The largest change of the energy since the start.
     pub largest_change: f64,
@@ -166,7 +166,7 @@ impl EnergyBalance<'_> {
         self.account.potential = [0.0; 2];
     }
 
-    /// What is known so far.
+    /// The record so far.
     #[must_use]
     pub fn account(&self) -> &EnergyAccount {
         &self.account
@@ -184,15 +184,15 @@ impl EnergyBalance<'_> {
         if largest_change == 0.0 || rests { 0.0 } else { largest_change / largest_kinetic }
     }
 
-    /// By how much the drift may be wrong beyond roundings, in its own measure: zero where the energy is a formula, and else
-    /// what of the work of the forces could not be computed for the noise in them, as next to a pole.
+    /// The uncertainty of the drift beyond roundings, in the same measure: zero where the energy is a formula, and otherwise the part of the work of
+    /// the forces that could not be computed because of their noise, as next to a pole.
     #[must_use]
     pub fn drift_uncertainty(&self) -> f64 {
         let EnergyAccount { quadrature_error, largest_kinetic, .. } = self.account;
         if quadrature_error == 0.0 { 0.0 } else { quadrature_error / largest_kinetic }
     }
 
-    /// Of a formula's values.
+    /// The rounding error of a formula's values.
     fn rounding(&self) -> f64 {
         /// Sums and products of some terms.
         const ROUNDINGS: f64 = 16.0;

@@ -1,9 +1,9 @@
-//! Why there is no such model, or no energy of it.
+//! The reasons why there is no such model, or no energy of it.
 
 use libration_numbers::catalogue::UnknownKey;
 use libration_numbers::expression::{EquationError, NotSecondOrder, Symbol, WithoutValue};
 
-/// Why there is no such model.
+/// The reason why there is no such model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
@@ -45,14 +45,14 @@ pub enum ModelError {
     Equation(#[from] EquationError),
 }
 
-/// Why a model has no energy that is conserved.
+/// The reason why a model has no conserved energy.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoEnergy {
     /// Damping or driving.
     #[error("energy is not conserved: it changes by {power} per time")]
     NotConserved {
-        /// What it gains per time.
+        /// The energy gained per unit of time.
         power: String,
     },
     /// A force that depends on velocities or the time.

@@ -14,14 +14,14 @@ pub struct InitialState {
     pub assumed: Vec<(String, f64)>,
 }
 
-/// Why names and values are no state.
+/// The reason why names and values do not form a state.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InitialStateError {
     /// A name that the state does not have.
     #[error("the system has no state variable `{name}`: it has {}", known.join(", "))]
     Unknown {
-        /// What was asked for.
+        /// The requested name.
         name: String,
         /// The names there are.
         known: Vec<String>,
@@ -29,7 +29,7 @@ pub enum InitialStateError {
     /// A name with an index that no number of the state has.
     #[error("the system has no state variables {name}: it has {}", known.join(", "))]
     NoFamily {
-        /// What was asked for, such as `x[i]`.
+        /// The requested name, such as `x[i]`.
         name: String,
         /// The names there are.
         known: Vec<String>,
@@ -40,9 +40,9 @@ pub enum InitialStateError {
     /// A value that cannot be read.
     #[error("{name}: {reason}")]
     Value {
-        /// Of what.
+        /// The name of the variable.
         name: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
@@ -90,7 +90,7 @@ impl Model {
         Ok(InitialState { state, assumed })
     }
 
-    /// Whether the number of the state that is called so is an angle.
+    /// Returns whether the state variable of this name is an angle.
     #[must_use]
     pub fn is_angle(&self, name: &str) -> bool {
         place_of(name, &self.state_names()).is_ok_and(|place| self.state_units()[place] == "rad")

@@ -29,7 +29,7 @@ pub struct Model {
     known: Option<Known>,
 }
 
-/// What only named systems tell, the values put in.
+/// Properties that only named systems have, with values substituted.
 #[derive(Clone, Debug)]
 struct Known {
     energy: Option<Expression>,
@@ -47,7 +47,7 @@ impl Model {
     /// values for the others, and some left open.
     ///
     /// # Errors
-    /// A key that is not known; a value for what is no parameter, or one that is not constant.
+    /// A key that is not known; a value for a name that is not a parameter, or one that is not constant.
     pub fn by_key(key: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         match (NamedSystem::by_key(key), NamedOscillator::by_key(key)) {
             (Ok(named), _) => Self::named(named, values, open),
@@ -61,7 +61,7 @@ impl Model {
     /// A named system.
     ///
     /// # Errors
-    /// A value for what is no parameter, or one that is not constant.
+    /// A value for a name that is not a parameter, or one that is not constant.
     pub fn named(named: &NamedSystem, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         let Counted { equations, values: given, count } = Counted::new(named, values)?;
         let given: Vec<(&str, Expression)> =
@@ -98,7 +98,7 @@ impl Model {
     /// An oscillator of the other catalogue, at rest in its equilibrium.
     ///
     /// # Errors
-    /// A value for what is no parameter, or one that is not constant.
+    /// A value for a name that is not a parameter, or one that is not constant.
     pub fn oscillator(named: &NamedOscillator, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         let defaults = named.parameters.iter().map(|it| (it.name, it.default));
         let (equation, values) = filled(named.equation, values, defaults, open)?;
@@ -113,7 +113,7 @@ impl Model {
     /// when its name is that of one, such as theta.
     ///
     /// # Errors
-    /// Text that is no equation of motion; a value for what is no parameter, or one that is not constant.
+    /// Text that is not an equation of motion; a value for a name that is not a parameter, or one that is not constant.
     pub fn typed(equations: &str, values: Values, open: &[&str]) -> Result<Self, ModelError> {
         let (equation, values) = filled(equations, values, [].into_iter(), open)?;
         let coordinates = by_names(&equation);
@@ -126,7 +126,7 @@ impl Model {
         self.key
     }
 
-    /// What it is called.
+    /// The name used in a sentence.
     #[must_use]
     pub fn title(&self) -> &'static str {
         self.title
@@ -162,7 +162,7 @@ impl Model {
         self.equation.parameters().into_iter().collect()
     }
 
-    /// Which number of a state is what.
+    /// The meaning of each state component.
     #[must_use]
     pub fn layout(&self) -> StateLayout {
         StateLayout::new(&self.equation)
@@ -223,7 +223,7 @@ impl Model {
         self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
     }
 
-    /// Where its bodies are, if that is known: named systems tell, and angles of other equations are those of rods on one axle.
+    /// The positions of the bodies, if known: as given for named systems; angles of other equations are those of rods on one axle.
     #[must_use]
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> = self.coordinates.iter().map(|it| Symbol::plain(&it.name)).collect();
@@ -240,7 +240,7 @@ impl Model {
         Bodies::new(&places, &names).ok()
     }
 
-    /// What the energy of a named system gains per time, a formula of the state and the time t.
+    /// The energy of a named system gained per unit of time, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
         self.known.as_ref().and_then(|known| known.power.as_ref())

@@ -1,4 +1,4 @@
-//! What is known of a system that has a name.
+//! The catalogue data of a system that has a name.
 
 use libration_numbers::expression::{Expression, Function};
 use libration_numbers::quantity::STANDARD_GRAVITY;
@@ -21,9 +21,10 @@ pub struct NamedSystem {
     pub key: &'static str,
     /// Other names for it.
     pub also: &'static [&'static str],
-    /// What it is called in a sentence.
+    /// The name used in a sentence.
     pub title: &'static str,
-    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what `x[0]` and `x[n+1]` are.
+    /// Its equations of motion, several with `;` between them. Where it has a count, n, one of them goes with `i = 1..n`, and others may say what
+    /// `x[0]` and `x[n+1]` are.
     pub equations: &'static str,
     /// Its coordinates, in the order of the equations; `x[i]` for as many as are counted.
     pub coordinates: &'static [NamedCoordinate],
@@ -33,31 +34,31 @@ pub struct NamedSystem {
     pub energy: &'static str,
     /// The unit of the energy, which says what it is divided by; empty without a formula of it.
     pub energy_unit: &'static str,
-    /// What the energy gains per time: `0` where it is conserved, empty without a formula of it.
+    /// The energy gained per unit of time: `0` where it is conserved, empty without a formula of it.
     pub power: &'static str,
     /// The parameter that is the angular frequency of a periodic drive.
     pub drive_frequency: Option<&'static str>,
     /// The parameter that counts the bodies, and stands in the equations as the end of a range.
     pub count: Option<&'static str>,
-    /// What the parameter n may be where it is a power of a velocity.
+    /// The allowed values of the parameter n where it is a power of a velocity.
     pub velocity_power: Option<VelocityPower>,
     /// Its bodies, and what they hang on.
     pub bodies: &'static [NamedBody],
-    /// What it describes, and how the coordinates are measured.
+    /// A description of the system, and of how its coordinates are measured.
     pub description: &'static str,
-    /// For which motions and parameters it holds.
+    /// The motions and parameters for which it holds.
     pub domain: &'static str,
     /// The source, confirmed in the work itself or in a text that cites it; `attributed to` where that is not read but
     /// remembered, with `not verified against the original` at the end.
     pub source: &'static str,
 }
 
-/// Which powers of a velocity make sense: none below zero, which grow without bound at rest.
+/// The powers of a velocity that make sense: none below zero, which grow without bound at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VelocityPower {
-    /// Of the velocity with its sign.
+    /// Whole powers, of the velocity with its sign.
     Whole,
-    /// Of its size.
+    /// Any power, of the magnitude of the velocity.
     Any,
 }
 
@@ -65,9 +66,9 @@ pub enum VelocityPower {
 /// rod. Formulas of the coordinates, the parameters and the time.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedBody {
-    /// Where it is, to the right and upwards.
+    /// The position of the body, to the right and upwards.
     pub place: [&'static str; 2],
-    /// Where the other end of the rod or the spring is that holds it.
+    /// The position of the other end of the rod or the spring that holds the body.
     pub pivot: [&'static str; 2],
 }
 
@@ -78,7 +79,7 @@ pub struct NamedCoordinate {
     pub name: &'static str,
     /// Its unit: `rad` for angles; empty where it has none.
     pub unit: &'static str,
-    /// Where it is at rest, as a formula of the parameters.
+    /// The value at rest, as a formula of the parameters.
     pub at_rest: &'static str,
 }
 
@@ -96,7 +97,7 @@ impl NamedSystem {
     /// rods are as long. Where one is not given it is a metre, or 9.80665 m/s².
     ///
     /// # Errors
-    /// Parameters that do not say what is asked for, as of a body that is no mass on a rod.
+    /// Parameters that do not determine the length or the gravity, as for a body that is not a mass on a rod.
     ///
     /// # Examples
     /// ```
@@ -143,7 +144,7 @@ impl NamedSystem {
     }
 }
 
-/// Why a system is no pendulum of a given length or gravity.
+/// The reason why a system is not a pendulum of a given length or gravity.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoSuchPendulum {
@@ -155,9 +156,9 @@ pub enum NoSuchPendulum {
     Without {
         /// The system.
         key: &'static str,
-        /// What is asked for.
+        /// The requested quantity.
         what: &'static str,
-        /// What it has.
+        /// The parameters of the system.
         parameters: String,
     },
 }

@@ -27,7 +27,7 @@ pub struct Observables {
     tape: Tape,
 }
 
-/// Why formulas cannot be evaluated along a motion.
+/// The reason why formulas cannot be evaluated along a motion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoObservable {
@@ -49,7 +49,7 @@ pub enum NoObservable {
 }
 
 impl Observables {
-    /// Of the motions of a system.
+    /// The formulas, compiled for the motions of a system.
     ///
     /// # Errors
     /// A symbol that is unknown there, or a name that is taken.
@@ -73,7 +73,7 @@ impl Observables {
         Ok(Self { names, tape })
     }
 
-    /// What the formulas are called.
+    /// The names of the formulas.
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names

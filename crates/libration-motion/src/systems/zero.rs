@@ -1,13 +1,13 @@
-//! What is looked for on the way, as it is written.
+//! Conditions that are searched for along a motion, as they are written.
 
 use super::Model;
 use libration_numbers::expression::{Expression, ParseError, Symbol};
 
-/// Why a text is nothing that a motion can be looked through for.
+/// The reason why a text is not a condition that can be searched for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoZero {
-    /// It is no formula.
+    /// The text is not a formula.
     #[error(transparent)]
     Formula(#[from] ParseError),
     /// A name that the system does not have.
@@ -25,7 +25,7 @@ impl Model {
     /// `theta = 0.5`; the parameters with their values.
     ///
     /// # Errors
-    /// Text that is no formula; a name that the system does not have.
+    /// Text that is not a formula; a name that the system does not have.
     ///
     /// # Examples
     /// ```

@@ -6,12 +6,12 @@ use super::batch::{Batch, LaneStep};
 use super::stepper::Stepper;
 use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Step, System, Trajectory};
 
-/// Where an integration begins.
+/// The beginning of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Start {
-    /// In a state.
+    /// A state.
     State(Moment),
-    /// Where an earlier one was at the start of one of its steps.
+    /// The start of a step of an earlier integration.
     Checkpoint(Checkpoint),
 }
 
@@ -34,7 +34,7 @@ impl<'a> AcceptedStep<'a> {
         self.taken.solution.new_events()
     }
 
-    /// When an event in it ended the integration; `None` if none did.
+    /// The time at which an event in this step ended the integration; `None` if none did.
     #[must_use]
     pub fn ended_at(&self) -> Option<f64> {
         self.taken.solution.ended_at()

@@ -1,15 +1,15 @@
-//! What a step may err by in one number of a state.
+//! The error that a step may make in one state component.
 
-/// Below so many roundings of an acceleration its errors say nothing.
+/// Size of an acceleration's error, in units of its size, below which it is only rounding.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// What one number of a state may err by in a step.
+/// The error that one state component may have in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Allowance {
-    /// As a part of its size.
+    /// The allowed error relative to the size of the component.
     pub(super) relative: f64,
-    /// How much longer than for the least of all tolerances a step may be, as a power of two.
+    /// The base-2 logarithm of the factor by which a step may be longer than for the smallest of all tolerances.
     pub(super) log2_longer: f64,
-    /// By what its error is multiplied to be compared with the least of all tolerances.
+    /// The factor by which the error is multiplied for the comparison with the smallest of all tolerances.
     pub(super) weight: f64,
 }

@@ -16,11 +16,11 @@ pub(super) struct Batch<'a, const N: usize> {
     effort: Effort,
     stepper: Stepper<'a, N>,
     solutions: [Option<PartialSolution<'a>>; N],
-    /// Where the motions go on from, if they do not begin.
+    /// The checkpoint from which the motions are resumed, if they are.
     checkpoint: Option<&'a Checkpoint>,
 }
 
-/// Who sees the steps of the motions, with their numbers, and may stop them all.
+/// The callback for the steps of the motions, with their numbers; it may stop them all.
 pub(super) type Watch<'w, const N: usize> =
     Option<&'w mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>>;
 
@@ -162,7 +162,7 @@ struct Lane<'s, const N: usize> {
     lane: usize,
 }
 
-/// Why a motion goes no further.
+/// The reason why a motion ends.
 enum End {
     Reached(Moment),
     Stopped(Cause, Moment),

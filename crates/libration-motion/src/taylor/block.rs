@@ -16,7 +16,7 @@ use libration_numbers::internals::algebra::any;
 pub(super) struct Row(usize);
 
 impl Row {
-    /// The row of this number where each has so many coefficients.
+    /// The row of this number where each has `terms` coefficients.
     #[inline(always)]
     pub(super) fn new(number: usize, terms: usize) -> Self {
         Self(number * terms)
@@ -38,12 +38,12 @@ pub struct Block<const N: usize> {
     pub unit: [f64; N],
     /// Coefficients in powers of the time since the start, those of one row behind each other, in aligned memory.
     pub coefficients: Aligned,
-    /// For machine code.
+    /// Scratch memory for machine code.
     scratch: Aligned,
-    /// What the first coefficients lack of the state.
+    /// The low words of the state, which the first coefficients lack.
     low: Vec<[f64; N]>,
     layout: Arc<StateLayout>,
-    /// How many coefficients each row has.
+    /// Number of coefficients in each row.
     terms: usize,
 }
 
@@ -71,7 +71,7 @@ impl<const N: usize> IndexMut<Row> for Block<N> {
 }
 
 impl<const N: usize> Block<N> {
-    /// A block of so many rows, the first of which are the numbers of a state.
+    /// A block of `rows` rows, the first of which are the state components.
     pub(super) fn new(rows: usize, layout: &Arc<StateLayout>, order: usize) -> Self {
         let terms = order + 1;
         let coefficients = Aligned::zeros(rows * terms * N);
@@ -86,13 +86,13 @@ impl<const N: usize> Block<N> {
         compiled.run(self.coefficients.numbers_mut(), &self.unit, &mut self.scratch);
     }
 
-    /// How many numbers a state has.
+    /// The number of state components.
     #[inline(always)]
     pub(super) fn numbers(&self) -> usize {
         self.low.len()
     }
 
-    /// Which of them is what.
+    /// The meaning of each state component.
     #[inline(always)]
     pub(super) fn layout(&self) -> &StateLayout {
         &self.layout
@@ -147,7 +147,7 @@ impl<const N: usize> Block<N> {
         self.place(number, lane, 0.0, 0.0);
     }
 
-    /// How long the steps are.
+    /// The lengths of the steps.
     #[inline(always)]
     pub fn lengths(&self) -> Lengths<N> {
         let [mut units, mut remainders] = [[0.0; N]; 2];
@@ -190,7 +190,7 @@ impl<const N: usize> Block<N> {
         (self.start, self.unit) = (self.end, *unit);
     }
 
-    /// Where a motion is.
+    /// The state of the motion at the start of the step.
     pub(super) fn state(&self, lane: usize) -> impl Iterator<Item = f64> {
         (0..self.numbers()).map(move |number| self.series(number)[0][lane] + self.low[number][lane])
     }

@@ -67,7 +67,7 @@ fn seen_backward(system: &System) -> Result<System, WithoutValue> {
     system.clone().with_events(&events)
 }
 
-/// What was found backward, in the order of time; what happens at the start is found forward.
+/// Puts a backward solution in the order of time; events at the start are found by the forward one.
 fn reversed(mut solution: Solution) -> Solution {
     solution.samples.reverse();
     solution.events.retain(|event| event.contact != Contact::Start);

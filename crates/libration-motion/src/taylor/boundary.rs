@@ -1,4 +1,4 @@
-//! Where formulas end: zeros of divisors, ends of roots and logarithms, poles of the tangent.
+//! Boundaries of formulas: zeros of divisors, ends of roots and logarithms, poles of the tangent.
 //!
 //! Most of these are singularities of the motion, before which steps become short by themselves. But a force that is flat
 //! there, such as e^(−1/x), or nearly so, such as √(x² + ε²), shows nothing of it in the first terms of its series: a step
@@ -13,7 +13,7 @@ use super::sign_change::scaled;
 use libration_numbers::algebra::Function;
 use libration_numbers::internals::expression::{Operation, Tape};
 
-/// What a value on the tape must keep away from.
+/// The values that a slot of the tape must keep away from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Forbidden {
     Zero,
@@ -21,15 +21,15 @@ pub(super) enum Forbidden {
     OddQuarterTurns,
 }
 
-/// A value on the tape, by its place, that must keep away from something.
+/// A value on the tape, by its slot, that must keep away from other values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Boundary<P> {
     pub(super) of: P,
     pub(super) forbidden: Forbidden,
 }
 
-/// The boundaries of the first so many formulas on a tape. The signs of |…| are inputs from a number on; where these have
-/// products with what stands in the bars, steps end there anyway.
+/// The boundaries of the first `formulas` formulas on a tape. The signs of |…| are the inputs from `first_sign` on; where these are multiplied by
+/// the argument of the |…|, steps end there anyway.
 pub(super) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec<Boundary<usize>> {
     let mut found = vec![];
     let mut add = |of: usize, forbidden: Forbidden| {
@@ -57,7 +57,7 @@ pub(super) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec
     found
 }
 
-/// The places that the first so many formulas are made of.
+/// The slots on which the first `formulas` formulas depend.
 pub(super) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     let mut reached = vec![false; tape.operations().len()];
     for &result in &tape.results()[..formulas] {
@@ -72,7 +72,7 @@ pub(super) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
     (0..reached.len()).filter(|&place| reached[place]).collect()
 }
 
-/// The places that are zero where this one is, simple zeros as far as the formula shows them.
+/// The slots that are zero where this one is, simple zeros as far as the formula shows them.
 fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
     let is_sign = |place: usize| matches!(tape.operations()[place], Operation::Input(n) if n >= first_sign);
     match tape.operations()[place] {
@@ -87,8 +87,8 @@ fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
 }
 
 impl Boundary<Row> {
-    /// Whether in steps of these lengths, in units of the block, its values are known to come nowhere near what is forbidden: a zero that
-    /// is farther than they change, and than the widest blur, a hundredth of all that they are made of.
+    /// Returns whether in steps of these lengths, in units of the block, the values are known to stay far from the forbidden ones: zero is farther
+    /// away than they change, and than the widest blur, a hundredth of all their terms.
     #[inline(always)]
     pub(super) fn is_far<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
         const WITH_BLUR: f64 = 1.05;

@@ -1,4 +1,4 @@
-//! On which side of zero the argument of each absolute value is, or whether it stays there.
+//! The side of zero on which the argument of each absolute value is, or whether it stays at zero.
 
 use super::Cause;
 use super::block::Block;
@@ -8,8 +8,7 @@ use super::sign_change::{first_sign_change, scaled};
 /// The arguments of all absolute values in all lanes.
 #[derive(Debug)]
 pub(super) struct Branches<const N: usize> {
-    /// Of each argument: how many leading coefficients are zero where the step begins, of which only rounding may make
-    /// something else.
+    /// Number of leading coefficients of each argument that are zero where the step begins, and that can differ from zero only by rounding.
     zeros: Vec<[usize; N]>,
 }
 
@@ -32,12 +31,12 @@ impl<const N: usize> Branches<N> {
         }
     }
 
-    /// What a lane has passed is behind it.
+    /// Forgets the zeros that a lane has passed.
     pub(super) fn pass(&mut self, lane: usize) {
         self.start(lane);
     }
 
-    /// How many leading coefficients of an argument are zero where the next step begins.
+    /// The number of leading coefficients of an argument that are zero where the next step begins.
     pub(super) fn zeros(&self, modulus: usize, lane: usize) -> usize {
         self.zeros[modulus][lane]
     }

@@ -6,7 +6,7 @@
 use super::largest_change::largest_change;
 use super::stepper::{Stepper, unit_for};
 
-/// So many times the way of a number may its terms be: those of sines are at most 15 in steps to 1e-15.
+/// Largest size of the terms relative to the change of a component: for sines it is at most 15 in steps to 1e-15.
 const MOST: f64 = 32.0;
 
 impl<const N: usize> Stepper<'_, N> {
@@ -24,7 +24,7 @@ impl<const N: usize> Stepper<'_, N> {
         nearer
     }
 
-    /// Whether that happens in a step of this length, in units of the block.
+    /// Returns whether cancellation occurs in a step of this length, in units of the block.
     fn cancels(&self, lane: usize, length: f64) -> bool {
         const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
         let layout = self.block.layout();

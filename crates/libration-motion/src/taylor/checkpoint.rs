@@ -3,49 +3,49 @@
 use super::System;
 use super::contacts::Contacts;
 
-/// Where an integration can be resumed, bit for bit as if it had never stopped: the start of a step.
+/// The start of a step, from which an integration can be resumed bit for bit as if it had never stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
-    /// When.
+    /// The time.
     pub time: f64,
     /// The numbers that [`System::state_names`] names, each in two words.
     pub state: Vec<[f64; 2]>,
     /// The unit of time of the next step's series.
     pub unit: f64,
-    /// Of each absolute value in the equations.
+    /// State of each absolute value in the equations.
     pub moduli: Vec<ModulusCheckpoint>,
-    /// Of each event.
+    /// State of each event.
     pub events: Vec<EventCheckpoint>,
-    /// How many steps led here.
+    /// Number of steps up to here.
     pub steps: usize,
 }
 
-/// What is known of the argument of an absolute value.
+/// The state of the argument of an absolute value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModulusCheckpoint {
     /// Its sign.
     pub sign: f64,
-    /// Whether it is a velocity that friction keeps at zero.
+    /// `true` if the argument is a velocity that friction keeps at zero.
     pub sticks: bool,
-    /// How many of its leading coefficients are zero.
+    /// Number of its leading coefficients that are zero.
     pub zeros: usize,
 }
 
-/// What is known of the formula of an event.
+/// The state of the formula of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EventCheckpoint {
-    /// On which side of zero it is.
+    /// The side of zero on which it is.
     pub side: Option<f64>,
-    /// When it was zero last.
+    /// Time of its last zero.
     pub last: Option<f64>,
-    /// Whether it is within the tolerance of zero.
+    /// `true` if the formula is within the tolerance of zero.
     pub near: bool,
-    /// How many of its zeros counted, the start apart.
+    /// Number of its zeros that counted, the start excepted.
     pub found: u64,
 }
 
 impl Checkpoint {
-    /// Whether it can be one of this system.
+    /// Returns whether the checkpoint can belong to this system.
     pub(super) fn fits(&self, system: &System) -> bool {
         let numbers = self.state.iter().flatten().chain([&self.time, &self.unit]);
         let signs = self.moduli.iter().all(|modulus| modulus.sign.abs() <= 1.0);

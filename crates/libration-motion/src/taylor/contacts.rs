@@ -1,4 +1,4 @@
-//! Where a formula is zero on the way, found on the polynomial of each step.
+//! Zeros of a formula along a motion, found on the polynomial of each step.
 //!
 //! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's basis miss none
 //! of these. On which side of zero the formula is goes from step to step, so that a zero at the end of one step, which
@@ -11,14 +11,14 @@ use libration_numbers::roots::{Tolerance, zero_between};
 /// One formula on its way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Contacts {
-    /// On which side of zero it is; none before the first step, and while it vanishes.
+    /// The side of zero on which it is; none before the first step, and while it vanishes.
     pub(super) side: Option<f64>,
     pub(super) begun: bool,
-    /// When it was zero last.
+    /// Time of its last zero.
     pub(super) last: f64,
-    /// Whether it came within the tolerance of zero at the end of the step.
+    /// `true` if the formula was within the tolerance of zero at the end of the step.
     pub(super) near: bool,
-    /// How many of its zeros counted, the start apart.
+    /// Number of its zeros that counted, the start excepted.
     pub(super) found: u64,
 }
 
@@ -41,12 +41,12 @@ impl Stretch<'_> {
         self.start + tau * self.length
     }
 
-    /// How far from zero is no difference.
+    /// The distance from zero that is not distinguished from zero.
     fn blur(&self) -> f64 {
         self.tolerance.max(4.0 * f64::EPSILON) * self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
     }
 
-    /// Where the derivative changes its sign.
+    /// The positions at which the derivative changes its sign.
     fn extrema(&self) -> Vec<f64> {
         let factors = (1..).map(f64::from);
         let slopes: Vec<f64> = self.coefficients[1..].iter().zip(factors).map(|(c, n)| n * c).collect();
@@ -81,7 +81,7 @@ impl Stretch<'_> {
         first_sign_change(self.coefficients).into_iter().chain(touches).reduce(f64::min)
     }
 
-    /// Whether it is farther from zero than the blur in the whole step.
+    /// Returns whether the formula is farther from zero than the blur in the whole step.
     fn keeps_away(&self, blur: f64) -> bool {
         let rest: f64 = self.coefficients[1..].iter().map(|c| c.abs()).sum();
         if self.coefficients[0].abs() > rest + blur {
@@ -132,7 +132,7 @@ impl Contacts {
         side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
     }
 
-    /// What happens where the step begins.
+    /// The contacts at the beginning of the step.
     fn at_start(
         &mut self,
         stretch: &Stretch<'_>,
@@ -158,13 +158,13 @@ impl Contacts {
         if returns { vec![(stretch.start, Contact::Grazing)] } else { vec![] }
     }
 
-    /// Whether the start of a step is within the blur of the last zero.
+    /// Returns whether the start of a step is within the blur of the last zero.
     fn just_found(&self, stretch: &Stretch<'_>) -> bool {
         let width = 4.0 * stretch.tolerance.max(f64::EPSILON).sqrt() * stretch.length.abs();
         (stretch.start - self.last).abs() <= width
     }
 
-    /// What happens behind the start, from extremum to extremum.
+    /// Finds the contacts after the start, from extremum to extremum.
     fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, found: &mut Vec<(f64, Contact)>) {
         let Some(mut side) = self.side else { return };
         let mut before = 0.0;

@@ -7,11 +7,11 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// What passes zero where an event happens, with the accelerations and rates of change there.
+/// The formula that passes zero at an event, with the accelerations and rates of change there.
 #[derive(Debug)]
 pub(super) struct Crossing {
     formulas: Linearised,
-    /// Of each number of the state the formula that is its rate of change, or the number that is.
+    /// For each state component, the formula of its rate of change, or the component that equals it.
     speeds: Vec<Speed>,
 }
 
@@ -21,18 +21,18 @@ enum Speed {
     Number(usize),
 }
 
-/// How the formula passes zero.
+/// The passage of the formula through zero.
 #[derive(Debug)]
 pub(super) struct Passing {
     /// Its derivatives by the numbers of the state.
     pub(super) gradient: Vec<f64>,
-    /// That by the time along the motion.
+    /// Its derivative with respect to time along the motion.
     pub(super) rate: f64,
-    /// What it is not zero by.
+    /// Its magnitude there, which should be zero.
     pub(super) rest: f64,
-    /// What it loses by rounding.
+    /// Its rounding error.
     pub(super) error: f64,
-    /// How fast the numbers of the state change.
+    /// Rates of change of the state components.
     pub(super) speeds: Vec<f64>,
 }
 
@@ -58,7 +58,7 @@ impl Crossing {
         Some(Self { formulas: Linearised::new(&tape, 0..all.len(), inputs.len()), speeds })
     }
 
-    /// How it passes in a state, where the terms of the series of each number of that have these sizes.
+    /// The passage of the formula in a state whose components have series with terms of these sizes.
     pub(super) fn passing(&mut self, at: &Moment, sizes: &[f64]) -> Passing {
         self.formulas.evaluate(&[&at.state[..], &[at.time]].concat());
         let speed = |speed: &Speed| match *speed {
@@ -75,7 +75,7 @@ impl Crossing {
     }
 }
 
-/// How fast a formula changes along the motion, as a formula.
+/// The rate of change of a formula along the motion, as a formula.
 fn rate_of_change(system: &System, formula: &Expression) -> Expression {
     let (layout, equation) = (system.layout(), system.equation());
     let symbols = layout.symbols(equation.variables());

@@ -1,9 +1,9 @@
-//! How well the end of an integration is known that an event sets.
+//! The uncertainty of the end of an integration that an event ends.
 
 use super::gathered::gathered_roundings;
 use super::{Effort, IntegrationError, Moment, System, integrate};
 
-/// By how much time and state of the end of an integration may be wrong, each number in its unit.
+/// The uncertainty of time and state at the end of an integration, each component in its unit.
 ///
 /// Where an event ends the motion, its time is as uncertain as the motion is there over how fast its formula changes: this tells both.
 ///
@@ -38,7 +38,7 @@ pub fn ending_error(
     effort: &Effort,
     end: &Moment,
 ) -> Result<Moment, IntegrationError> {
-    /// What the finer steps err by as well, a thousandth, and what changes of order leave to chance.
+    /// Factor for the error of the finer steps, a thousandth, and for changes of order, which are a matter of chance.
     const MARGIN: f64 = 1.5;
     const MARGIN_ALONE: f64 = 10.0;
     let other = finer(system, start, last, effort)?;

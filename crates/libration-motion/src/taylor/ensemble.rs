@@ -72,13 +72,13 @@ impl Ensemble {
         Ok(Self { members: members.collect(), system, effort: *effort })
     }
 
-    /// How many motions there are.
+    /// The number of motions.
     #[must_use]
     pub fn len(&self) -> usize {
         self.members.len()
     }
 
-    /// Whether there is none.
+    /// Returns whether there are no motions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.members.is_empty()

@@ -1,25 +1,25 @@
-//! Why an integration cannot begin, or did not come to its end.
+//! The reasons why an integration cannot begin, or does not reach its end.
 
 use super::Solution;
 
-/// Why there is no solution, or not all of it.
+/// The reason why there is no solution, or only a part of it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum IntegrationError {
     /// A state that does not fit the system.
     #[error("a state of {got} numbers was given: give {wanted}, the coordinates and then the velocities")]
     StateLength {
-        /// How many numbers there were.
+        /// The number of components given.
         got: usize,
-        /// How many there should be.
+        /// The number of components required.
         wanted: usize,
     },
     /// Values that do not fit the open parameters.
     #[error("{got} values of parameters were given, but {wanted} parameters were left open")]
     ParameterCount {
-        /// How many values there were.
+        /// The number of values given.
         got: usize,
-        /// How many there should be.
+        /// The number of values required.
         wanted: usize,
     },
     /// A state or a time at the beginning that is infinite or no number.
@@ -55,14 +55,14 @@ pub enum IntegrationError {
     /// An integration that began and stopped.
     #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
     Stopped {
-        /// Why it stopped.
+        /// The cause for which it stopped.
         cause: Cause,
-        /// What was computed.
+        /// The solution up to there.
         solution: Box<Solution>,
     },
 }
 
-/// What stops an integration.
+/// The cause for which an integration stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -78,7 +78,7 @@ pub enum Cause {
     /// A state that no `f64` holds soon, as of a motion that runs away for ever.
     #[error("the motion diverges, beyond the range of numbers,")]
     OutOfRange,
-    /// As many steps as are allowed.
+    /// The step limit is reached.
     #[error("the largest number of steps is reached")]
     StepLimit,
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.

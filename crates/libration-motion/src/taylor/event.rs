@@ -1,4 +1,4 @@
-//! What can happen on the way.
+//! Events along a motion.
 
 use libration_numbers::expression::Expression;
 
@@ -7,16 +7,16 @@ use libration_numbers::expression::Expression;
 pub struct Event {
     /// The formula.
     pub formula: Expression,
-    /// Which of its zeros count.
+    /// The kinds of zeros that count.
     pub direction: Direction,
-    /// At the how-manieth of those that count the integration ends, the start apart; never if there is none.
+    /// The number of the counted zero, the start excepted, at which the integration ends; `None` if the event does not end it.
     pub ends_at: Option<u64>,
 }
 
-/// Which changes of sign count, in the order in which the motion is integrated.
+/// The sign changes that count, in the order in which the motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// Both, and contacts without a change of sign.
+    /// Sign changes in both directions, and contacts without a sign change.
     Any,
     /// From negative to positive.
     Rising,
@@ -24,7 +24,7 @@ pub enum Direction {
     Falling,
 }
 
-/// How a formula is zero.
+/// The kind of a formula's zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
     /// It becomes positive.
@@ -40,13 +40,13 @@ pub enum Contact {
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
-    /// Which one of [`System::events`](super::System::events).
+    /// Index into [`System::events`](super::System::events).
     pub event: usize,
-    /// When.
+    /// The time.
     pub time: f64,
     /// Coordinates and velocities there.
     pub state: Vec<f64>,
-    /// How.
+    /// The kind of the zero.
     pub contact: Contact,
 }
 

@@ -15,14 +15,14 @@ use libration_kernels::dispatch::{Kernel, dispatch_lanes};
 use libration_numbers::internals::expression::Evaluator;
 use libration_numbers::{algebra::Ring, internals::algebra::prepared_reciprocal};
 
-/// What the tape is given beside the state.
+/// The inputs of the tape other than the state.
 #[derive(Clone, Debug)]
 pub struct Surroundings<const N: usize> {
     /// The values of the parameters that were left open.
     pub parameters: Vec<[f64; N]>,
     /// The sign of what stands in each |…|.
     pub signs: Vec<[f64; N]>,
-    /// Whether that is a velocity that friction keeps at zero.
+    /// `true` where the argument of a |…| is a velocity that friction keeps at zero.
     pub sticks: Vec<[bool; N]>,
 }
 
@@ -91,7 +91,7 @@ impl<'a> Expander<'a> {
         block.row(block.numbers() + 1 + self.system.parameters().len() + modulus)
     }
 
-    /// What stands between the bars of an absolute value.
+    /// The argument of an absolute value.
     pub(super) fn argument(&self, modulus: usize) -> Row {
         self.plan.program.results[self.system.coordinates() + modulus]
     }
@@ -131,7 +131,7 @@ impl<'a> Expander<'a> {
         self.plan.program.begin(block, arithmetic);
     }
 
-    /// Those of what the tape is given beside the state.
+    /// The zeroth coefficients of the inputs other than the state.
     #[inline(always)]
     fn begin_inputs<const N: usize>(&self, block: &mut Block<N>, surroundings: &Surroundings<N>) {
         let time = block.row(block.numbers());
@@ -177,7 +177,7 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     Plan { order, lanes, program, boundaries, steep, beginning, expansion }
 }
 
-/// What is given, and the zeroth coefficients if they are not known, compiled for each instruction set.
+/// The inputs, and the zeroth coefficients if they are not known, compiled for each instruction set.
 struct Beginning<'e, 'a, const N: usize> {
     expander: &'e Expander<'a>,
     block: &'e mut Block<N>,
@@ -264,7 +264,7 @@ impl Expander<'_> {
         self.plan.order - usize::from(self.system.events().is_empty())
     }
 
-    /// What the equation of a coordinate tells: its acceleration, or its rate of change.
+    /// The right-hand side of a coordinate's equation: its acceleration, or its rate of change.
     #[inline(always)]
     pub(super) fn acceleration(&self, coordinate: usize) -> Row {
         self.plan.program.results[coordinate]

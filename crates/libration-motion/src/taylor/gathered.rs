@@ -1,4 +1,4 @@
-//! What roundings on the way come to at the end of a motion.
+//! The effect of the roundings along a motion on its end.
 
 use super::growth::{distances, growths};
 use super::matrix::Matrix;
@@ -7,8 +7,8 @@ use super::roundings_of_steps::{RoundedStep, add_unseen, rounded_steps};
 use super::survey::Survey;
 use super::{Effort, IntegrationError, Moment, StateLayout, System};
 
-/// Of the states of all motions beside one. An oscillator's 5306 steps, which have 21 000, take 0.09 s; 179 431 steps, close to as many as are
-/// followed, 4.7 s.
+/// Largest number of state components of all neighbouring motions. An oscillator's 5306 steps, which have 21 000, take 0.09 s; 179 431 steps, close
+/// to the most that are followed, 4.7 s.
 const MOST_NUMBERS: usize = 1_000_000;
 
 /// A bound of what rounding makes of time and state at the end of an integration; `None` where small deviations cannot be followed, are
@@ -51,9 +51,9 @@ pub(super) fn gathered_roundings(
 #[derive(Debug)]
 struct Gathered<'a> {
     layout: &'a StateLayout,
-    /// Of each result.
+    /// Sum of the errors of each result.
     sums: Vec<f64>,
-    /// How each result depends on the state in the middle of that step.
+    /// Derivatives of each result with respect to the state in the middle of that step.
     slopes: Vec<Vec<f64>>,
 }
 
@@ -81,7 +81,7 @@ impl Gathered<'_> {
     }
 }
 
-/// How something depends on the state before, from how it does on that after.
+/// The derivatives with respect to the state before a step, from those with respect to the state after it.
 fn through(slope: &[f64], growth: &Matrix) -> Vec<f64> {
     let by =
         |column: usize| slope.iter().enumerate().map(|(row, slope)| slope * growth.row(row)[column]).sum();

@@ -1,10 +1,10 @@
-//! How a small deviation of a motion grows from one moment on it to another.
+//! Growth of a small deviation of a motion from one moment to another.
 
 use super::matrix::Matrix;
 use super::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 
-/// The derivatives of the state at a later moment by that at an earlier one, from each moment to the next, by differences of motions that begin a little apart: whatever a force does on the way, jump, bend or bring
-/// to rest, it does to them too. `None` where such a motion does not get there.
+/// The derivatives of the state at a later moment by that at an earlier one, from each moment to the next, by differences of motions that begin a
+/// little apart: whatever a force does on the way, jump, bend or bring to rest, it does to them too. `None` where such a motion does not get there.
 pub(super) fn growths(system: &System, moments: &[&Moment], apart: &[f64]) -> Option<Vec<Matrix>> {
     let times: Vec<f64> = moments.iter().map(|moment| moment.time).collect();
     let mut trajectories = vec![];
@@ -28,13 +28,13 @@ pub(super) fn growths(system: &System, moments: &[&Moment], apart: &[f64]) -> Op
 /// Errors of a motion are far below the distances of two.
 const EFFORT: Effort = Effort { relative: 1e-13, absolute: 0.0, most_steps: 10_000 };
 
-/// How far beside the motion, in each number, where it goes such a way and is so large: a small part of the way, and far above the roundings.
+/// The distance of a neighbouring motion in a component of this size that covers `way`: a small part of the way, and far above the roundings.
 pub(super) fn distance(way: f64, size: f64) -> f64 {
     let distance = libm::ldexp(way, -24) + libm::ldexp(size, -34);
     if distance > 0.0 { distance } else { libm::ldexp(1.0, -24) }
 }
 
-/// That in each number, for a motion that is known at many moments.
+/// The distance in each component, for a motion that is known at many moments.
 pub(super) fn distances(moments: &[&Moment]) -> Vec<f64> {
     let numbers = moments.first().map_or(0, |moment| moment.state.len());
     let of_number = |number: usize| {

@@ -1,4 +1,4 @@
-//! From a state to the states at given times.
+//! Integration from a state to the states at given times.
 
 use std::ops::ControlFlow;
 
@@ -16,12 +16,11 @@ use super::{Effort, IntegrationError, Step, System};
 /// States go in two words from step to step, and times are exact, so that sums of many steps lose nothing; but the
 /// accelerations see each coordinate rounded to one word, of which an angle of a thousand turns loses four digits.
 ///
-/// Where the argument of an absolute value changes its sign the step ends, at the nearest `f64`, and the other branch
-/// goes on. Where a power of it that is no whole number has no series, as |x|^1.5 and √|x′| at zero, one short step, whose
-/// end Picard's iteration finds, goes over the zero. A number that such a force brings to zero and leaves there, as
-/// x′ = −√|x|·sign(x) and x″ = −x′/√|x′| do, stays zero. Other formulas that are not analytic, such as √(x²) at zero, stop the integration,
-/// and so does the end of a formula, such as that of e^(−1/x) at zero, however little of it the motion feels before;
-/// √(x² + ε²) with a tiny ε is followed round its bend in small steps. A singularity that is removable, as that of
+/// A step ends where the argument of an absolute value changes its sign, at the nearest `f64`, and the other branch continues. A power of it that is
+/// not whole may have no series there, as |x|^1.5 and √|x′| at zero: one short step, whose end is found by Picard's iteration, passes the zero. A
+/// component that such a force brings to zero and leaves there, as x′ = −√|x|·sign(x) and x″ = −x′/√|x′| do, stays zero. Other formulas that are not
+/// analytic, such as √(x²) at zero, stop the integration, and so does the end of a formula, such as that of e^(−1/x) at zero, however little of it
+/// the motion feels before; √(x² + ε²) with a tiny ε is followed round its bend in small steps. A singularity that is removable, as that of
 /// sin(x)/x, is passed.
 ///
 /// # Errors
@@ -154,6 +153,6 @@ fn many(
     batch.integrate(trajectories, watch)
 }
 
-/// How many motions go side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take
+/// Number of motions integrated side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take
 /// 173 µs each with 8, 138 µs with 16 and 168 µs with 24.
 pub(super) const LANES: usize = 16;

@@ -30,7 +30,7 @@ impl StateErrors {
         numbers
     }
 
-    /// Those of a motion of this start that is gone on from; `None` where the numbers are not those of such a motion.
+    /// The errors of a motion from this start that is continued; `None` where the numbers do not belong to such a motion.
     #[must_use]
     pub fn resumed(system: &System, start: &Moment, effort: &Effort, numbers: &[f64]) -> Option<Self> {
         let mut errors = Self::new(system, start, effort);
@@ -58,10 +58,10 @@ fn push_spread(numbers: &mut Vec<f64>, spread: &Spread) {
     numbers.extend(&spread.flow.entries);
 }
 
-/// What is left of the numbers.
+/// The numbers that have not been read yet.
 struct Kept<'a> {
     numbers: &'a [f64],
-    /// Of a state.
+    /// Number of state components.
     size: usize,
 }
 

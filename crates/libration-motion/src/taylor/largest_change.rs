@@ -1,10 +1,10 @@
-//! How far a series goes in a step.
+//! The largest change of a series in a step.
 
 use libration_kernels::dispatch::{Kernel, dispatch_lanes};
 use libration_kernels::fused::FusedMultiplyAdd;
 use libration_numbers::internals::algebra::lanes;
 
-/// By how much a series changes at most in steps of these lengths: Σ|cₙhⁿ| without c₀, in two sums, neither of which waits for the other.
+/// An upper bound on the change of a series in steps of these lengths: Σ|cₙhⁿ| without c₀, in two sums, neither of which waits for the other.
 #[inline(always)]
 pub fn largest_changes<const N: usize>(series: &[[f64; N]], lengths: &[f64; N]) -> [f64; N] {
     let squares: [f64; N] = lanes(|lane| lengths[lane] * lengths[lane]);
@@ -23,7 +23,7 @@ pub fn largest_changes<const N: usize>(series: &[[f64; N]], lengths: &[f64; N]) 
     })
 }
 
-/// That in one lane.
+/// The same bound in one lane.
 pub fn largest_change<const N: usize>(series: &[[f64; N]], lane: usize, length: f64) -> f64 {
     dispatch_lanes::<N, _>(LargestChanges { series, lengths: &[length; N] })[lane]
 }

@@ -1,4 +1,4 @@
-//! How the numbers of a state stand behind each other.
+//! Order of the state components.
 
 use libration_numbers::expression::{Equation, Order, Symbol};
 
@@ -17,20 +17,20 @@ use libration_numbers::expression::{Equation, Order, Symbol};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StateLayout {
-    /// Of each coordinate the number of its velocity.
+    /// For each coordinate, the index of its velocity.
     velocities: Vec<Option<usize>>,
-    /// Of each velocity, in their order, its coordinate.
+    /// For each velocity, in order, the index of its coordinate.
     accelerated: Vec<usize>,
 }
 
 impl StateLayout {
-    /// Of the states of some equations.
+    /// The layout of the states of some equations.
     #[must_use]
     pub fn new(equation: &Equation) -> Self {
         Self::of_orders(equation.orders())
     }
 
-    /// Of one coordinate and its velocity.
+    /// The layout of one coordinate and its velocity.
     pub(crate) fn one_coordinate() -> Self {
         Self::of_orders(&[Order::Second])
     }
@@ -46,14 +46,14 @@ impl StateLayout {
         Self { velocities, accelerated }
     }
 
-    /// How many coordinates there are.
+    /// The number of coordinates.
     #[must_use]
     #[inline(always)]
     pub fn coordinates(&self) -> usize {
         self.velocities.len()
     }
 
-    /// How many numbers a state has.
+    /// The number of state components.
     #[must_use]
     #[inline(always)]
     pub fn numbers(&self) -> usize {
@@ -83,14 +83,14 @@ impl StateLayout {
         }
     }
 
-    /// Whether a number is a velocity.
+    /// Returns whether a component is a velocity.
     #[must_use]
     #[inline(always)]
     pub fn is_velocity(&self, number: usize) -> bool {
         number >= self.coordinates()
     }
 
-    /// Whether every coordinate has a velocity.
+    /// Returns whether every coordinate has a velocity.
     #[must_use]
     pub fn is_of_second_order(&self) -> bool {
         self.accelerated.len() == self.coordinates()
@@ -115,8 +115,8 @@ impl StateLayout {
         self.arrange(variables.iter().map(|name| Symbol::plain(name)), velocity)
     }
 
-    /// Where a number of the state stands in that of the equations followed by copies of them, such as
-    /// [`with_tangents`](super::with_tangents) makes: in the equations themselves, copy 0, or in one of the copies.
+    /// The index of a state component in the state of the equations followed by copies of them, such as [`with_tangents`](super::with_tangents)
+    /// makes: in the equations themselves, copy 0, or in one of the copies.
     #[must_use]
     pub fn place_in_copy(&self, number: usize, copy: usize, copies: usize) -> usize {
         let coordinates = self.coordinates();

@@ -16,27 +16,27 @@ pub(super) fn half_ulp(value: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub(super) struct Linearised {
     tape: Tape,
-    /// The inputs by which is differentiated: the first so many.
+    /// Number of inputs, the first ones, with respect to which the formulas are differentiated.
     numbers: usize,
     /// The operations that the formulas need and that depend on inputs.
     varying: Vec<usize>,
     values: Vec<f64>,
-    /// By how many [`ROUNDING`]s of one they may be wrong, where the inputs are exact.
+    /// Error bounds of the values, in units of [`ROUNDING`], for exact inputs.
     errors: Vec<f64>,
-    /// Of each operation so many derivatives.
+    /// Derivatives of each operation, one per such input.
     slopes: Vec<f64>,
 }
 
 /// The value of an operation, and how it changes with its operands.
 struct Differential {
     value: f64,
-    /// The places of the operands and the derivatives by them.
+    /// The slots of the operands, and the derivatives with respect to them.
     by: [Option<(usize, f64)>; 2],
     is_exact: bool,
 }
 
 impl Linearised {
-    /// Some formulas of a tape, with derivatives by so many of its inputs.
+    /// Some formulas of a tape, with derivatives with respect to the first `numbers` inputs.
     pub(super) fn new(tape: &Tape, formulas: impl Iterator<Item = usize>, numbers: usize) -> Self {
         let operations = tape.operations();
         let mut needed = vec![false; operations.len()];
@@ -85,7 +85,7 @@ impl Linearised {
         self.values[self.tape.results()[formula]]
     }
 
-    /// What rounding may have made of it.
+    /// The bound of the rounding error of a formula.
     pub(super) fn error(&self, formula: usize) -> f64 {
         ROUNDING * self.errors[self.tape.results()[formula]]
     }
@@ -175,7 +175,7 @@ impl Linearised {
     }
 }
 
-/// What does not depend on an input does not, however steep the operation is.
+/// The product of two derivatives; zero for an operand that does not depend on an input, however steep the operation is.
 fn times(slope: f64, inner: f64) -> f64 {
     if inner == 0.0 { 0.0 } else { slope * inner }
 }

@@ -1,4 +1,4 @@
-//! How far the next steps may go: as far as the series converge, the formulas last and the equations of motion confirm them.
+//! Lengths of the next steps: as far as the series converge, the formulas have values, and the equations of motion confirm the series.
 
 use super::Cause;
 use super::ends::Ends;
@@ -61,7 +61,7 @@ impl<const N: usize> Stepper<'_, N> {
         }
     }
 
-    /// Why there is no step, as the state tells it. Next to a singularity at a finite time steps end long before.
+    /// The cause for which there is no step, given the state. Next to a singularity at a finite time steps end long before.
     fn cause_where_it_is(&self, lane: usize, cause: Cause) -> Cause {
         /// Coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
         const FAR: f64 = 1e190;
@@ -71,7 +71,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// Expands the steps; at the beginning of a motion once more, if its time scale asks for another unit.
     fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
-        /// As a power of two: coefficients of order 63 are larger or smaller by 2⁶³⁰ then, which an `f64` holds.
+        /// Largest base-2 logarithm of the change of units: coefficients of order 63 are then larger or smaller by 2⁶³⁰, which an `f64` holds.
         const FITS: f64 = 10.0;
         let outcomes = self.expand();
         let fresh = std::mem::replace(&mut self.fresh, [false; N]);
@@ -123,7 +123,7 @@ impl<const N: usize> Stepper<'_, N> {
     fn end_before_boundary(&mut self, lane: usize, end: f64, length: f64) -> Result<f64, Cause> {
         /// The part of the way to the boundary that a step may go; the next begins with an eighth of it left.
         const TOWARDS: f64 = 0.875;
-        /// What comes within so many tolerances of its change in the step is looked at: of √(x² + ε²) the series show ε²/x²
+        /// Distance from a boundary, in tolerances of the change in the step, within which it is examined: for √(x² + ε²) the series show ε²/x²
         /// where it is not below one tolerance.
         const NEAR: f64 = 1e4;
         const WIDEST: f64 = 1e-2;
@@ -150,7 +150,7 @@ impl<const N: usize> Stepper<'_, N> {
         Ok(nearer)
     }
 
-    /// Whether the accelerations behind a time are those of the series as well, as where a singularity is removable.
+    /// Returns whether the accelerations after a time also agree with the series, as where a singularity is removable.
     ///
     /// Up to a quarter of a step beyond its end series err by 39·2⁻¹⁴·1.25³⁹ = 14 tolerances at the highest order.
     fn goes_on_behind(&mut self, lane: usize, time: f64, length: f64) -> bool {
@@ -160,8 +160,8 @@ impl<const N: usize> Stepper<'_, N> {
         PARTS.iter().all(|part| self.misfit(lane, time + part * length, length) <= bound)
     }
 
-    /// What the velocities would err by in a time, as a part of their size, if accelerations were those of the series; not less
-    /// than the part of themselves that the accelerations err by, which a short time does not excuse. Where more is allowed errors count less.
+    /// The error that the velocities would have after a time, relative to their size, if accelerations were those of the series; not less than the
+    /// relative error of the accelerations themselves, which a short time does not excuse. Errors count less where more is allowed.
     fn misfit(&mut self, lane: usize, time: f64, length: f64) -> f64 {
         let step = self.block.step(lane);
         let state = step.state_at(time);
@@ -180,7 +180,7 @@ impl<const N: usize> Stepper<'_, N> {
         parts.fold(0.0, larger_or_nan)
     }
 
-    /// Whether the last coefficients are finite, into which the ones before enter.
+    /// Returns whether the last coefficients are finite, which depend on all earlier ones.
     fn is_regular(&self, lane: usize) -> bool {
         self.block.last_coefficients().all(|c| c[lane].is_finite())
     }
@@ -227,7 +227,7 @@ impl<const N: usize> Kernel for EndsOnOpenWays<'_, '_, N> {
     }
 }
 
-/// How long the steps may be.
+/// The kernel that computes the lengths of the steps.
 struct Lengths<'f, 'a, const N: usize> {
     stepper: &'f Stepper<'a, N>,
 }

@@ -5,20 +5,20 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use libration_jit::{Compiled, StraightLine};
 
-/// That for one order and number of lanes, once it pays.
+/// Machine code for one order and number of lanes, compiled once it pays.
 #[derive(Debug)]
 pub struct MachineCode {
     lanes: usize,
-    /// How many are still done without it.
+    /// Number of expansions that are still done without it.
     without: AtomicUsize,
     compiled: OnceLock<Option<Compiled>>,
 }
 
 impl MachineCode {
-    /// For so many expansions that it pays from the first on, or for nobody knows how many.
+    /// The code for many expansions, where it pays from the first one on, or for an unknown number.
     pub(super) fn new(lanes: usize, for_many: bool) -> Self {
-        /// Compiling takes as long as so many expansions without, for chains of 2 to 720 springs, at orders 20 and 33, as 40 to 750, and
-        /// most often as 250; after it they take a tenth to a half.
+        /// Number of expansions before the code is compiled. For chains of 2 to 720 springs at orders 20 and 33, compiling takes as long as 40 to
+        /// 750 expansions without code, most often 250; with code they take a tenth to a half of the time.
         const FIRST: usize = 500;
         let without = AtomicUsize::new(if for_many { 0 } else { FIRST });
         Self { lanes, without, compiled: OnceLock::new() }

@@ -7,18 +7,18 @@ use libration_numbers::expression::{Expression, Function, Symbol};
 #[derive(Debug, Default)]
 pub(super) struct Moduli {
     arguments: Vec<Modulus>,
-    /// What powers that are no whole numbers are taken of, where no |…| stands in it.
+    /// Bases of powers that are not whole, where the base contains no |…|.
     bases: Vec<Expression>,
 }
 
-/// What stands in a |…|.
+/// The argument of a |…| or a sign.
 #[derive(Clone, Debug)]
 pub(super) struct Modulus {
-    /// With signs in the place of all |…| within it.
+    /// The argument with signs in the place of all |…| within it.
     pub(super) argument: Expression,
-    /// As it is written.
+    /// The argument as it is written.
     pub(super) written: Expression,
-    /// Whether a power that is no whole number is taken of what vanishes with it, and has no series there.
+    /// `true` if an expression that vanishes with the argument has a power that is not whole, and no series there.
     pub(super) in_root: bool,
 }
 
@@ -47,8 +47,8 @@ impl Moduli {
         }
     }
 
-    /// A power that is no whole number. A base that vanishes on one side of a sign, as (x + |x|)/2 does, is one there instead, and the
-    /// power is multiplied by zero: so it has a series on either side.
+    /// A power that is not whole. A base that vanishes on one side of a sign, as (x + |x|)/2 does, is replaced by one there, and the power is
+    /// multiplied by zero: so it has a series on either side.
     fn root(&mut self, base: &Expression, power: impl FnOnce(Expression) -> Expression) -> Expression {
         let base = self.taken_out(base);
         let within: Vec<usize> =
@@ -92,7 +92,7 @@ impl Moduli {
         (0..self.arguments.len()).map(sign)
     }
 
-    /// What is zero where a formula jumps that these were taken out of.
+    /// The argument at whose zero a formula jumps, after these signs were taken out of it; `None` if it does not jump.
     pub(super) fn jump_in(&self, formula: &Expression) -> Option<String> {
         let jumps = |(place, modulus): (usize, &Modulus)| {
             let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
@@ -103,7 +103,7 @@ impl Moduli {
         self.arguments.iter().enumerate().find_map(jumps)
     }
 
-    /// Whether such a power is taken of a symbol itself, and has no value on one side of its zero.
+    /// Returns whether such a power is taken of a symbol itself, and has no value on one side of its zero.
     pub(super) fn has_power_of(&self, symbol: &Symbol) -> bool {
         self.bases.contains(&Expression::Symbol(symbol.clone()))
     }
@@ -126,7 +126,7 @@ fn with_zero(formula: &Expression, part: &Expression) -> Expression {
     if formula == part { Expression::from(0) } else { formula.with_parts(|inner| with_zero(inner, part)) }
 }
 
-/// What a formula is where a symbol is zero, roots of it included.
+/// The formula with zero in place of a symbol, and of roots of it.
 pub(super) fn where_zero(formula: &Expression, symbol: &Symbol) -> Expression {
     roots_of_zero(&formula.substitute(symbol, &Expression::from(0)).simplified()).simplified()
 }

@@ -1,4 +1,4 @@
-//! How time and state at the end of a motion depend on the state there, where an event ends it or a given time.
+//! Derivatives of time and state at the end of a motion with respect to the state there, where an event or a given time ends it.
 
 use super::crossing::{Crossing, Passing};
 use super::linearised::ROUNDING;
@@ -8,9 +8,9 @@ use super::{Moment, System};
 /// The numbers of the state at the end and its time, the latter last: results of a survey.
 #[derive(Clone, Debug)]
 pub(super) struct Outcome {
-    /// Of each result the derivatives by the state at that time.
+    /// Derivatives of each result with respect to the state at that time.
     pub(super) slopes: Vec<Vec<f64>>,
-    /// What rounding adds at the end itself.
+    /// Rounding errors added at the end itself.
     pub(super) own: Vec<f64>,
 }
 

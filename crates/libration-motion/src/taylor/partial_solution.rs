@@ -16,7 +16,7 @@ pub(super) struct PartialSolution<'a> {
     trajectory: &'a Trajectory<'a>,
     samples: Vec<Moment>,
     events: Vec<Occurrence>,
-    /// How many events were known before the last step.
+    /// Number of events that were known before the last step.
     events_before: usize,
     contacts: Vec<Contacts>,
     steps: usize,
@@ -35,7 +35,7 @@ impl<'a> PartialSolution<'a> {
         self.steps = checkpoint.steps;
     }
 
-    /// What is known of the events.
+    /// The state of each event.
     pub(super) fn checkpoints(&self) -> Vec<EventCheckpoint> {
         self.contacts.iter().map(EventCheckpoint::from_contacts).collect()
     }
@@ -45,14 +45,14 @@ impl<'a> PartialSolution<'a> {
         &self.events[self.events_before..]
     }
 
-    /// When an event in the last step ended the integration.
+    /// The time at which an event in the last step ended the integration.
     pub(super) fn ended_at(&self) -> Option<f64> {
         let last = self.new_events().last().filter(|last| last.contact != Contact::Start)?;
         let number = Some(self.contacts[last.event].found);
         (self.system.events()[last.event].ends_at == number).then_some(last.time)
     }
 
-    /// Whether numbers are too large for double precision where it is.
+    /// Returns whether numbers are too large for double precision at this moment.
     pub(super) fn overflows(&self, moment: &Moment) -> bool {
         let inputs = [&moment.state[..], &[moment.time], &self.trajectory.parameters].concat();
         self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
@@ -158,7 +158,7 @@ impl<'a> PartialSolution<'a> {
     }
 }
 
-/// What rounding and half a unit in the last place of each number of the start make of the formula of an event there.
+/// The error of an event's formula at the start, from rounding and half a unit in the last place of each component.
 fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usize) -> f64 {
     let Trajectory { start, parameters, .. } = trajectory;
     let formula = system.coordinates() + system.moduli() + event;

@@ -20,7 +20,7 @@ pub(super) struct Passage {
     bases: Vec<usize>,
 }
 
-/// What they come to in a state.
+/// The values of these formulas in a state.
 pub(super) struct Values {
     values: Vec<f64>,
     coordinates: usize,
@@ -67,7 +67,7 @@ impl Passage {
 }
 
 impl Values {
-    /// How fast each number of the state changes there.
+    /// The rate of change of each state component.
     pub(super) fn rates(&self, layout: &StateLayout, state: &[f64]) -> Vec<f64> {
         let mut rates = vec![0.0; state.len()];
         for (coordinate, value) in self.values[..self.coordinates].iter().enumerate() {
@@ -79,7 +79,7 @@ impl Values {
         rates
     }
 
-    /// What stands in each |…|.
+    /// The argument of each |…|.
     pub(super) fn arguments(&self) -> &[f64] {
         &self.values[self.coordinates..][..self.moduli]
     }

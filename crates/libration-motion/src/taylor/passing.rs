@@ -9,7 +9,7 @@ use super::picard::{Beginning, Stretch};
 use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
 use libration_kernels::dispatch::dispatch_lanes;
 
-/// Where the zero of what stands in a |…| is, in the direction of the motion.
+/// The position of the zero of a |…|'s argument, in the direction of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Zero {
     Here,
@@ -41,7 +41,7 @@ impl<const N: usize> Stepper<'_, N> {
         }
     }
 
-    /// What times near the start of a step can tell, with room for some steps.
+    /// The resolution of times near the start of a step, with room for some steps.
     fn resolution(&self, lane: usize) -> f64 {
         const STEPS: f64 = 64.0;
         /// Below it powers of the time are lost.
@@ -93,7 +93,7 @@ impl<const N: usize> Stepper<'_, N> {
 
     /// The motion over a zero, if it is known well enough.
     fn stretch_over(&self, lane: usize, zero: Zero) -> Option<Stretch> {
-        /// Beside this part of what is allowed the errors of the iteration do not count.
+        /// Part of the allowed error that the iteration may have, so that it is negligible.
         const PART: f64 = 0.0625;
         let beginning = self.beginning(lane)?;
         let rates = beginning.first_rates()?;

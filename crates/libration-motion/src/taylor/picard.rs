@@ -9,7 +9,7 @@ use super::passage::{Passage, Values};
 use libration_numbers::internals::quadrature::{POINTS, points, running_integrals};
 use libration_numbers::roots::{Tolerance, zero_between};
 
-/// Where a stretch begins.
+/// The beginning of a stretch.
 pub(super) struct Beginning<'a> {
     pub(super) passage: &'a Passage,
     pub(super) layout: &'a StateLayout,
@@ -55,7 +55,7 @@ impl Beginning<'_> {
         self.passage.at(self.time + elapsed, state, &self.parameters)
     }
 
-    /// How fast each number changes in a state.
+    /// The rate of change of each component in a state.
     fn rates(&self, elapsed: f64, state: &[f64]) -> Option<Vec<f64>> {
         let mut rates = self.at(elapsed, state)?.rates(self.layout, state);
         for (rate, _) in rates.iter_mut().zip(&self.held).filter(|(_, held)| **held) {
@@ -76,13 +76,13 @@ impl Beginning<'_> {
         (0..self.state.len()).map(moved).collect()
     }
 
-    /// By how much each rate differs from that of the start after a while, as it is guessed.
+    /// The difference of each rate after `elapsed` from that at the start, for the guessed state.
     pub(super) fn change(&self, rates: &[f64], elapsed: f64) -> Option<Vec<f64>> {
         let there = self.rates(elapsed, &self.guess(rates, elapsed))?;
         Some(there.iter().zip(rates).map(|(there, here)| there - here).collect())
     }
 
-    /// What the accuracy of each number is a part of: the velocity or its change, and the way of a coordinate.
+    /// The size to which the accuracy of each component refers: the velocity or its change, and the way of a coordinate.
     pub(super) fn sizes(&self, rates: &[f64], length: f64, change: &[f64]) -> Vec<f64> {
         let size = |number: usize| {
             let held = if self.layout.is_velocity(number) { self.state[number].abs() } else { 0.0 };
@@ -93,7 +93,7 @@ impl Beginning<'_> {
 
     /// The motion in a stretch of this length; `None` where the iteration does not come so near the solution.
     pub(super) fn stretch(&self, rates: &[f64], length: f64, tolerance: f64) -> Option<Stretch> {
-        /// Of a contraction so slow that it takes more the stretch is too long.
+        /// Largest number of sweeps; a stretch whose contraction is so slow that it takes more is too long.
         const MOST_SWEEPS: usize = 12;
         let panels = self.panels(rates, length)?;
         let nodes: Vec<(f64, f64)> = panels.iter().flat_map(Panel::nodes).collect();
@@ -119,7 +119,7 @@ impl Beginning<'_> {
         None
     }
 
-    /// From zero to zero of what stands in a |…|.
+    /// The panels from zero to zero of the argument of a |…|.
     fn panels(&self, rates: &[f64], length: f64) -> Option<Vec<Panel>> {
         const LOOKS: u32 = 8;
         let arguments =
@@ -140,7 +140,7 @@ impl Beginning<'_> {
         Some(ends.windows(2).map(|pair| Panel { start: pair[0], length: pair[1] - pair[0] }).collect())
     }
 
-    /// What the numbers have gained at each node, and at the end, beside what they gain at the rates of the start.
+    /// The gain of the components at each node, and at the end, beyond the gain at the initial rates.
     fn sweep(
         &self,
         rates: &[f64],

@@ -11,11 +11,11 @@ use super::roundings_of_steps::{Formulas, RoundedStep, terms};
 use super::spread::Spread;
 use super::{AcceptedStep, System};
 
-/// What it takes to go over jumps and bends of forces.
+/// The formulas and the last step, from which errors are carried over jumps and bends of forces.
 #[derive(Debug)]
 pub(super) struct Pieces {
     pub(super) formulas: Formulas,
-    /// What stands in each |…|, with derivatives.
+    /// Arguments of each |…|, with derivatives.
     arguments: Linearised,
     coordinates: usize,
     /// The system without events.
@@ -28,20 +28,20 @@ pub(super) struct Pieces {
 #[derive(Debug)]
 pub(super) struct Middle {
     pub(super) step: RoundedStep,
-    /// In its middle.
+    /// The spread in its middle.
     pub(super) spread: Spread,
-    /// What it has added.
+    /// Errors that the step has added.
     pub(super) added: Vec<f64>,
-    /// What friction keeps at zero.
+    /// Components that friction keeps at zero.
     pub(super) stuck: Vec<usize>,
     pub(super) signs: Vec<f64>,
-    /// How fast each number changes at the start and at the end.
+    /// Rates of change of each component at the start and at the end.
     pub(super) rates: [Vec<f64>; 2],
-    /// How far each number goes, with all turns.
+    /// Distance that each component covers, with all turns.
     pub(super) ways: Vec<f64>,
 }
 
-/// What happens between two steps.
+/// The kind of transition between two steps.
 #[derive(Debug)]
 pub(super) enum Boundary {
     /// Forces bend at most.
@@ -77,7 +77,7 @@ impl Middle {
         signs.iter().enumerate().filter_map(stuck).collect()
     }
 
-    /// What sticks has no error.
+    /// Sets the errors of components that stick to zero.
     pub(super) fn keep_zero(&self, spread: &mut Spread) {
         for &number in &self.stuck {
             for matrix in [&mut spread.squares, &mut spread.flow] {
@@ -114,7 +114,7 @@ impl Pieces {
         }
     }
 
-    /// What happens between the last step and the next, where the errors lie so.
+    /// The kind of transition between the last step and the next, for errors with this spread.
     pub(super) fn boundary(
         &mut self,
         next: &Middle,
@@ -178,8 +178,8 @@ impl Pieces {
     }
 }
 
-/// What it makes of a step, as a part of how far a number goes: less is a rounding.
+/// Smallest effect of a jump on a step, relative to the distance that a component covers; a smaller one is rounding.
 const SMALLEST_JUMP: f64 = 1e-10;
 
-/// Of the steps beside it: so early or late a zero is still passed.
+/// Largest error of the time of a zero, relative to the adjacent steps, at which it is still passed.
 const LARGEST_PART: f64 = 1e-3;

@@ -1,4 +1,4 @@
-//! What all expansions of a system to an order have in common, made once.
+//! The parts that all expansions of a system to an order share, made once.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -8,7 +8,7 @@ use super::machine_code::MachineCode;
 use super::program::Program;
 use super::steep::Steep;
 
-/// Those for all orders and numbers of lanes in which a system was expanded.
+/// The plans for all orders and numbers of lanes in which a system was expanded.
 #[derive(Debug, Default)]
 pub(super) struct Plans {
     known: Mutex<Vec<Arc<Plan>>>,
@@ -26,18 +26,18 @@ impl Plans {
     }
 }
 
-/// That for one order and number of lanes.
+/// The plan for one order and number of lanes.
 #[derive(Debug)]
 pub struct Plan {
     pub(super) order: usize,
     pub(super) lanes: usize,
     pub program: Program,
-    /// Where the accelerations end, and what stands in |…|.
+    /// Boundaries of the accelerations and of the arguments of each |…|.
     pub(super) boundaries: Vec<Boundary<Row>>,
-    /// Of what the accelerations are steep functions.
+    /// Values of which the accelerations are steep functions.
     pub(super) steep: Vec<Steep<Row>>,
-    /// For the zeroth coefficients of all but functions, and what these need.
+    /// Code for the zeroth coefficients of all but functions, and of all that these need.
     pub(super) beginning: MachineCode,
-    /// For those of higher order.
+    /// Code for the coefficients of higher order.
     pub expansion: MachineCode,
 }

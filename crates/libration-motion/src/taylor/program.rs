@@ -20,25 +20,25 @@ use libration_numbers::{
 pub struct Program {
     /// Rows that are the same in all steps.
     pub(super) constants: Vec<(Row, f64)>,
-    /// How the zeroth coefficients of functions come about, and of all that these need.
+    /// Instructions for the zeroth coefficients of functions, and of all that these need.
     functions: Vec<Zeroth>,
-    /// How those of the other rows do: sums, products and quotients.
+    /// Instructions for the zeroth coefficients of the other rows: sums, products and quotients.
     pub(super) arithmetic: Vec<Zeroth>,
-    /// Those rows.
+    /// Rows with such instructions.
     begun: Vec<Row>,
-    /// How the next ones do where the row is linear in the time, and its other coefficients vanish.
+    /// Instructions for the first coefficients of rows that are linear in the time, whose higher coefficients vanish.
     linear: Vec<Instruction<Row, f64>>,
-    /// How they do elsewhere.
+    /// Instructions for the higher coefficients of all other rows.
     nonlinear: Vec<Instruction<Row, f64>>,
-    /// Where the formulas are.
+    /// Rows of the formulas.
     pub(super) results: Vec<Row>,
-    /// Where all places of the tape are.
+    /// Rows of all slots of the tape.
     pub(super) places: Vec<Row>,
-    /// How many rows there are.
+    /// Number of rows.
     pub(super) rows: usize,
 }
 
-/// How zeroth coefficients come about.
+/// An instruction for zeroth coefficients.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Zeroth {
     One { out: Row, value: Value<Row, f64> },
@@ -50,8 +50,8 @@ pub(super) enum Zeroth {
 const ENDLESS: usize = usize::MAX;
 
 impl Program {
-    /// The program of a tape, the inputs of which have these degrees in the time, for so many coefficients. Inputs come first
-    /// in the block; some of them are known last.
+    /// The program of a tape whose inputs have these degrees in the time, for `terms` coefficients. Inputs come first in the block; some of them are
+    /// known last.
     pub(super) fn new(tape: &Tape, degrees: &[usize], last: &[bool], terms: usize) -> Self {
         let program = Self {
             constants: vec![],
@@ -89,7 +89,7 @@ impl Program {
         }
     }
 
-    /// Those that another block has.
+    /// Copies the zeroth coefficients of another block.
     pub(super) fn begin_as<const N: usize>(&self, other: &Block<N>, block: &mut Block<N>) {
         for &row in &self.begun {
             *block.zeroth_mut(row) = *other.zeroth(row);
@@ -104,7 +104,7 @@ impl Program {
         }
     }
 
-    /// How the n-th coefficients come about, in this order.
+    /// The instructions for the n-th coefficients, in order.
     #[inline(always)]
     pub(super) fn instructions(&self, n: usize) -> impl Iterator<Item = &Instruction<Row, f64>> {
         let linear: &[_] = if n == 1 { &self.linear } else { &[] };
@@ -205,7 +205,7 @@ impl<const N: usize> Evaluator<Row, f64> for Block<N> {
     }
 }
 
-/// Whether a power of what begins with zero has no coefficient n yet.
+/// Returns whether a power of a series that begins with zero has no coefficient n yet.
 #[inline(always)]
 pub(super) fn begins_beyond(exponent: f64, n: usize) -> bool {
     exponent.fract() == 0.0 && count(n) < exponent
@@ -219,23 +219,23 @@ fn known<const N: usize>(value: Option<[f64; N]>) -> [f64; N] {
 /// Writes a program from the first operation of a tape to the last.
 struct Writer<'a> {
     tape: &'a Tape,
-    /// How many coefficients a row has.
+    /// Number of coefficients in a row.
     terms: usize,
     program: Program,
-    /// How the zeroth coefficients come about.
+    /// Instructions for the zeroth coefficients.
     values: Vec<Zeroth>,
-    /// Where results are.
+    /// Rows of the results.
     places: Vec<Weighted<Row>>,
     /// Their degrees in the time.
     degrees: Vec<usize>,
-    /// How late the results are known at each order.
+    /// Delay after which each result is known at an order, in operations.
     delays: Vec<usize>,
-    /// Where those of constant divisors are.
+    /// Rows of the reciprocals of constant divisors.
     reciprocals: HashMap<usize, Row>,
     input_degrees: &'a [usize],
 }
 
-/// How many operations lie between what is known first at an order and the results, some inputs being known last.
+/// The number of operations between the values that are known first at an order and each result, some inputs being known last.
 fn delays(tape: &Tape, last: &[bool]) -> Vec<usize> {
     /// More than there are operations between two orders.
     const ORDER: usize = 1000;

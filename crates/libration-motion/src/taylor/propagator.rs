@@ -1,4 +1,4 @@
-//! How small deviations of a motion go on inside a step, by Magnus's series.
+//! Propagation of small deviations of a motion inside a step, by Magnus's series.
 //!
 //! Reference: S. Blanes, F. Casas, J. A. Oteo, J. Ros, Phys. Rep. 470, 151 (2009), doi:10.1016/j.physrep.2008.11.001, equation (253).
 
@@ -14,10 +14,10 @@ use super::{Step, System};
 pub(super) struct Propagator {
     forces: Linearised,
     inputs: Vec<f64>,
-    /// What rounding made of the accelerations and rates of change where they were evaluated last.
+    /// Rounding errors of the accelerations and rates of change where they were evaluated last.
     pub(super) lost: Vec<f64>,
     rates: [Matrix; 3],
-    /// Of the polynomial of the second degree that the rates are, the coefficients times the time, and what commutes with them.
+    /// Coefficients of the quadratic polynomial that the rates form, multiplied by the time, and their commutators.
     slope: Matrix,
     bend: Matrix,
     commutators: [Matrix; 2],
@@ -67,7 +67,7 @@ impl Propagator {
         halvings: usize,
     ) {
         const MOST_HALVINGS: usize = 5;
-        /// Of the rates of change times the time: Magnus's series converges below π.
+        /// Largest norm of the rates of change, multiplied by the time: Magnus's series converges below π.
         const LARGEST: f64 = 2.0;
         let length = times[1] - times[0];
         let middle = times[0] + 0.5 * length;
@@ -145,7 +145,7 @@ impl Propagator {
 
 const SQRT_15: f64 = 3.872983346207417;
 
-/// Whether the sum of the changes of all entries is more than a part of that of their sizes.
+/// Returns whether the sum of the changes of all entries exceeds a part of the sum of their sizes.
 fn changes_much(before: &Matrix, after: &Matrix) -> bool {
     const PART: f64 = 0.25;
     let pairs = || before.entries.iter().zip(&after.entries);
@@ -160,7 +160,7 @@ fn commutator(a: &Matrix, b: &Matrix, commutator: &mut Matrix, product: &mut Mat
     commutator.add(-1.0, product);
 }
 
-/// What the tape of a system is given at a time of a step.
+/// Sets the inputs of a system's tape at a time of a step.
 fn set_inputs(stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64, inputs: &mut Vec<f64>) {
     let h = (time - step.start) / step.unit;
     let value = |number: usize| {
@@ -179,7 +179,7 @@ pub(super) fn sign_in_step(stepper: &Stepper<'_, 1>, modulus: usize) -> f64 {
     stepper.block[stepper.expander.sign(&stepper.block, modulus)][0][0]
 }
 
-/// Whether friction keeps what stands in a |…| at zero: its sign is then between those of motions.
+/// Returns whether friction keeps the argument of a |…| at zero: its sign is then between −1 and 1.
 fn is_stuck(stepper: &Stepper<'_, 1>, modulus: usize) -> bool {
     sign_in_step(stepper, modulus).abs() < 1.0
 }

@@ -21,7 +21,7 @@ fn with_value_at_zero(formula: &Expression) -> Expression {
     if product.is_negative { Expression::Negate(Box::new(whole)) } else { whole }
 }
 
-/// What a product or a quotient is made of.
+/// The sign and the factors of a product or a quotient.
 #[derive(Default)]
 struct Product<'a> {
     is_negative: bool,

@@ -10,7 +10,7 @@ use super::stepper::SHORTEST;
 use super::{Cause, Moment, System};
 use libration_numbers::expression::{Equation, Expression};
 
-/// What becomes of a motion that no step leads on.
+/// The outcome of a motion for which no step is possible.
 #[derive(Debug)]
 pub(super) enum Rest {
     /// A number of the state has come to zero: the equations that hold from here on, and the state.
@@ -19,7 +19,7 @@ pub(super) enum Rest {
     Undecided,
 }
 
-/// Whether a motion has come to rest in one number of its state, the time going forward or backward.
+/// The outcome for a motion that has come to rest in one state component, going forward or backward in time; `None` if it has not.
 pub(super) fn rest(system: &System, moment: &Moment, parameters: &[f64], backward: bool) -> Option<Rest> {
     let passage = system.passage()?;
     let in_moduli = passage.roots().iter().filter_map(|&modulus| system.driven_in_modulus(modulus));
@@ -70,7 +70,7 @@ struct Side<'a> {
 }
 
 impl Side<'_> {
-    /// How fast the number changes where it has this value.
+    /// The rate of change of the component at this value.
     fn rate(&self, value: f64) -> Option<f64> {
         let Self { passage, system, moment, parameters, number } = self;
         let mut state = moment.state.clone();
@@ -78,11 +78,11 @@ impl Side<'_> {
         Some(passage.at(moment.time, &state, parameters)?.rates(system.layout(), &state)[*number])
     }
 
-    /// Whether both sides lead to zero; `None` where that is farther than times can tell.
+    /// Returns whether both sides lead to zero; `None` where zero is farther away than the resolution of times.
     fn leads_to_zero(&self, backward: bool) -> Option<bool> {
-        /// So many of the shortest steps are not told apart.
+        /// Number of shortest steps that are not distinguished.
         const STEPS: f64 = 64.0;
-        /// Where there is nothing to compare with.
+        /// Distance of the test points from zero for a component that is zero.
         const NEAR: f64 = 1e-60;
         let here = self.moment.state[self.number];
         let left = STEPS * SHORTEST * self.moment.time.abs();

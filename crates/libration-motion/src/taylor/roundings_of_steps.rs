@@ -1,4 +1,4 @@
-//! What the steps of a motion lose by rounding.
+//! Rounding errors of the steps of a motion.
 
 use std::ops::ControlFlow;
 
@@ -12,19 +12,18 @@ use super::{AcceptedStep, Effort, Moment, Start, StateLayout, Step, System, inte
 pub(super) struct RoundedStep {
     /// The state halfway.
     pub(super) middle: Moment,
-    /// By how much each number may be wrong at the end that was right before, had the forces seen the whole state at the start; NaN where
-    /// a formula has no value.
+    /// Error of each component at the end that was exact before, if the forces saw the whole state at the start; NaN where a formula has no value.
     pub(super) errors: Vec<f64>,
-    /// What the forces do not see of the state at the start: its second words.
+    /// Second words of the state at the start, which the forces do not see.
     pub(super) unseen: Vec<f64>,
     pub(super) length: f64,
-    /// How fast each number changes at the end.
+    /// Rates of change of the components at the end.
     pub(super) rates: Vec<f64>,
-    /// Those of what stands in each |…|.
+    /// Signs of the arguments of each |…|.
     pub(super) signs: Vec<f64>,
 }
 
-/// So many steps from a start on, or as many as there are.
+/// The first `most` steps from a start, or as many as there are.
 pub(super) fn rounded_steps(
     system: &System,
     start: &Start,
@@ -59,7 +58,7 @@ impl RoundedStep {
         Self { middle, errors: errors(step, length, &forces), unseen, length, rates, signs }
     }
 
-    /// Where the next step has other signs, forces jump or bend, and rates of change with them, at a time that is rounded.
+    /// Adds the error of a change of signs in the next step, where forces jump or bend, and rates of change with them, at a time that is rounded.
     pub(super) fn jump(&mut self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) {
         if self.signs != signs {
             let late = self.late(formulas, next, signs);
@@ -69,8 +68,8 @@ impl RoundedStep {
         }
     }
 
-    /// By how much the time is wrong at which the arguments of the signs are zero: it is found to the last bit of the step, and rounded, and
-    /// what an argument loses by rounding takes as long as the argument needs to change by that.
+    /// The error of the time at which the arguments of the signs are zero: it is found to the last bit of the step, and rounded, and a rounding
+    /// error of an argument shifts it by the time in which the argument changes by this error.
     fn late(&self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) -> f64 {
         const PART: f64 = 1.0 / 64.0;
         let apart = PART * (next.end() - next.start());
@@ -111,7 +110,7 @@ impl Formulas {
         self.formulas.evaluate(&[&moment.state[..], &[moment.time], signs].concat());
     }
 
-    /// What stands in a |…|, and what it loses by rounding.
+    /// The value of the argument of a |…|, and its rounding error.
     fn argument(&self, modulus: usize) -> [f64; 2] {
         let formula = self.coordinates + modulus;
         [self.formulas.value(formula), self.formulas.error(formula)]
@@ -128,14 +127,14 @@ impl Formulas {
         signs
     }
 
-    /// What rounding does to the accelerations and rates of change, each in its unit.
+    /// The rounding errors of the accelerations and rates of change, each in its unit.
     fn lost_in_forces(&mut self, signs: &[f64], moment: &Moment) -> Vec<f64> {
         self.evaluate(signs, moment);
         (0..self.coordinates).map(|coordinate| self.formulas.error(coordinate)).collect()
     }
 }
 
-/// What a step loses in each number of the state, where rounding takes so much of the forces.
+/// The rounding error of a step in each state component, given those of the forces.
 fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
     // The first power is exact but for the force in it, and that of a coordinate is its velocity, which is known in two words.
     let first = |number: usize| if step.layout.velocity(number).is_some() { 3 } else { 2 };

@@ -25,7 +25,7 @@ impl Step<'_> {
 struct Values<'s> {
     step: &'s Step<'s>,
     series: &'s [f64],
-    /// What the first two coefficients lack.
+    /// Low words of the first two coefficients.
     lows: [f64; 2],
     times: &'s [f64],
     values: &'s mut [f64],

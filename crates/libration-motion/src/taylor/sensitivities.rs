@@ -28,15 +28,15 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 #[derive(Clone, Debug)]
 pub struct Sensitivities {
     equation: Equation,
-    /// Of the motion alone, and with its derivatives.
+    /// Layouts of the motion alone, and with its derivatives.
     own: StateLayout,
     all: StateLayout,
     state_names: Vec<String>,
-    /// In the order in which they were asked for.
+    /// The quantities in the order in which they were requested.
     origins: Vec<Origin>,
 }
 
-/// By what the motion is differentiated.
+/// The quantity with respect to which the motion is differentiated.
 #[derive(Clone, Debug)]
 struct Origin {
     /// `c`, or `x(0)`.
@@ -47,22 +47,22 @@ struct Origin {
     initial: Option<usize>,
 }
 
-/// Why a motion cannot be differentiated.
+/// The reason why a motion cannot be differentiated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SensitivityError {
     /// Values that the equations cannot have.
     #[error(transparent)]
     Equation(#[from] EquationError),
-    /// What is neither a parameter nor a number of the state.
+    /// A name that is neither a parameter nor a state component.
     #[error("the system has no parameter or state variable `{name}`: it has {}", known.join(", "))]
     Unknown {
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// What there is.
+        /// The available names.
         known: Vec<String>,
     },
-    /// What was asked for twice.
+    /// A name that is requested twice.
     #[error("{0} is given twice: give it once")]
     Twice(String),
     /// A force that jumps, where derivatives do as well, by what these equations do not tell.
@@ -73,7 +73,8 @@ pub enum SensitivityError {
 }
 
 impl Sensitivities {
-    /// By parameters, which have their values here alone, and by initial values, which are called as the numbers of the state.
+    /// The derivatives with respect to parameters, whose values enter only here, and with respect to initial values, which have the names of the
+    /// state components.
     ///
     /// # Errors
     /// A name that is neither, or there twice; values that cannot be; a force that jumps, as sign(x) does.
@@ -122,8 +123,8 @@ impl Sensitivities {
         &self.equation
     }
 
-    /// What the derivatives are called, `dx/dc` and `dx/dx(0)`: of each number of the state by the first of what was asked for, then by the
-    /// next.
+    /// The names of the derivatives, `dx/dc` and `dx/dx(0)`: of each state component with respect to the first requested name, then with respect to
+    /// the next.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         let of_origin = |origin: &Origin| {
@@ -164,7 +165,7 @@ impl Sensitivities {
         (0..self.own.numbers()).map(move |number| all[self.place(copy, number)])
     }
 
-    /// Where a number of the state stands in a copy of it.
+    /// The index of a state component in a copy of it.
     fn place(&self, copy: usize, number: usize) -> usize {
         let first = copy * self.own.coordinates();
         match self.own.driving(number).filter(|_| self.own.is_velocity(number)) {
@@ -174,7 +175,7 @@ impl Sensitivities {
     }
 }
 
-/// What is zero where a force jumps.
+/// The argument at whose zero a force jumps.
 fn jump(equation: &Equation) -> Option<String> {
     let mut moduli = Moduli::default();
     let formulas: Vec<Expression> =

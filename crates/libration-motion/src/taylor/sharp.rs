@@ -24,7 +24,7 @@ use libration_numbers::{
 pub(super) struct SharpFormula {
     tape: Tape,
     steep: Vec<Steep<usize>>,
-    /// Whether it has a divisor, a root or the like, beyond the zero of which its series do not go.
+    /// `true` if the formula has a divisor, a root or the like, beyond whose zero its series are not valid.
     pub(super) ends: bool,
 }
 
@@ -32,7 +32,7 @@ pub(super) struct SharpFormula {
 pub(super) struct Part {
     pub(super) start: f64,
     pub(super) length: f64,
-    /// Of the formula, in powers of the part of this part; none where it has a pole.
+    /// Coefficients of the formula, in powers of the fraction of this part; none where it has a pole.
     pub(super) coefficients: Vec<f64>,
 }
 
@@ -50,7 +50,7 @@ const ORDER: usize = 18;
 const MOST_HALVINGS: u32 = 40;
 /// Parts that are looked at before the rest is taken as it is. A formula that is felt in a part 2⁻⁴⁰ of a step needs about 80, a pole 900.
 const MOST_PARTS: usize = 2000;
-/// By this part of the largest of its values, or the tolerance, the series of a formula may differ from it.
+/// Largest difference between the series of a formula and its values, relative to the largest of them, unless the tolerance is smaller.
 const MISFIT: f64 = 1e-9;
 /// A part that ends at a turn has it next to its end.
 const INSIDE: f64 = 0.999;
@@ -100,7 +100,7 @@ impl SharpFormula {
         parts
     }
 
-    /// Where a part has to be cut in two.
+    /// The position at which a part has to be cut in two; `None` if it need not be.
     fn cut(
         &self,
         jet: &Jet<'_, Doubles>,
@@ -116,7 +116,7 @@ impl SharpFormula {
         }
     }
 
-    /// Whether the series are what the formula says of the state, as far as roundings let it tell.
+    /// Returns whether the series agree with the formula in the states of the step, within rounding errors.
     fn agrees(
         &self,
         jet: &Jet<'_, Doubles>,
@@ -141,7 +141,7 @@ impl SharpFormula {
         largest.is_finite() && (error <= allowed * largest || error <= self.rounding(step, parameters, time))
     }
 
-    /// What the roundings of a state make of the formula.
+    /// The effect of the roundings of a state on the formula.
     fn rounding(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
         let state = step.state_at(time);
         let value = self.value_in(&state, time, parameters);
@@ -160,8 +160,8 @@ impl SharpFormula {
         (0..state.len()).map(moved).sum()
     }
 
-    /// Whether the series say nothing of the formula, and it is much larger at both ends of a part than a million times as far from it:
-    /// where it jumps it is not.
+    /// Returns whether the series do not describe the formula, and its values at both ends of a part are much larger than at a distance of a million
+    /// parts from them: at a jump they are not.
     fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
         const NOTHING: f64 = 0.1;
         const AWAY: f64 = 1e6;

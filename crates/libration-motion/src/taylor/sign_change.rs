@@ -1,4 +1,4 @@
-//! Where a polynomial changes its sign between zero and one, none missed.
+//! Sign changes of a polynomial between zero and one, none missed.
 //!
 //! A polynomial has no more zeros inside an interval than its coefficients in Bernstein's basis change sign: G. Farin,
 //! *Curves and Surfaces for CAGD*, 5th ed., Morgan Kaufmann 2002, section 6.

@@ -1,13 +1,13 @@
-//! What the sizes of the terms of a step tell of its errors.
+//! Error estimates of a step from the sizes of its terms.
 
 use super::Step;
 
-/// Of one number of the state, in a part of a step.
+/// The sizes for one state component, in a part of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SizesOfTerms {
     /// The sum of the terms that are rounded.
     pub(super) rounded: f64,
-    /// What the series leaves out; `None` where its last terms vanish.
+    /// Estimate of the terms that the series leaves out; `None` where its last terms vanish.
     pub(super) left_out: Option<f64>,
 }
 
@@ -34,7 +34,7 @@ impl SizesOfTerms {
     }
 }
 
-/// How many terms tell what comes after them.
+/// Number of last terms from which the remainder is estimated.
 const LAST: usize = 12;
 
 /// A geometric series that the largest of the last terms leads to: by parity every other may vanish, and next to pairs of singularities they

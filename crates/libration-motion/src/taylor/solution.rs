@@ -1,17 +1,17 @@
-//! What an integration has computed.
+//! The result of an integration.
 
 use super::Occurrence;
 
 /// A time and the state at it: coordinates, then velocities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
-    /// When.
+    /// The time.
     pub time: f64,
     /// The numbers that [`System::state_names`](super::System::state_names) names.
     pub state: Vec<f64>,
 }
 
-/// What an integration has computed.
+/// The result of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The states at the times asked for, as far as it came.
@@ -20,6 +20,6 @@ pub struct Solution {
     pub events: Vec<Occurrence>,
     /// The last state: at the end of the last step, or at an event that ended the integration.
     pub end: Moment,
-    /// How many steps it took.
+    /// Number of steps taken.
     pub steps: usize,
 }

@@ -1,4 +1,4 @@
-//! Where the errors of a state lie.
+//! Distribution of the errors of a state.
 
 use super::matrix::Matrix;
 
@@ -13,7 +13,7 @@ pub(super) struct Spread {
 }
 
 impl Spread {
-    /// That of the start.
+    /// The spread at the start, without errors.
     pub(super) fn none(numbers: usize) -> Self {
         Self { squares: Matrix::zero(numbers), flow: Matrix::one(numbers), product: Matrix::zero(numbers) }
     }
@@ -46,7 +46,7 @@ impl Spread {
         self.squares.row(number)[number].sqrt()
     }
 
-    /// That of a sum of the numbers with these factors.
+    /// The root of the sum of squares of a sum of the components with these factors.
     pub(super) fn of_sum(&self, factors: &[f64]) -> f64 {
         let row = |row: usize| self.squares.row(row).iter().zip(factors).map(|(a, b)| a * b).sum::<f64>();
         let sum: f64 = factors.iter().enumerate().map(|(number, factor)| factor * row(number)).sum();

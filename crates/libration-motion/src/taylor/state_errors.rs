@@ -1,4 +1,4 @@
-//! By how much each number of a state may be wrong, along the steps of its motion.
+//! Errors of each state component, along the steps of its motion.
 
 use std::sync::Arc;
 
@@ -46,20 +46,20 @@ use super::{AcceptedStep, Contact, Effort, Moment, Occurrence, StateLayout, Step
 pub struct StateErrors {
     start: Moment,
     tolerance: f64,
-    /// That of the equations which hold now: others come with a rest.
+    /// Layout of the equations that hold now; a component that comes to rest changes them.
     layout: Arc<StateLayout>,
     propagator: Propagator,
-    /// Whether steps may go over places where a force has no series.
+    /// `true` if steps may pass places where a force has no series.
     passes: bool,
     /// Forces with jumps and bends.
     pub(super) pieces: Option<Pieces>,
     crossings: Vec<(usize, Contact, Option<Crossing>)>,
-    /// How many steps have added to the errors.
+    /// Number of steps that have added to the errors.
     pub(super) steps: f64,
-    /// At the start of the last step, and at its end.
+    /// The spreads at the start of the last step, and at its end.
     pub(super) spreads: [Spread; 2],
     bounds: [Vec<f64>; 2],
-    /// What the last step has added.
+    /// Errors that the last step has added.
     added: Vec<f64>,
     /// Room for the derivatives of the state.
     flow: Matrix,
@@ -71,7 +71,7 @@ pub struct StateErrors {
 }
 
 impl StateErrors {
-    /// Those of a motion that begins exactly in this state.
+    /// The errors of a motion that begins exactly in this state.
     #[must_use]
     pub fn new(system: &System, start: &Moment, effort: &Effort) -> Self {
         let numbers = system.layout().numbers();
@@ -117,7 +117,7 @@ impl StateErrors {
         self.is_lost.then_some(self.reached)
     }
 
-    /// How far half a unit in the last place of each number of the start moves the last state that is determined.
+    /// The change of the last state that is determined, due to half a unit in the last place of each component of the start.
     #[must_use]
     pub fn effect_of_start(&self) -> Moment {
         let half_ulps: Vec<f64> = self.start.state.iter().map(|value| half_ulp(*value)).collect();
@@ -178,7 +178,7 @@ impl StateErrors {
         Some(self.error_of_passing(&spread, &passing, bend, event))
     }
 
-    /// By how much an event comes too early or too late, and what that does to the state.
+    /// The error of the time of an event, and its effect on the state.
     fn error_of_passing(&self, spread: &Spread, passing: &Passing, bend: f64, event: &Occurrence) -> Moment {
         let Passing { gradient, rate, rest, error, speeds } = passing;
         let (scale, error) = (self.steps.sqrt(), error + rest);
@@ -214,7 +214,7 @@ impl StateErrors {
         self.crossings[place].2.as_mut()
     }
 
-    /// At a time of the last step.
+    /// The spread at a time of the last step.
     fn spread_at(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64) -> Spread {
         let middle = self.pieces.as_ref().and_then(|pieces| pieces.last.as_ref());
         let start = (step.start(), &self.spreads[0]);
@@ -277,7 +277,7 @@ impl StateErrors {
         pieces.last = Some(middle);
     }
 
-    /// What the series of a step leaves out, and this part of its terms.
+    /// Sets the errors that a step adds: the terms that its series leaves out, and this part of its terms.
     fn set_added(&mut self, step: &Step<'_>, length: f64, rounding: f64) {
         for (number, added) in self.added.iter_mut().enumerate() {
             let sizes = SizesOfTerms::new(step, number, length);
@@ -294,7 +294,7 @@ impl StateErrors {
 
     /// Keeps the errors at the end of a step, if the motion is determined there.
     fn settle(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, end: f64) {
-        /// Of the largest size.
+        /// Largest error of a component, relative to its largest size, at which the motion is determined.
         const MOST: f64 = 0.1;
         let is_whole = (end - step.end()).abs() == 0.0;
         self.bounds.swap(0, 1);
@@ -326,7 +326,7 @@ impl StateErrors {
         self.scales[number].max(PART * other)
     }
 
-    /// Those at the end of the last step.
+    /// Keeps the errors at the end of the last step.
     pub(super) fn keep_bounds(&mut self) {
         let (scale, spread) = (self.steps.sqrt(), &self.spreads[1]);
         self.bounds[1].iter_mut().enumerate().for_each(|(number, bound)| *bound = scale * spread.of(number));

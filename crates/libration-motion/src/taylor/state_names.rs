@@ -7,7 +7,7 @@ pub enum StateNameError {
     /// A name that the state does not have.
     #[error("the state has no variable `{name}`: it has {}", known.join(", "))]
     Unknown {
-        /// What was asked for.
+        /// The requested name.
         name: String,
         /// The names there are.
         known: Vec<String>,

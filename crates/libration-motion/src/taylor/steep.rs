@@ -1,4 +1,4 @@
-//! What can hide in a step: forces that an f64 does not see from where it begins, and that are felt only on its way.
+//! Forces that can hide in a step: an `f64` does not see them from where the step begins, and they are felt only on its way.
 //!
 //! Of e^(−x²) far out not one coefficient is left, and neither at the end of a step that goes through to the other side. So a
 //! step ends where such a formula is largest or smallest: there the equations of motion show what it does.
@@ -11,19 +11,19 @@ use libration_kernels::elementary::count;
 use libration_numbers::internals::algebra::Growth;
 use libration_numbers::internals::expression::{Operation, Tape};
 
-/// How a value on the tape enters what can change by powers of ten.
+/// The way in which a value on the tape enters an expression that can change by powers of ten.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Enters {
     Exponent,
     /// cosh, sinh and tanh: they are smallest, or turn fastest, at zero.
     Hyperbolic,
-    /// Through a power, the exponent of which may be large.
+    /// A divisor, through a power whose exponent may be large.
     Divisor,
-    /// A factor, so many times.
+    /// A factor, with this exponent.
     Power(f64),
 }
 
-/// A value on the tape, by its place, of which something is a steep function.
+/// A value on the tape, by its slot, of which something is a steep function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Steep<P> {
     pub(super) of: P,
@@ -40,14 +40,14 @@ impl<P> Steep<P> {
         Self::new(of, Enters::Divisor)
     }
 
-    /// The same by another place.
+    /// The same with another slot.
     pub(super) fn moved<Q>(&self, of: Q) -> Steep<Q> {
         Steep { of, enters: self.enters, followed: self.followed }
     }
 }
 
-/// The arguments of such functions that the first so many formulas on a tape are made of, and of powers beyond the third part of an
-/// order: from zero series of this order show little of them, or nothing.
+/// The arguments of such functions in the first `formulas` formulas on a tape, and the bases of powers beyond a third of the order: from zero series
+/// of this order show little of these powers, or nothing.
 pub(super) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
     let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
     let powers = powers(tape, formulas).into_iter().filter(high);
@@ -93,9 +93,9 @@ fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
 /// Changes that the series follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Followed {
-    /// Of what the value enters, in powers of e.
+    /// Change of the expression that the value enters, in powers of e.
     powers: f64,
-    /// Of the value, for all changes below which those powers are less: a number, and a part of its size.
+    /// Change of the value below which the expression always changes by less: a number, and a part of its size.
     change: f64,
     part: f64,
 }
@@ -125,14 +125,14 @@ impl Followed {
 const BLUR: f64 = 1e-12;
 
 impl Steep<Row> {
-    /// Whether it changes by more than the series follow in a step of this length, in units of the block.
+    /// Returns whether the value changes by more than the series follow in a step of this length, in units of the block.
     pub(super) fn is_unseen<const N: usize>(&self, block: &Block<N>, lane: usize, length: f64) -> bool {
         let series = &block[self.of];
         !self.followed.includes(largest_change(series, lane, length), series[0][lane])
             && (self.enters != Enters::Divisor || self.first_turn(block, lane, length).is_some())
     }
 
-    /// Whether it changes by less in all lanes, in steps of these lengths.
+    /// Returns whether the value changes by less in all lanes, in steps of these lengths.
     #[inline(always)]
     pub(super) fn is_seen<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
         let series = &block[self.of];
@@ -181,7 +181,7 @@ impl<P> Steep<P> {
         turns.into_iter().filter(is_far).reduce(f64::min)
     }
 
-    /// By how many powers of e what it enters changes between two of its values.
+    /// The change of the expression that it enters between two of its values, in powers of e.
     fn change(&self, from: f64, to: f64) -> f64 {
         match self.enters {
             Enters::Exponent => (to - from).abs(),

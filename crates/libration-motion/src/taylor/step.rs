@@ -17,7 +17,7 @@ pub struct Step<'a> {
     /// Coefficients in powers of the time since the start in this unit, of the coordinates and then of the velocities, in
     /// all lanes.
     pub(super) coefficients: &'a [f64],
-    /// What the first coefficients lack of the state.
+    /// Low words of the state, which the first coefficients lack.
     pub(super) low: &'a [f64],
     pub(super) layout: &'a Arc<StateLayout>,
     pub(super) terms: usize,
@@ -26,13 +26,13 @@ pub struct Step<'a> {
 }
 
 impl Step<'_> {
-    /// When it begins, in the direction of the integration.
+    /// The time at which the step begins, in the direction of the integration.
     #[must_use]
     pub fn start(&self) -> f64 {
         self.start
     }
 
-    /// When it ends: before the start when the integration goes backward.
+    /// The time at which the step ends: before the start when the integration goes backward.
     #[must_use]
     pub fn end(&self) -> f64 {
         self.end
@@ -80,7 +80,7 @@ impl Step<'_> {
         if remainder == 0.0 { value } else { value + self.slope_at(number, time) * remainder }
     }
 
-    /// How fast each coordinate changes at a time: its velocity, or the slope of its polynomial where the state has none.
+    /// The rate of change of each coordinate at a time: its velocity, or the slope of its polynomial where the state has none.
     #[doc(hidden)]
     pub fn speeds_at(&self, time: f64) -> Vec<f64> {
         (0..self.layout.coordinates()).map(|coordinate| self.rate_at(coordinate, time)).collect()
@@ -136,7 +136,7 @@ impl Kernel for Number<'_, '_> {
     }
 }
 
-/// c₂h + c₃h² + … of so many terms with c₀ and c₁.
+/// The sum c₂h + c₃h² + … of a series with `terms` terms, including c₀ and c₁.
 #[inline(always)]
 pub(super) fn higher<const N: usize>(
     terms: usize,

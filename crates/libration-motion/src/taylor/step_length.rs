@@ -10,7 +10,7 @@ use libration_numbers::internals::algebra::lanes;
 
 use libration_kernels::elementary::rough::{exp2, log2};
 
-/// How exact an integration shall be, and when it shall give up.
+/// Tolerances and step limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
     /// The error that one step makes in each number of the state: in a velocity as a part of its size, in a coordinate as
@@ -27,7 +27,7 @@ impl Effort {
     /// The least and the greatest relative tolerance.
     pub const TOLERANCES: [f64; 2] = [1e-18, 0.1];
 
-    /// A relative tolerance, and so many steps that none but endless integrations take them.
+    /// A relative tolerance, with a step limit that only endless integrations reach.
     #[must_use]
     pub const fn to_tolerance(relative: f64) -> Self {
         Self { relative, absolute: 0.0, most_steps: 100_000_000 }
@@ -50,17 +50,17 @@ impl Effort {
         (1..HIGHEST_ORDER).find(|&order| count(order) >= best).unwrap_or(HIGHEST_ORDER)
     }
 
-    /// How much of the radius of convergence a step may be, as a power of two: there the first terms that are missing are
-    /// far below the tolerance, since a radius guessed too large by a fifth makes them a hundred times larger. With 12 the energy of a
-    /// pendulum from 179° at 1e-12 changes by 5.1e-14 in 1000 periods, and by at most 3.5e-13 from five other amplitudes. Orders above 28 are
-    /// for tolerances next to the roundings: at 1e-15 with order 34 the energy changes by more than 4e-15, with 33 and 14 by less.
+    /// The part of the radius of convergence that a step may take, as a base-2 logarithm: there the first missing terms are far below the tolerance,
+    /// since a radius guessed too large by a fifth makes them a hundred times larger. With 12 the energy of a pendulum from 179° at 1e-12 changes by
+    /// 5.1e-14 in 1000 periods, and by at most 3.5e-13 from five other amplitudes. Orders above 28 are for tolerances next to the roundings: at
+    /// 1e-15 with order 34 the energy changes by more than 4e-15, with 33 and 14 by less.
     pub(super) fn log2_part_of_radius(&self) -> f64 {
         let order = count(self.order());
         let reserve = (12.0 + 2.0 / 3.0 * (order - 28.0)).clamp(12.0, 14.0);
         (log2(self.relative) - reserve) / (order + 1.0)
     }
 
-    /// How much longer a step of the same order may be for another tolerance, as a power of two.
+    /// The factor by which a step of the same order may be longer for another tolerance, as a base-2 logarithm.
     pub(super) fn log2_longer(&self, relative: f64) -> f64 {
         libm::log2(relative / self.relative) / (count(self.order()) + 1.0)
     }
@@ -69,9 +69,9 @@ impl Effort {
 /// The highest order of a series.
 const HIGHEST_ORDER: usize = 63;
 
-/// How many of the last coefficients are asked: by symmetry or by chance some are small.
+/// Number of last coefficients that are examined: by symmetry or by chance some are small.
 const LAST: usize = 4;
-/// How many of the first coefficients tell the size.
+/// Number of first coefficients that determine the size.
 const FIRST: usize = 3;
 
 /// The lengths of the steps with the series of the state and of some other rows, positive; infinite where the series end.
@@ -107,16 +107,16 @@ pub(super) fn log2_time_scale<const N: usize>(block: &Block<N>, allowances: &[Al
 /// The logarithm of a radius of convergence in each lane.
 #[derive(Clone, Copy, Debug)]
 struct Log2Radius<const N: usize> {
-    /// From series whose first coefficients tell their size.
+    /// The logarithm from series whose first coefficients determine their size.
     of_sizes: [f64; N],
-    /// From others, whose size is taken to be the least number there is.
+    /// The logarithm from other series, whose size is taken to be the smallest positive number.
     of_nothing: [f64; N],
 }
 
 impl<const N: usize> Log2Radius<N> {
     const ENDLESS: Self = Self { of_sizes: [f64::INFINITY; N], of_nothing: [f64::INFINITY; N] };
 
-    /// That of one lane in all lanes.
+    /// The radius of one lane, in all lanes.
     #[inline(always)]
     fn lane<const M: usize>(&self, lane: usize) -> Log2Radius<M> {
         Log2Radius { of_sizes: [self.of_sizes[lane]; M], of_nothing: [self.of_nothing[lane]; M] }
@@ -148,7 +148,7 @@ impl<const N: usize> Log2Radius<N> {
     }
 }
 
-/// The least radius of convergence of so many terms of the series of a state, longer where more is allowed.
+/// The smallest radius of convergence of the first `terms` terms of a state's series, longer where a larger error is allowed.
 #[inline(always)]
 fn radius_of_state<const N: usize>(
     block: &Block<N>,
@@ -199,18 +199,18 @@ fn smaller<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
     lanes(|lane| if b[lane] < a[lane] { b[lane] } else { a[lane] })
 }
 
-/// What series tell of their radii of convergence. By reference: copies of sixteen lanes took a fifth of a step's time.
+/// The coefficients of series that determine their radii of convergence. By reference: copies of sixteen lanes took a fifth of a step's time.
 #[derive(Clone, Copy, Debug)]
 struct Sizes<'s, const N: usize> {
     /// The first coefficients, with a size in place of the zeroth.
     first: [&'s [f64; N]; FIRST],
     last: [&'s [f64; N]; LAST],
-    /// How many there are.
+    /// Number of terms.
     terms: usize,
 }
 
 impl<'s, const N: usize> Sizes<'s, N> {
-    /// Of series with a size for the zeroth coefficients; NaN of too few terms.
+    /// The coefficients of series, with a size in place of the zeroth ones; NaN for too few terms.
     #[inline(always)]
     fn new(series: &'s [[f64; N]], size: &'s [f64; N]) -> Self {
         let nothing = &const { [[f64::NAN; N]; LAST] };
@@ -234,7 +234,7 @@ fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
 /// All of a lane in one closure, which becomes one run of vector instructions: as loops over rows it took five times as long.
 #[inline(always)]
 fn log2_radius<const N: usize>(sizes: &Sizes<N>) -> Log2Radius<N> {
-    /// Of the least number there is.
+    /// Base-2 logarithm of the smallest positive number.
     const LEAST: f64 = -1074.0;
     /// Next to numbers so small others may have underflowed.
     const TINY: f64 = -600.0;

@@ -19,12 +19,12 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) block: Block<N>,
     /// Room for the accelerations in other states.
     pub(super) scratch: Block<N>,
-    /// Whether that has the zeroth coefficients of all formulas at the ends of the steps.
+    /// `true` if `scratch` has the zeroth coefficients of all formulas at the ends of the steps.
     pub(super) ends_known: bool,
-    /// Whether the block has those at their starts.
+    /// `true` if the block has those at the starts of the steps.
     pub(super) begun: bool,
     pub(super) next: Vec<Ends<N>>,
-    /// Where the motions are going.
+    /// Times to which the motions are integrated.
     pub(super) goal: [f64; N],
     /// The units of time for the next steps.
     pub(super) unit: [f64; N],
@@ -32,9 +32,9 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) fresh: [bool; N],
     /// Motions with a step that would have ended elsewhere on the way to another goal.
     pub(super) goal_bound: [bool; N],
-    /// To the least of the tolerances of all coordinates.
+    /// Tolerances and step limit, with the smallest of the tolerances of all coordinates.
     pub(super) effort: Effort,
-    /// One for each number of the state.
+    /// One allowance for each state component.
     pub(super) allowances: Vec<Allowance>,
     pub(super) log2_part_of_radius: f64,
 }
@@ -98,14 +98,14 @@ impl<'a, const N: usize> Stepper<'a, N> {
         }
     }
 
-    /// Where the step leads, to be gone on from; `None` if on the way to another goal a step would have ended elsewhere, and by the
-    /// equations of a rest.
+    /// The checkpoint at the end of the step; `None` if a step would have ended elsewhere on the way to another goal, and for the equations of a
+    /// rest.
     pub(super) fn checkpoint(&self, lane: usize) -> Option<Checkpoint> {
         let is_resumable = !self.goal_bound[lane] && !self.expander.system.rests();
         is_resumable.then(|| self.checkpoint_to_this_goal(lane))
     }
 
-    /// Where the step leads, to be gone on from to the same goal.
+    /// The checkpoint at the end of the step, for continuing to the same goal.
     pub(super) fn checkpoint_to_this_goal(&self, lane: usize) -> Checkpoint {
         let moduli = (0..self.surroundings.signs.len()).map(|modulus| ModulusCheckpoint {
             sign: self.surroundings.signs[modulus][lane],
@@ -147,13 +147,13 @@ impl<'a, const N: usize> Stepper<'a, N> {
         scaled(series.map(|c| c[lane]), length)
     }
 
-    /// Where a step leads.
+    /// The time and state at the end of a step.
     pub(super) fn end(&self, lane: usize) -> Moment {
         let state = self.next.iter().map(|ends| ends.high[lane] + ends.low[lane]).collect();
         Moment { time: self.block.end[lane], state }
     }
 
-    /// Where a motion is.
+    /// The time and state at the start of the step.
     pub(super) fn moment(&self, lane: usize) -> Moment {
         Moment { time: self.block.start[lane], state: self.block.state(lane).collect() }
     }

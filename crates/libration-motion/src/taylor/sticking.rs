@@ -89,7 +89,7 @@ impl Expander<'_> {
 }
 
 impl<const N: usize> Unknown<N> {
-    /// What the sign has to be.
+    /// The sign with which the acceleration vanishes.
     fn balance(&self, acceleration: &[f64; N]) -> [f64; N] {
         lanes(|lane| -acceleration[lane] / self.gain[lane])
     }

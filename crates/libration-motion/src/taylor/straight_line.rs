@@ -15,8 +15,8 @@ use libration_numbers::{
 };
 
 impl Expander<'_> {
-    /// What is done for the zeroth coefficients when those of functions are known; `None` where code gains nothing: a single double
-    /// pendulum's steps take 0.96 of the time with it, those of sixteen side by side 1.02.
+    /// The computation of the zeroth coefficients when those of functions are known; `None` where code gains nothing: a single double pendulum's
+    /// steps take 0.96 of the time with it, those of sixteen side by side 1.02.
     pub fn beginning(&self) -> Option<StraightLine> {
         const FEWEST: usize = 4;
         const MOST_PLACES: usize = 1 << 20;
@@ -39,7 +39,7 @@ impl Expander<'_> {
         recording.line()
     }
 
-    /// What an expansion does when the zeroth coefficients are known; `None` where that depends on the values, or is too much for code.
+    /// The computation of an expansion when the zeroth coefficients are known; `None` where it depends on the values, or is too long for code.
     pub fn straight_line(&self) -> Option<StraightLine> {
         /// Instructions times half the square of the number of terms. Springs in a row: code for 0.2 million (64 masses at order 33) takes a
         /// quarter of the interpreter's time, for 0.7 and 0.8 million (256; 720 at order 20) a fifth to a half; when inner products were not
@@ -71,7 +71,7 @@ impl Expander<'_> {
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,
-    /// The place of the value of each step that is at one.
+    /// The slot of each step's value, if it is in one.
     places: RefCell<Vec<Option<usize>>>,
     /// Quotients by integers, each of which is formed once.
     quotients: RefCell<HashMap<(Recorded, u64), Recorded>>,
@@ -88,7 +88,7 @@ impl Recorder {
         steps.len() - 1
     }
 
-    /// What is at a place from the beginning.
+    /// The initial value of a slot.
     fn found(&self, place: usize) -> Recorded {
         let value = self.push(Arithmetic::Place(place));
         self.places.borrow_mut()[value] = Some(place);
@@ -100,7 +100,7 @@ impl Recorder {
         self.places.borrow_mut()[value] = Some(place);
     }
 
-    /// Of values at places behind each other.
+    /// The first slot of values in consecutive slots; `None` if they are not consecutive.
     fn first_place(&self, values: &[Recorded]) -> Option<usize> {
         let places = self.places.borrow();
         let first = places[*values.first()?]?;
@@ -136,7 +136,7 @@ impl Ring for Recorder {
         self.push(Arithmetic::Number(0.0))
     }
 
-    /// Of none is it known.
+    /// Returns `false`: no recorded value is known to be zero.
     fn is_zero(&self, _: &Recorded) -> bool {
         false
     }
@@ -272,7 +272,7 @@ impl Evaluator<Row, f64> for Recording {
         begins_beyond(*exponent, n)
     }
 
-    /// Where a power begins later, the quotient depends on whether its base is zero.
+    /// The quotient; `None` where a power begins later, since it then depends on whether its base is zero.
     fn over_base(&self, value: &Recorded, base: &Recorded, begins_later: bool) -> Option<Recorded> {
         if begins_later { None } else { self.recorder.divide(value, base) }
     }

@@ -7,15 +7,15 @@ use super::{
     Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Start, System, integrate_from,
 };
 
-/// Where the motion can be begun again, and its end.
+/// Starts from which a motion can be resumed, and its end.
 #[derive(Debug)]
 pub(super) struct Survey {
-    /// Where it can be, after some thousand steps each.
+    /// Stretches of some thousand steps, from whose starts it can be resumed.
     pub(super) stretches: Vec<Stretch>,
     pub(super) solution: Solution,
     /// The event that ended it.
     pub(super) ending: Option<Occurrence>,
-    /// Of each number of the state the sum of the sizes of all its terms in the last step.
+    /// For each state component, the sum of the sizes of all its terms in the last step.
     pub(super) sizes: Vec<f64>,
 }
 
@@ -33,7 +33,7 @@ impl Survey {
         last: f64,
         effort: &Effort,
     ) -> Result<Self, IntegrationError> {
-        /// So many steps are kept at a time: those of most motions, in a few megabytes.
+        /// Number of steps that are kept at a time: those of most motions, in a few megabytes.
         const STEPS: usize = 4096;
         let start = Start::State(start.clone());
         let (mut stretches, mut ending, mut sizes) = (vec![], None, vec![]);

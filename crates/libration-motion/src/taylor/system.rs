@@ -40,17 +40,17 @@ pub struct System {
     /// The accelerations and rates of change, then what stands between the bars of each |…|, then the formulas of the events; the inputs are
     /// coordinates, velocities, the time, the open parameters, and the sign of what stands in each |…|.
     tape: Tape,
-    /// Of what stands in each |…| the number in a state, if it is one whose rate of change an equation tells, as of a velocity.
+    /// State component that is the argument of each |…|, if its rate of change has an equation, as that of a velocity.
     driven_in_moduli: Vec<Option<usize>>,
     /// The events whose formulas the series of a whole step do not show.
     sharp: Vec<Option<SharpFormula>>,
-    /// How what has no series is passed, if there is something.
+    /// Equations for passing places where a force has no series, if there are any.
     passage: Option<Arc<Passage>>,
     plans: Arc<Plans>,
     for_many_steps: bool,
-    /// Those of coordinates that have one of their own, else zero.
+    /// Tolerances of coordinates that have their own, zero for the others.
     tolerances: Vec<f64>,
-    /// Whether a number of the state has been put to rest, by which these are other equations.
+    /// `true` if a state component has been put to rest, which makes these different equations.
     rests: bool,
 }
 
@@ -87,7 +87,7 @@ impl System {
     /// decides the order of the series.
     ///
     /// # Errors
-    /// A name that is no coordinate, or is there twice; a tolerance outside of [`Effort::TOLERANCES`].
+    /// A name that is not a coordinate, or is there twice; a tolerance outside of [`Effort::TOLERANCES`].
     ///
     /// # Examples
     /// ```
@@ -194,13 +194,13 @@ impl System {
         Ok(Moment { time: 0.0, state: named_state(&self.state_names(), rest, values)? })
     }
 
-    /// How many coordinates there are, one for each equation.
+    /// The number of coordinates, one for each equation.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         self.layout.coordinates()
     }
 
-    /// Which number of a state is what.
+    /// The meaning of each state component.
     #[must_use]
     pub fn layout(&self) -> &StateLayout {
         &self.layout
@@ -228,7 +228,7 @@ impl System {
         self.sharp[event].as_ref()
     }
 
-    /// How the motion goes on where a force has no series, if there is such a place.
+    /// The equations with which a motion passes places where a force has no series, if there are any.
     pub(super) fn passage(&self) -> Option<&Passage> {
         self.passage.as_deref()
     }
@@ -251,12 +251,12 @@ impl System {
         Some(Self { tolerances: self.tolerances.clone(), rests: true, ..system })
     }
 
-    /// Whether a number of the state has been put to rest.
+    /// Returns whether a state component has been put to rest.
     pub(super) fn rests(&self) -> bool {
         self.rests
     }
 
-    /// How many different |…| there are.
+    /// The number of different |…|.
     #[doc(hidden)]
     pub fn moduli(&self) -> usize {
         self.driven_in_moduli.len()

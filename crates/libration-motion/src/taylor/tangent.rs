@@ -2,7 +2,7 @@
 
 use libration_numbers::expression::{Equation, Expression, Order, Symbol};
 
-/// The equations of motion, followed by so many copies of the equations of an infinitely small deviation:
+/// The equations of motion, followed by `deviations` copies of the equations of an infinitesimal deviation:
 /// δx″ = Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, taken along the motion.
 ///
 /// The deviations of x are called `delta1 x`, `delta2 x`, …, names that no text can have. The state is, as always, all
@@ -23,8 +23,8 @@ pub fn with_tangents(equation: &Equation, deviations: usize) -> Equation {
     with_sensitivities(equation, &[], deviations)
 }
 
-/// The same, the first deviations being those by some parameters: δx″ = ∂F/∂p + Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′, which from
-/// δx = δx′ = 0 on is how the motion changes with p. Then follow so many copies for the start.
+/// The same, the first deviations being those by some parameters: δx″ = ∂F/∂p + Σ ∂F/∂xⱼ·δxⱼ + ∂F/∂xⱼ′·δxⱼ′. Starting from δx = δx′ = 0, they are
+/// the derivatives of the motion with respect to p. Then follow `deviations` copies for the start.
 ///
 /// # Examples
 /// ```
@@ -65,7 +65,7 @@ fn sum(a: Expression, b: Expression) -> Expression {
     Expression::Add(Box::new(a), Box::new(b))
 }
 
-/// How a formula changes with all coordinates and velocities.
+/// The total differential of a formula with respect to all coordinates and velocities.
 fn total_differential(
     formula: &Expression,
     equation: &Equation,

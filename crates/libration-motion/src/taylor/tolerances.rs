@@ -3,14 +3,14 @@
 use super::allowance::{Allowance, ROUNDING};
 use super::{Effort, StateLayout};
 
-/// Why coordinates cannot have the tolerances that are given.
+/// The reason why coordinates cannot have the given tolerances.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ToleranceError {
-    /// A name that is no coordinate's, as those of velocities.
+    /// A name that is not a coordinate's, such as that of a velocity.
     #[error("the system has no coordinate `{name}`: it has {}", known.join(", "))]
     NoCoordinate {
-        /// What was asked for.
+        /// The requested name.
         name: String,
         /// The coordinates there are.
         known: Vec<String>,
@@ -23,7 +23,7 @@ pub enum ToleranceError {
     OutOfRange {
         /// The coordinate.
         coordinate: String,
-        /// What was given.
+        /// The given tolerance.
         relative: f64,
     },
 }

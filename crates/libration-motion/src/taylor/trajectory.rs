@@ -1,4 +1,4 @@
-//! What is asked of an integration: an initial state, parameters, times.
+//! The input of an integration: an initial state, parameters, times.
 
 use super::solution::Moment;
 use super::{IntegrationError, System};

@@ -16,10 +16,10 @@ use libration_numbers::internals::algebra::{any, lanes};
 /// The errors that are left for: terms that are missing, 14 tolerances where a radius was guessed too large by a fourth, and roundings.
 const TOLERANCES: f64 = 100.0;
 
-/// What the accelerations at a time err by, one number a coordinate.
+/// The errors of the accelerations at a time, one per coordinate.
 struct Trial {
     end: f64,
-    /// As changes of the velocities in the step, in parts of their size.
+    /// The largest error, as a change of a velocity in the step relative to its size.
     misfit: f64,
     errors: Vec<f64>,
 }
@@ -63,7 +63,7 @@ impl<const N: usize> Stepper<'_, N> {
         TOLERANCES * self.effort.relative.max(ROUNDING)
     }
 
-    /// Whether something may be felt inside the step that is not at its ends.
+    /// Returns whether a force may act inside the step that is not felt at its ends.
     fn hides(&self, lane: usize, end: f64) -> bool {
         let length = (end - self.block.start[lane]) / self.block.unit[lane];
         self.expander.plan.steep.iter().any(|steep| steep.is_unseen(&self.block, lane, length))
@@ -155,7 +155,7 @@ impl<const N: usize> Stepper<'_, N> {
         Trial { end, misfit: misfit(&errors), errors }
     }
 
-    /// What roundings of the state make of the accelerations.
+    /// The effect of rounding the state on the accelerations.
     fn noise(&mut self, lane: usize, time: f64, state: &[f64], exact: &[f64]) -> Vec<f64> {
         /// Roundings in the formulas are alike.
         const MARGIN: f64 = 8.0;
@@ -192,10 +192,10 @@ fn looks() -> impl Iterator<Item = f64> {
 ///
 /// Errors of a polynomial of order 6 fall at least by 2⁵ when the step is halved.
 fn end_in_noise(trials: &[Trial]) -> Option<f64> {
-    /// In so many halvings they fall by 2³⁰, below any noise that is not constant.
+    /// Number of halvings in which the errors fall by 2³⁰, below any noise that is not constant.
     const SHORT: usize = 6;
     const MARGIN: f64 = 8.0;
-    /// What no rounding of a formula that says anything comes to.
+    /// Upper limit for the rounding errors of a meaningful formula.
     const LARGEST: f64 = 1e-3;
     let short = &trials[trials.len().checked_sub(SHORT)?..];
     let coordinates = short.first()?.errors.len();
@@ -217,16 +217,16 @@ fn size_of([zeroth, first, second]: [f64; 3], gain: f64, units: f64, floor: f64)
     larger(larger(zeroth, change), floor)
 }
 
-/// Nothing is no part of nothing.
+/// The ratio of a change to a size; zero for no change, even of no size.
 #[inline(always)]
 fn part_of(change: f64, size: f64) -> f64 {
     if change == 0.0 { 0.0 } else { change / size }
 }
 
-/// What is found at the ends of the steps of all lanes.
+/// The results at the ends of the steps of all lanes.
 struct Trials<const N: usize> {
     misfits: [f64; N],
-    /// Whether nothing is inside the steps that is not felt there.
+    /// `true` if all forces inside the steps are felt at their ends.
     is_seen: bool,
 }
 
@@ -275,7 +275,7 @@ impl<const N: usize> Kernel for StepTrials<'_, '_, N> {
     }
 }
 
-/// The sums of series after so many units of time.
+/// The sums of series after these times, in units of the block.
 #[inline(always)]
 fn sum<const N: usize>(series: &[[f64; N]], units: &[f64; N]) -> [f64; N] {
     let higher = higher(series.len(), |n| series[n], units);

@@ -1,4 +1,4 @@
-//! Where formulas end, motions end; where singularities are removable, motions pass.
+//! Ends of formulas, at which motions end, and removable singularities, which motions pass.
 
 use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
@@ -9,7 +9,7 @@ fn attempt(equation: &str, state: [f64; 2], time: f64, tolerance: f64) -> Result
     integrate(&system, &start, &[time], &Effort::to_tolerance(tolerance))
 }
 
-/// Where a motion stops before a singularity.
+/// The solution up to the singularity that stops it.
 fn end(equation: &str, state: [f64; 2], time: f64, tolerance: f64) -> Solution {
     match attempt(equation, state, time, tolerance) {
         Err(IntegrationError::Stopped { cause: Cause::Singularity | Cause::StepUnderflow, solution }) => {

@@ -1,4 +1,4 @@
-//! What comes to zero in a finite time, and stays there.
+//! Components that come to zero in a finite time, and stay there.
 
 use libm::{pow, sqrt};
 use libration::taylor::{
@@ -81,7 +81,7 @@ fn powers_next_to_one_lose_nothing_to_cancellation() {
     }
 }
 
-/// What a root without |…| is taken of stays at zero too, from which nothing leads below; above it a force may.
+/// The argument of a root without |…| stays at zero too, from which nothing leads below; above it a force may.
 #[test]
 fn roots_without_bars_come_to_rest_where_they_end() {
     let end = solve("x' = -sqrt(x); y'' = -sqrt(y')", &[1.0, 0.0, 1.0], &[9.0], 1e-15).end.state;

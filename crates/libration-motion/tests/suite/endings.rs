@@ -25,7 +25,7 @@ fn first_zero_of(formula: &str) -> Event {
     Event { ends_at: Some(1), ..Event::zero_of(formula.parse().unwrap()) }
 }
 
-/// Of a pendulum at a given time, and at the last passage of the bottom before.
+/// Comparisons for a pendulum at a given time, and at the last passage of the bottom before.
 fn of_pendulum(amplitude: f64, exact: &Motion, last: f64, tolerance: f64) -> [Compared; 4] {
     const EQUATION: &str = "theta'' = -sin(theta)";
     let start = [("theta", amplitude)];
@@ -158,7 +158,7 @@ fn stated_errors_of_other_motions_hold() {
     }
 }
 
-/// Where a formula touches zero, its rate of change passes through it.
+/// The rate of change of a formula passes through zero where the formula touches it.
 #[test]
 fn the_time_of_a_touch_is_right_to_what_is_stated() {
     let touch = Event { ends_at: Some(2), ..first_zero_of("x + 1") };
@@ -170,7 +170,7 @@ fn the_time_of_a_touch_is_right_to_what_is_stated() {
     }
 }
 
-/// Where a motion a little beside ends, as that of sqrt(x) below zero, and where there are too many steps to follow one beside each.
+/// Motions with neighbours that end, as that of sqrt(x) below zero, or with too many steps to follow a neighbour of each.
 #[test]
 fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {
     for (equation, last) in [("x' = -sqrt(x); y'' = -y", 10.0), ("x'' = -x/4; y'' = -y", 4e5)] {
@@ -183,7 +183,7 @@ fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {
     }
 }
 
-/// A third of a second is no double, and nothing else is rounded.
+/// One third of a second has no exact `f64`, and nothing else is rounded.
 #[test]
 fn the_last_rounding_counts() {
     let [end, error] = ended("x' = 3", &[("x", 0.0)], &first_zero_of("x - 1"), 1e-15);
@@ -200,7 +200,7 @@ fn what_is_stated_of_chaos_is_as_large_as_the_attractor() {
     assert!(error.state.iter().all(|error| (1.0..1000.0).contains(error)), "{end:?} {error:?}");
 }
 
-/// At a third of a million seconds, which is no double; each of 1319 jumps adds to the error.
+/// One third of a million seconds has no exact `f64`; each of 1319 jumps adds to the error.
 #[test]
 fn times_of_jumps_are_rounded() {
     for equation in ["x' = sign(3*t - 1000000)", "y' = 3; x' = sign(y - 1000000)"] {

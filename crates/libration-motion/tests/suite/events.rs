@@ -65,7 +65,7 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
     crossings
 }
 
-/// Of cos t. Where a formula has a pole or ends the motion goes on, in as few steps as without it; a pole is no zero, a jump is one.
+/// Formulas of cos t. Where a formula has a pole or ends the motion continues, in as few steps as without it; a pole is not a zero, a jump is one.
 #[test]
 fn formulas_that_end_on_the_way_do_not_end_the_motion() {
     let all = |places: &[f64]| {
@@ -447,7 +447,7 @@ fn roundings_at_the_start_are_no_crossings() {
     }
 }
 
-/// What begins next to a zero, but beyond its roundings, crosses it; and what leaves zero and returns does.
+/// A formula that begins next to a zero, but beyond its roundings, crosses it; so does one that leaves zero and returns.
 #[test]
 fn crossings_soon_after_the_start_are_found() {
     for before in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14] {

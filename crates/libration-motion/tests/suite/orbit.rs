@@ -115,7 +115,7 @@ fn van_der_pol(strength: &str) -> Equation {
     equation("x'' = mu*(1 - x^2)*x' - x").with(&[("mu", strength.parse().unwrap())]).unwrap()
 }
 
-/// By a Taylor method of order 55 with 260 bits.
+/// Reference periods by a Taylor method of order 55 with 260 bits.
 #[test]
 fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
     for (strength, period) in
@@ -129,9 +129,9 @@ fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
     }
 }
 
-/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the largest
-/// displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the corrections of
-/// later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
+/// Dorodnicyn: T = (3 − 2 ln 2)μ + 3αμ^(−1/3) − (2 ln μ)/(3μ) − 1.3246/μ + O(μ^(−5/3)), where −α is the first zero of Airy's function, and the
+/// largest displacement 2 + αμ^(−4/3)/3 − (16 ln μ)/(27μ²) + O(μ⁻²); attributed to A. A. Dorodnicyn, Prikl. Mat. Mekh. 11, 313 (1947), with the
+/// corrections of later authors (P. Amore, arXiv:2111.12198). The digits are SciPy's: `Radau` with a relative tolerance of 1e-11.
 #[test]
 fn van_der_pols_cycle_is_found_when_it_relaxes() {
     const ALPHA: f64 = 2.338_107_410_459_767;
@@ -176,7 +176,7 @@ fn rayleighs_cycle_has_van_der_pols_period() {
     }
 }
 
-/// Both ways to a cycle where both are certain: by Newton's method, and by one turn that forgets its start.
+/// Two ways to a cycle agree where both are certain: Newton's method, and one turn that forgets its start.
 #[test]
 fn the_two_ways_to_a_cycle_meet() {
     // The logarithms are −35 and −47 there: on either side of −40.
@@ -424,7 +424,7 @@ fn a_force_of_one_size_has_the_period_of_free_fall() {
     }
 }
 
-/// Where the force jumps between two steps no acceleration is uncertain: −sign(x − c) is the same motion for every c.
+/// A jump of the force between two steps makes no acceleration uncertain: −sign(x − c) is the same motion for every c.
 #[test]
 fn a_jump_at_the_end_of_a_step_makes_no_period_unsure() {
     let period = 4.0 * 2.0_f64.sqrt() * 0.5_f64.sqrt();
@@ -451,7 +451,7 @@ fn a_force_that_cancels_has_its_period() {
     assert!(orbit.period_uncertainty() < 1e-12 * period, "{:e}", orbit.period_uncertainty());
 }
 
-/// By mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the separatrix many bits are needed, and no
+/// Reference by mpmath, from the potential −cos x − 5·√(π/20000)/2·erf(√20000·(x − 2)): so near the separatrix many bits are needed, and no
 /// coefficient of a step that goes over x = 2 shows the force there.
 #[test]
 fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
@@ -533,7 +533,7 @@ fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
 }
 
-/// Damping that takes little of a turn is no orbit of a family, and a cycle far away is not where the motion is.
+/// Damping that takes little energy in a turn does not make a family of orbits, and a cycle far away is not where the motion is.
 #[test]
 fn a_motion_with_weak_damping_is_not_periodic() {
     for text in [
@@ -598,8 +598,8 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
     }
 }
 
-/// By harmonic balance to the relative order 1e-24: with a = F/(1 − ν²), x(0) = a − a³ + a³/5. Free oscillations of twice the drive's frequency hardly
-/// decay, so that rounding leaves the start open in the seventh digit, and the orbit says so.
+/// Reference by harmonic balance to the relative order 1e-24: with a = F/(1 − ν²), x(0) = a − a³ + a³/5. Free oscillations of twice the drive's
+/// frequency hardly decay, so that rounding leaves the start open in the seventh digit, and the orbit says so.
 #[test]
 fn a_weakly_damped_orbit_of_small_size_has_its_start() {
     let text = "x'' + 1e-9*x' + x + x^3 = 1e-6*cos(0.5*t)";

@@ -32,7 +32,7 @@ fn arc(a: f64) -> f64 {
     sqrt(PI) * tgamma(1.0 / a) / (a * tgamma(1.0 / a + 0.5))
 }
 
-/// What each of so many steps may err by, and a few roundings.
+/// The errors allowed to all steps of a solution, and a few roundings.
 fn allowed(solution: &Solution, tolerance: f64, size: f64) -> f64 {
     let steps = f64::from(u32::try_from(solution.steps).unwrap());
     steps * tolerance.max(2.0 * f64::EPSILON) * size

@@ -1,4 +1,4 @@
-//! How motions change with parameters and initial values.
+//! Derivatives of motions with respect to parameters and initial values.
 
 use libm::{cos, exp, sin, sqrt};
 use libration::expression::{Equation, Expression};

@@ -10,7 +10,7 @@ use libration_testing::golden::{Row, Table};
 use libration_testing::sweep;
 use std::ops::ControlFlow;
 
-/// Of one sample: by how much each number is off, and by how much it may be.
+/// The errors of one sample: the actual and the stated one of each component.
 type Compared = Vec<[f64; 2]>;
 
 struct Run<'a> {
@@ -230,7 +230,7 @@ fn errors_are_the_same_backward() {
     }
 }
 
-/// What half a unit in the last place of the start does to a motion that grows as the exponential of the time.
+/// The effect of half a unit in the last place of the start on a motion that grows as the exponential of the time.
 #[test]
 fn the_effect_of_the_start_is_told() {
     let system = System::new(&"x' = x".parse().unwrap()).unwrap();

@@ -282,7 +282,7 @@ fn no_start_makes_it_panic_or_hang() {
     }
 }
 
-/// Powers of such times overflow, which is no reason for friction to let go.
+/// Powers of such times overflow, which does not end the sticking by friction.
 #[test]
 fn what_friction_holds_it_holds_for_ever() {
     for goal in [1e12, 1e17, 1e100, 1e200] {

@@ -78,7 +78,7 @@ fn motions_side_by_side_are_those_alone() {
     assert_eq!(integrate_many(&system, &trajectories, &EFFORT), alone);
 }
 
-/// Where x decides when the motion ends, y has its own error there.
+/// The value of x decides when the motion ends, and y has its own error there.
 #[test]
 fn the_error_of_an_end_knows_the_tolerances() {
     let passage = Event { ends_at: Some(1), ..Event::zero_of("x - 10".parse().unwrap()) };

@@ -9,13 +9,13 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, System
 pub(super) struct Deviation<'a> {
     /// The equations of motion and those of one deviation.
     system: &'a System,
-    /// Of a state of the motion alone.
+    /// Layout of a state of the motion alone, without the deviation.
     layout: &'a StateLayout,
-    /// What counts as one in each number of the state.
+    /// Unit of each state component, in which deviations are measured.
     units: &'a [f64],
     effort: Effort,
     moment: Moment,
-    /// Of the coordinates, then of the velocities.
+    /// The deviation: coordinates, then velocities.
     deviation: Vec<f64>,
 }
 
@@ -32,7 +32,7 @@ impl<'a> Deviation<'a> {
         Self { system, layout, units, effort, moment: start, deviation }
     }
 
-    /// Where the motion is.
+    /// The current time and state of the motion.
     pub(super) fn moment(&self) -> &Moment {
         &self.moment
     }
@@ -67,7 +67,7 @@ pub(super) fn unequal_part(place: u32) -> f64 {
     0.25 + (f64::from(place) * GOLDEN).fract()
 }
 
-/// Why an integration that could begin has stopped.
+/// The cause for which an integration stopped after it had begun.
 fn cause(error: IntegrationError) -> Cause {
     match error {
         IntegrationError::Stopped { cause, .. } => cause,

@@ -9,19 +9,19 @@ use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_w
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::{Stage, Watch};
 
-/// What all motions of one question have in common.
+/// The equations, the schedule and the units that all motions of one measurement share.
 pub(super) struct Laboratory<'a> {
     plain: System,
-    /// With the equations of one deviation.
+    /// The equations of motion with those of one deviation.
     extended: System,
     schedule: &'a Schedule,
     effort: &'a Effort,
     units: Vec<f64>,
     /// Numbers of the state that may grow without end: angles, and coordinates on which nothing depends.
     unconfined: Vec<bool>,
-    /// What is known without measuring.
+    /// The regularity that is known without a measurement.
     known: Option<Regularity>,
-    /// Where the motion asked for is after the transient.
+    /// The time and state of the given motion after the transient.
     settled: Moment,
 }
 
@@ -73,7 +73,7 @@ impl<'a> Laboratory<'a> {
         }
     }
 
-    /// What is known, or what a motion and, if it looks chaotic, its neighbours show.
+    /// The verdict that is known, or that a motion shows and, if it looks chaotic, its neighbours confirm.
     pub(super) fn verdict(&self, evidence: &Evidence, start: &Moment, watch: &Watch<'_>) -> LyapunovVerdict {
         if let Some(regularity) = self.known {
             return LyapunovVerdict::Regular(regularity);
@@ -86,7 +86,7 @@ impl<'a> Laboratory<'a> {
         doubts.flatten().next().map_or(LyapunovVerdict::Chaotic, LyapunovVerdict::Undecided)
     }
 
-    /// What a neighbour has against the chaos of a motion.
+    /// Returns the evidence of a neighbour against the chaos of a motion.
     fn doubt_from(
         &self,
         neighbour: usize,
@@ -127,10 +127,10 @@ impl<'a> Laboratory<'a> {
     }
 }
 
-/// How many motions beside one that looks chaotic are asked.
+/// Number of neighbouring motions that are measured if a motion looks chaotic.
 const NEIGHBOURS: usize = 2;
 
-/// Why a motion that began as another did came to no evidence.
+/// The cause for which a neighbouring motion yields no evidence.
 fn cause_of(error: LyapunovError) -> Cause {
     match error {
         LyapunovError::Nothing(cause)
@@ -139,7 +139,7 @@ fn cause_of(error: LyapunovError) -> Cause {
     }
 }
 
-/// How far the motion goes during the transient, or ten intervals, and where it is after the transient.
+/// The range of the motion during the transient or ten intervals, whichever is longer, and the state after the transient.
 fn survey(
     system: &System,
     start: &Moment,

@@ -31,7 +31,7 @@ pub struct LyapunovExponent {
     pub convergence: Vec<(f64, f64)>,
 }
 
-/// Why no exponent can be measured.
+/// The reason why no exponent can be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LyapunovError {
@@ -97,9 +97,9 @@ pub fn lyapunov_exponent(
     lyapunov_exponent_watched(equation, start, schedule, effort, &Watch::none())
 }
 
-/// The exponent as [`lyapunov_exponent`] gives it; `watch` is asked at each step of the transient and after each interval, and told
-/// how many intervals are measured of [`Stage::Motion`](libration_numbers::watch::Stage::Motion) 0, the motion asked for, and of 1 and 2, its neighbours. Where it stops
-/// the estimates until then are given, with the verdict [`Doubt::Stopped`].
+/// The exponent as [`lyapunov_exponent`] gives it; `watch` is called at each step of the transient and after each interval, with the number of
+/// intervals measured of [`Stage::Motion`](libration_numbers::watch::Stage::Motion) 0, the given motion, and of 1 and 2, its neighbours. Where it
+/// cancels, the estimates until then are given, with the verdict [`Doubt::Stopped`].
 ///
 /// # Errors
 /// As [`lyapunov_exponent`]; [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] where it stops before an interval is measured.

@@ -2,14 +2,14 @@
 
 use libration_kernels::elementary::count;
 
-/// Into so many blocks the record is cut.
+/// Number of blocks into which the record is divided.
 pub(super) const BLOCKS: usize = 10;
 
 /// The logarithm of a deviation's size after each interval; zero before the first.
 #[derive(Clone, Debug)]
 pub struct Record {
     interval: f64,
-    /// Up to each interval's end.
+    /// The logarithm at the end of each interval.
     logarithms: Vec<f64>,
 }
 
@@ -22,7 +22,7 @@ impl Record {
         self.logarithms.push(self.last() + growth);
     }
 
-    /// How many intervals it has.
+    /// The number of intervals in the record.
     pub fn intervals(&self) -> usize {
         self.logarithms.len() - 1
     }
@@ -75,7 +75,7 @@ impl Record {
         standard.max((self.exponent() - half).abs())
     }
 
-    /// How much the logarithm has grown since the beginning.
+    /// The growth of the logarithm since the beginning.
     pub fn growth(&self) -> f64 {
         self.last() - self.logarithms[self.beginning()]
     }
@@ -93,8 +93,7 @@ impl Record {
         rims.zip(&self.logarithms).map(|(rim, now)| rim - now).fold(0.0, f64::max)
     }
 
-    /// How much higher the logarithm rises in the second half than in the first, and in the second quarter than in the
-    /// first.
+    /// The rise of the largest logarithm from the first half of the record to the second, and from the first quarter to the second.
     pub fn rises(&self) -> [f64; 2] {
         let all = self.intervals();
         let highest = |from: usize, to: usize| {
@@ -104,7 +103,7 @@ impl Record {
         [highest(half, all) - highest(0, half), highest(quarter, half) - highest(0, quarter)]
     }
 
-    /// How long it is.
+    /// The duration of the record.
     pub fn duration(&self) -> f64 {
         self.interval * count(self.intervals())
     }

@@ -1,4 +1,4 @@
-//! When the growth of a deviation is measured.
+//! The times at which the growth of a deviation is measured.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -10,14 +10,14 @@ use super::LyapunovError;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched};
 use libration_numbers::expression::Equation;
 
-/// How long a motion is followed, and how often the growth of a deviation is taken.
+/// The duration for which a motion is followed, and the intervals at which the growth of a deviation is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schedule {
-    /// What passes before anything is measured.
+    /// The time that passes before the measurement begins.
     pub transient: f64,
     /// The time after which the deviation is set back to the size one.
     pub interval: f64,
-    /// How many intervals are measured.
+    /// Number of intervals that are measured.
     pub intervals: usize,
 }
 

@@ -7,7 +7,7 @@ use super::super::structure::Theorem;
 use super::record::Record;
 use crate::taylor::{Cause, Effort};
 
-/// What the growth of deviations says about a motion.
+/// The conclusion from the growth of deviations about a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LyapunovVerdict {
     /// Deviations do not grow exponentially, or cannot by a theorem.
@@ -18,7 +18,7 @@ pub enum LyapunovVerdict {
     Undecided(Doubt),
 }
 
-/// Why a motion is regular.
+/// The reason why a motion is regular.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Regularity {
@@ -35,7 +35,7 @@ pub enum Regularity {
     },
 }
 
-/// Why nothing is decided.
+/// The reason why nothing is decided.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Doubt {
@@ -74,8 +74,8 @@ const SLOW_RISE: f64 = 1.5;
 /// little to that. Of the 21 that are not regular 20 had grown by less than e¹⁰⁰ with 100 intervals, 2 with 300, none with 1000; the
 /// regular ones by e^4.1 at most.
 const EXPONENTIAL_GROWTH: f64 = 100.0;
-/// So many standard errors above zero: of the mean of ten blocks Student's t exceeds it by chance in 4 of 10 000 cases. Of the
-/// regular ones the exponent was up to 4.9 of them above zero, since it falls to zero as (ln t)/t.
+/// Number of standard errors above zero: for the mean of ten blocks Student's t exceeds it by chance in 4 of 10 000 cases. For the regular motions
+/// the exponent was up to 4.9 standard errors above zero, since it falls to zero as (ln t)/t.
 const CERTAIN: f64 = 5.0;
 /// A motion that goes farther than its first half by this factor is not bounded: a steady drift makes two, a motion that has shown all of
 /// itself one. Of the bounded ones it was up to 1.44 with 100 intervals, 1.34 with 300 and 1.05 with 1000.
@@ -87,27 +87,27 @@ const WIDER: f64 = 1.5;
 pub struct Evidence {
     /// The growth of its deviation.
     pub record: Record,
-    /// How far it goes in the first half of the time, and at all.
+    /// The range of the motion in the first half of the time, and in all of it.
     extents: [Extent; 2],
-    /// Why it ended early.
+    /// The cause for which the motion ended early.
     pub stopped: Option<Cause>,
 }
 
 impl Evidence {
-    /// Of a motion before its first interval.
+    /// The evidence of a motion before its first interval.
     pub fn new(interval: f64, numbers: usize) -> Self {
         let nothing = Extent::new(numbers);
         Self { record: Record::new(interval), extents: [nothing.clone(), nothing], stopped: None }
     }
 
-    /// Adds the growth in one interval of so many, and the state at its end.
+    /// Adds the growth in one of `of` intervals, and the state at its end.
     pub fn add(&mut self, growth: f64, state: &[f64], of: usize) {
         self.record.push(growth);
         let first_half = 2 * self.record.intervals() <= of;
         self.extents.iter_mut().skip(usize::from(!first_half)).for_each(|extent| extent.include(state));
     }
 
-    /// By which factor the motion goes farther than its first half, where it is largest.
+    /// The largest factor by which the range of a component exceeds that of the first half.
     fn widening(&self, unconfined: &[bool]) -> f64 {
         let [half, whole] = self.extents.each_ref().map(Extent::widths);
         let free = unconfined.iter().copied().chain(std::iter::repeat(false));
@@ -115,7 +115,7 @@ impl Evidence {
         confined.map(|((half, whole), _)| if whole > half { whole / half } else { 1.0 }).fold(1.0, f64::max)
     }
 
-    /// What a single motion shows, integrated with this effort. Unconfined coordinates may grow without end.
+    /// The verdict on a single motion, integrated to these tolerances. Unconfined coordinates may grow without bound.
     pub fn verdict(&self, effort: &Effort, unconfined: &[bool]) -> LyapunovVerdict {
         let record = &self.record;
         if let Some(cause) = self.stopped {
@@ -143,7 +143,7 @@ impl Evidence {
             && self.record.blocks().iter().all(|rate| *rate < 0.0)
     }
 
-    /// What speaks against chaos in a motion whose deviation grows fast.
+    /// The reason against chaos in a motion whose deviation grows fast.
     fn doubt(&self, unconfined: &[bool]) -> Option<Doubt> {
         let record = &self.record;
         let growth = record.growth();
@@ -158,7 +158,7 @@ impl Evidence {
         (!steady).then_some(Doubt::Unsteady)
     }
 
-    /// Whether the exponents of two motions are of the same size, within their errors.
+    /// Returns whether the exponents of two motions are of the same size, within their errors.
     pub fn agrees_with(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|it| (it.record.exponent(), it.record.uncertainty()));
         (own.0 - others.0).abs() <= 0.5 * own.0.max(others.0) + CERTAIN * libm::hypot(own.1, others.1)

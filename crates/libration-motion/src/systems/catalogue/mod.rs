@@ -18,7 +18,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static NamedSystem> + Clone {
     pendulums.chain(conservative::SYSTEMS).chain(first_order::SYSTEMS)
 }
 
-/// What an entry has that says nothing else.
+/// The defaults of an entry's fields.
 const NOTHING_SAID: NamedSystem = NamedSystem {
     key: "",
     also: &[],

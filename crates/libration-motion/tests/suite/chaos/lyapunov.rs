@@ -38,7 +38,7 @@ fn measure(equation: &str, start: &[f64], intervals: usize) -> LyapunovExponent 
     attempt(equation, start, intervals, &Watch::none()).unwrap()
 }
 
-/// How many motions are regular, and how many undecided or escape over a barrier; none may be chaotic.
+/// Numbers of motions that are regular, and that are undecided or escape over a barrier; none may be chaotic.
 fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for Case { equation, start } in cases {

@@ -76,7 +76,7 @@ fn the_stroboscopic_map_shrinks_areas_as_the_damping_says() {
     }
 }
 
-/// How many different velocities there are.
+/// The number of different velocities.
 fn different(section: &PoincareSection) -> usize {
     let mut velocities: Vec<f64> = section.points.iter().map(|point| point.state[1]).collect();
     velocities.sort_by(f64::total_cmp);

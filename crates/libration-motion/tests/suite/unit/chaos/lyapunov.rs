@@ -1,11 +1,11 @@
-//! What is read from a record, and each of the guards against a false `Chaotic`, on records made by hand.
+//! Quantities read from a record, and each of the guards against a false `Chaotic`, on records made by hand.
 #![expect(clippy::float_cmp, reason = "sums of small whole numbers are exact")]
 
 use libration::chaos::{Doubt, LyapunovVerdict, Regularity};
 use libration::internals::chaos::{Evidence, Record};
 use libration::taylor::{Cause, Effort};
 
-/// So many intervals, of which the eleventh part is the beginning.
+/// Number of intervals, of which the eleventh part is the beginning.
 const INTERVALS: usize = 220;
 const EFFORT: Effort = Effort::to_tolerance(1e-13);
 

@@ -3,7 +3,7 @@ use libration::internals::orbit::{Acceleration, Motion};
 use libration::taylor::System;
 use libration::watch::Watch;
 
-/// How long a motion takes from rest to rest, and where that is.
+/// The duration of a motion from rest to rest, and the position of the end.
 fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
     let equation = equation.parse().unwrap();
     let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());

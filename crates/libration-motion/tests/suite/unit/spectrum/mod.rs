@@ -76,8 +76,8 @@ fn integrated(equation: &str, start: &[(&str, f64)], end: f64) -> DenseSolution 
     integrate_dense(&system, &start, end, &Effort::to_tolerance(1e-13)).unwrap()
 }
 
-/// Where a motion is fast only now and then, few values for each step would fold the highest harmonics onto lower ones: 1e-3 from
-/// the separatrix steps at the top are ten times longer than at the bottom.
+/// Motions that are fast only now and then need many values for each step, or the highest harmonics would be folded onto lower ones: 1e-3 from the
+/// separatrix steps at the top are ten times longer than at the bottom.
 #[test]
 fn motions_are_sampled_until_their_fastest_oscillations_show() {
     let amplitude = std::f64::consts::PI - 1e-3;

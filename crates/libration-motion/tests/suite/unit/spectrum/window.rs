@@ -1,6 +1,6 @@
 use libration::internals::spectrum::bessel_i0;
 
-/// By mpmath 1.3, `besseli(0, x)`.
+/// Reference values by mpmath 1.3, `besseli(0, x)`.
 #[test]
 fn the_bessel_function_is_that_of_the_tables() {
     for (x, exact) in [(0.0, 1.0), (1.0, I0_OF_1), (8.0, I0_OF_8), (20.0, I0_OF_20)] {

@@ -168,12 +168,12 @@ impl Open {
         })
     }
 
-    /// Those with accelerations.
+    /// The systems whose equations are all of the second order.
     pub(super) fn mechanical() -> impl Iterator<Item = Self> {
         Self::all().filter(|system| system.model.layout().is_of_second_order())
     }
 
-    /// Those that have an energy as a formula.
+    /// The systems that have an energy as a formula.
     pub(super) fn with_energy() -> impl Iterator<Item = Self> {
         Self::all().filter(|system| !system.named.energy.is_empty())
     }

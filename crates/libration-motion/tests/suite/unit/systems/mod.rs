@@ -116,7 +116,7 @@ fn every_energy_changes_by_its_power() {
     }
 }
 
-/// What is nowhere at rest.
+/// Systems that have no state at rest by default.
 const RESTLESS: [&str; 2] = ["spherical_pendulum", "kepler"];
 
 #[test]

@@ -17,7 +17,7 @@ use libration_jit::Compiled;
 use libration_kernels::elementary::count;
 use std::sync::Arc;
 
-/// The larger error of angle and velocity after three seconds in so many equal steps.
+/// The larger error of angle and velocity after three seconds in `steps` equal steps.
 fn error_of(steps: u32, order: usize) -> f64 {
     let system = System::new(&"theta'' + sin(theta) = 0".parse().unwrap()).unwrap();
     let expander = Expander::new(&system, order, 1);
@@ -100,7 +100,7 @@ fn machine_code_comes_at_once_where_many_steps_are_expected_and_motions_share_it
     assert!(!Arc::ptr_eq(&one.plan, &Expander::new(&system, 21, 1).plan));
 }
 
-/// What follows from functions, from functions of functions, and from none.
+/// Values that follow from functions, from functions of functions, and from none.
 #[test]
 fn zeroth_coefficients_in_machine_code_have_the_bits_of_the_interpreter() {
     let systems = [

@@ -21,7 +21,7 @@ fn zeros_between_two_halves_are_found_once() {
     assert_eq!(three.len(), 3, "{three:?}");
 }
 
-/// Of (x/c)ⁿ = 1 for c over twenty decades, and of x = 1 − c.
+/// Zeros of (x/c)ⁿ = 1 for c over twenty decades, and of x = 1 − c.
 #[test]
 fn zeros_of_any_size_are_found_to_their_last_bits() {
     for exponent in 0..=66 {
