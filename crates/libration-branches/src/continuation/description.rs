@@ -129,7 +129,7 @@ impl Family<'_> {
     }
 }
 
-/// How far two integrations to different tolerances end apart, in units.
+/// Largest difference between the ends of two integrations to different tolerances, in units.
 fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     let ends = image.defect.iter().zip(&motion.defect).zip(units);
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
