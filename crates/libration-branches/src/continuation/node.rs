@@ -17,18 +17,18 @@ pub(super) struct Node {
     pub(super) tests: Tests,
 }
 
-/// What changes its sign at singular points.
+/// Test functions, each of which changes its sign at one kind of singular points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tests {
-    /// How the parameter goes along the branch.
+    /// Component of the unit tangent along the parameter; zero at a fold.
     pub(super) fold: f64,
-    /// Whether a multiplier of the map is +1.
+    /// Product of the multipliers less 1; zero if a multiplier of the map is +1.
     pub(super) branching: f64,
-    /// Whether one is −1.
+    /// Product of the multipliers plus 1; zero if a multiplier is −1.
     pub(super) flip: f64,
-    /// Whether the product of two is 1, in units of the square of the largest.
+    /// Product, over all pairs of multipliers, of their product less 1, in units of the square of the largest multiplier.
     pub(super) torus: f64,
-    /// What the errors of the multipliers make of the last three.
+    /// Errors of the last three test functions from those of the multipliers.
     pub(super) noise: [f64; 3],
 }
 

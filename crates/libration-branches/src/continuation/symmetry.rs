@@ -1,4 +1,4 @@
-//! Whether the mirror image of a motion is a motion.
+//! Test whether the mirror image of a motion is a motion.
 
 use super::drive_law::DriveLaw;
 use super::space::Symmetry;
@@ -77,7 +77,7 @@ impl Trial<'_> {
         self.layout.arrange(mirror.iter().copied(), |coordinate| mirror[coordinate])
     }
 
-    /// Whether the equation has a symmetry in all trials, of which some have values.
+    /// Returns whether the equation has a symmetry in all trials that have values, of which there is at least one.
     fn has(&self, shift: f64, mirror: &[f64]) -> bool {
         let trials = (0..TRIALS).flat_map(|trial| self.scales().map(move |scale| (trial, scale)));
         let mut outcomes = trials.map(|(trial, scale)| self.holds(shift, mirror, trial, scale));
