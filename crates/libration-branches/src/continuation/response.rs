@@ -206,8 +206,8 @@ impl Search<'_> {
         true
     }
 
-    /// The branch through a motion, from beside it on: the motion itself is singular, where the other branch ends, and known by interpolation only. `None`
-    /// where the branch is followed already.
+    /// The branch through a motion, from a place next to it on: the motion itself is singular, where the other branch ends, and known by
+    /// interpolation only. `None` where the branch is followed already.
     fn beside(&self, branches: &[Branch], parameter: f64, start: &Start) -> Option<Walked> {
         /// The distance as a part of the range.
         const ASIDE: f64 = 1e-3;
