@@ -9,7 +9,7 @@ use super::table::Table;
 pub struct ValueColumn {
     /// The column.
     pub values: Column,
-    /// That of their uncertainties.
+    /// The column of their uncertainties.
     pub uncertainties: Option<Column>,
 }
 

@@ -133,7 +133,7 @@ const HALF_AS_OFTEN: Synthetic = Synthetic { step: 0.04, rows: 1000, ..Synthetic
 /// One standard deviation of a pivot's place, in m, of a pendulum of a metre: sideways and upwards.
 const PIVOT: [f64; 2] = [2e-3, 5e-3];
 
-/// What is seen of these angles about a pivot that is drawn from its uncertainty, with noise.
+/// Measurement of these angles about a pivot that is drawn from its uncertainty, with noise.
 fn about_a_drawn_pivot(swing: &Trace, random: &mut Random) -> Trace {
     let [right, up] = PIVOT.map(|deviation| deviation * random.normal());
     let bob = |angle: &f64| (libm::sin(*angle) - right, -libm::cos(*angle) - up);
