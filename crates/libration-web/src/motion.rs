@@ -5,11 +5,11 @@ use libration::pendulum::{ApproximateMotion, Motion, Pendulum, PendulumError, Re
 use libration::quantity::Angle;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What is shown.
+/// Motion that is shown.
 struct Shown {
     pendulum: Pendulum,
     motion: Motion,
-    /// That approximate motions need, or why there are none.
+    /// The amplitude that approximate motions need, or the reason why there is none.
     amplitude: Result<f64, String>,
 }
 
@@ -19,7 +19,7 @@ fn shown() -> MutexGuard<'static, Option<Shown>> {
     SHOWN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Leaves numbers of what is shown.
+/// Leaves numbers of the motion that is shown.
 fn answer(of: impl FnOnce(&Shown) -> Result<Vec<f64>, String>) -> bool {
     let answer = shown().as_ref().ok_or("no motion is shown".to_owned()).and_then(of);
     exchange().answer(answer)
@@ -106,14 +106,14 @@ pub extern "C" fn state(time: f64) -> bool {
     })
 }
 
-/// So many times, `step` apart.
+/// A number of times, `step` apart.
 fn times(first: f64, step: f64, count: u32) -> Vec<f64> {
     /// More than any picture has points.
     const MOST: u32 = 1 << 20;
     (0..count.min(MOST)).map(|n| first + f64::from(n) * step).collect()
 }
 
-/// The unwrapped angles, then the velocities, at so many times, `step` apart.
+/// The unwrapped angles, then the velocities, at `count` times, `step` apart.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn states(first: f64, step: f64, count: u32) -> bool {
@@ -126,7 +126,7 @@ pub extern "C" fn states(first: f64, step: f64, count: u32) -> bool {
     })
 }
 
-/// The angles of an approximate motion, by its place in the catalogue, at so many times, `step` apart; only after a release at rest.
+/// The angles of an approximate motion, by its index in the catalogue, at `count` times, `step` apart; only after a release at rest.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32) -> bool {
@@ -141,8 +141,8 @@ pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32)
     })
 }
 
-/// The harmonics that are not below a tolerance in rad, so many at most: fundamental angular frequency, mean velocity, epoch, then n, coefficient of
-/// the angle and of the velocity of each.
+/// The harmonics that are not below a tolerance in rad, at most `limit` of them: fundamental angular frequency, mean velocity, epoch, then n,
+/// coefficient of the angle and of the velocity of each.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn harmonics(tolerance: f64, limit: usize) -> bool {
