@@ -1,8 +1,8 @@
 //! NumPy's universal functions over batches of the library, and the only unsafe code of this crate.
 //!
-//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the
-//! stack, calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that
-//! are the inputs, or lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
+//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the stack,
+//! calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that are the inputs, or
+//! lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
 #![expect(unsafe_code, reason = "loops over NumPy's arrays, and the flags of floating-point exceptions")]
 
 #[cfg(target_arch = "x86_64")]

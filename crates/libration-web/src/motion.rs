@@ -25,10 +25,10 @@ fn answer(of: impl FnOnce(&Shown) -> Result<Vec<f64>, String>) -> bool {
     exchange().answer(answer)
 }
 
-/// Takes the motion of a pendulum of this length in m, under this gravity in m/s², that passes the angle of the text with this velocity
-/// in rad/s at t = 0. Of the motion: regime (0 rest, 1 upright rest, 2 libration, 3 separatrix, 4 rotation), period and small-angle period
-/// in s, amplitude and its complement in rad, energy over 2mgl, the same less 1, energy over ml² in rad²/s², angular frequency of small swings in rad/s.
-/// Where there is none, the text is the quantity that is wrong (angle, length, gravity, velocity) and, on the lines after it, the reason.
+/// Takes the motion of a pendulum of this length in m, under this gravity in m/s², that passes the angle of the text with this velocity in rad/s at t
+/// = 0. Of the motion: regime (0 rest, 1 upright rest, 2 libration, 3 separatrix, 4 rotation), period and small-angle period in s, amplitude and its
+/// complement in rad, energy over 2mgl, the same less 1, energy over ml² in rad²/s², angular frequency of small swings in rad/s. Where there is none,
+/// the text is the quantity that is wrong (angle, length, gravity, velocity) and, on the lines after it, the reason.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn launch(length: f64, gravity: f64, velocity: f64) -> bool {

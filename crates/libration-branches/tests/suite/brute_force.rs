@@ -345,8 +345,8 @@ fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     }
 }
 
-/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point that
-/// is shown is an orbit of the whole equation.
+/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point
+/// that is shown is an orbit of the whole equation.
 #[test]
 fn a_narrow_force_that_no_trial_of_the_symmetry_meets_invents_no_orbit() {
     let oscillator = Oscillator {
@@ -452,7 +452,8 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
     // From the median on, the parts beyond which are each a tenth of those before.
     let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
     eprintln!("{} ratios: quantiles {beyond:?}", ratios.len());
-    // One motion in 47 358 of four seeds, which nearly grazes a kink, was 2.7 times its error off: the change of the map with the start is an estimate.
+    // One motion in 47 358 of four seeds, which nearly grazes a kink, was 2.7 times its error off: the change of the map with the start is an
+    // estimate.
     let wrong = ratios.iter().filter(|ratio| **ratio > 1.0).count();
     assert!(10_000 * wrong <= ratios.len(), "{wrong} of {}, the largest {:?}", ratios.len(), ratios.last());
 }

@@ -11,8 +11,8 @@ const RADIUS_TOLERANCE: f64 = 0.05;
 /// Smallest ratio of the height of the arc to its scatter. In 312 synthetic recordings with 5 to 50 times the radius was as certain as stated and off
 /// by at most 0.4 of its uncertainty in the mean; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
 const HEIGHT_OVER_SCATTER: f64 = 5.0;
-/// A pivot that was given contradicts the positions where it is this number of standard deviations from the centre of their circle: distances that hang
-/// together from frame to frame make these too small.
+/// A pivot that was given contradicts the positions where it is this number of standard deviations from the centre of their circle: distances that
+/// hang together from frame to frame make these too small.
 const CONTRADICTS: f64 = 5.0;
 
 /// Returns an error unless both columns are in the same unit, whatever it is.
