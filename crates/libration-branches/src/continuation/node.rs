@@ -22,11 +22,11 @@ pub(super) struct Node {
 pub(super) struct Tests {
     /// Component of the unit tangent along the parameter; zero at a fold.
     pub(super) fold: f64,
-    /// Product of the multipliers less 1; zero if a multiplier of the map is +1.
+    /// Real part of Π(λ − 1) over the multipliers λ of the map; zero if one of them is +1.
     pub(super) branching: f64,
-    /// Product of the multipliers plus 1; zero if a multiplier is −1.
+    /// Real part of Π(λ + 1); zero if a multiplier is −1.
     pub(super) flip: f64,
-    /// Product, over all pairs of multipliers, of their product less 1, in units of the square of the largest multiplier.
+    /// Real part of Π(λμ − 1) over the pairs of multipliers λ and μ, each factor in units of the square of the largest multiplier.
     pub(super) torus: f64,
     /// Errors of the last three test functions from those of the multipliers.
     pub(super) noise: [f64; 3],
