@@ -14,7 +14,7 @@ use libration_report::chart::{Axis, Panel, Picture, Series};
 use libration_report::format::PictureFormat;
 use libration_report::{draw, style, svg};
 
-/// Why there are no answers.
+/// Reason why there are no results.
 pub type Failure = Box<dyn std::error::Error>;
 
 /// All answers, always in the same order.
@@ -140,14 +140,14 @@ fn letters(text: String) -> impl Iterator<Item = f64> {
     text.into_bytes().into_iter().map(f64::from)
 }
 
-/// The sum of so many periods.
+/// The sum of the periods of `count` amplitudes.
 pub(crate) fn sum_of_periods(count: u32) -> f64 {
     let amplitudes: Vec<f64> = (0..count).map(|n| PI * f64::from(n) / f64::from(count)).collect();
     let mut ratios = vec![0.0; amplitudes.len()];
     period_ratios(&amplitudes, &mut ratios).map_or(f64::NAN, |()| ratios.iter().sum())
 }
 
-/// The sum of so many angles of a motion.
+/// The sum of `count` angles of a motion.
 pub(crate) fn sum_of_angles(count: u32) -> f64 {
     let start = Angle::from_radians(2.5).ok();
     let motion = start.and_then(|start| Pendulum::new(1.0, 9.81).ok()?.released_from(start).ok());

@@ -12,7 +12,7 @@ fn kept() -> &'static [f64] {
     ANSWERS.get_or_init(|| answers().unwrap_or_default())
 }
 
-/// How many answers there are; none if one of the questions failed.
+/// Number of results; 0 if one of the computations failed.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn count() -> usize {
@@ -26,21 +26,21 @@ pub extern "C" fn bits(index: usize) -> u64 {
     kept().get(index).map_or(0, |answer| answer.to_bits())
 }
 
-/// The periods of so many amplitudes, summed: something to take the time of.
+/// The periods of `count` amplitudes, summed, for measurements of time.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn sum_of_periods(count: u32) -> f64 {
     answers::sum_of_periods(count)
 }
 
-/// The angles of one motion at so many times, summed.
+/// The angles of one motion at `count` times, summed.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn sum_of_angles(count: u32) -> f64 {
     answers::sum_of_angles(count)
 }
 
-/// Whether this module keeps its promises on the processor that runs it.
+/// Returns whether this module keeps its promises on the processor that runs it.
 #[expect(unsafe_code, reason = "a name for the host")]
 #[unsafe(no_mangle)]
 pub extern "C" fn rounds_once() -> bool {

@@ -1,4 +1,4 @@
-//! What each kernel takes, so that a change is seen before the peers are run: `cargo bench -p libration-peers`, one by its name behind `--`.
+//! Time that each kernel takes, so that a change is seen before the peers are run: `cargo bench -p libration-peers`, one by its name after `--`.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;

@@ -1,4 +1,4 @@
-//! What `motion.py` asks of a program, and how it is answered.
+//! Requests of `motion.py` to a program, and the responses.
 //!
 //! A request is a line `CASE TOLERANCE END COUNT`, then COUNT lines with the numbers of a state at t = 0: angles, then
 //! velocities. The answer is a line `SECONDS STEPS SET-UP` (processor seconds of the integrations, their steps,
@@ -20,7 +20,7 @@ pub(crate) struct Request {
     pub(crate) starts: Vec<Vec<f64>>,
 }
 
-/// What became of them.
+/// Result of the integrations.
 #[derive(Debug, Default)]
 pub(crate) struct Answer {
     pub(crate) seconds: f64,

@@ -17,7 +17,7 @@ pub(crate) struct Work {
     pub(crate) others: [Vec<f64>; 2],
 }
 
-/// Why a request could not be answered.
+/// Reason why a request failed.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error("unknown request `{0}`")]

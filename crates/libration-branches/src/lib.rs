@@ -1,4 +1,4 @@
-//! What changes with a parameter or with the amplitude: branches of periodic motions, normal modes and their continuation, normal forms of
+//! Dependence of motions on a parameter or on the amplitude: branches of periodic motions, normal modes and their continuation, normal forms of
 //! coupled modes, Melnikov's method. The crate `libration` re-exports its modules.
 
 pub mod continuation;

@@ -22,7 +22,7 @@ pub fn map<T: Sync, R: Send>(
     }
 }
 
-/// The results of work on all items, in their order, by so many threads.
+/// The results of work on all items, in their order, by a number of threads.
 pub fn on_cores<T: Sync, R: Send>(
     cores: usize,
     items: &[T],

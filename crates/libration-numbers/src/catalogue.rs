@@ -1,19 +1,19 @@
-//! What can be asked for by name: entries with keys, their parameters, and the error where no entry has a key.
+//! Catalogues of named items: entries with keys, their parameters, and the error where no entry has a key.
 
 use crate::quantity::{excerpt, nearest};
 
 /// An entry of a catalogue.
 pub trait Named {
-    /// What an entry is called.
+    /// Kind of the entries.
     const KIND: &'static str;
-    /// What else can be asked for, as the end of a sentence.
+    /// Other input that is accepted, as the end of a sentence.
     const OTHERWISE: &'static str;
 
     /// The key, then other names for it.
     fn keys(&self) -> impl Iterator<Item = &str>;
 }
 
-/// Whether a text can only be a key: one word, and so no equation.
+/// Returns whether a text can only be a key: one word, and so not an equation.
 ///
 /// # Examples
 /// ```
@@ -35,7 +35,7 @@ pub struct NamedParameter {
     pub default: &'static str,
     /// Its unit: `1` for pure numbers, empty where the equation leaves all units open.
     pub unit: &'static str,
-    /// What it stands for.
+    /// Meaning of the parameter.
     pub meaning: &'static str,
 }
 
@@ -47,9 +47,9 @@ pub struct NamedParameter {
     known.join(", ")
 )]
 pub struct UnknownKey {
-    /// What was looked for: `oscillator`, `system`, `formula` or `approximate motion`.
+    /// The kind: `oscillator`, `system`, `formula` or `approximate motion`.
     pub kind: &'static str,
-    /// What was asked for, shortened.
+    /// The key given, shortened.
     pub key: String,
     /// The nearest keys and other names there are.
     pub near: Vec<String>,

@@ -1,5 +1,5 @@
-//! What text means as a quantity, exact numbers and the rings over them, truncated power series, roots, quadrature, small linear algebra, and
-//! expressions with their tapes: the part of `libration` that knows no physics. The crate `libration` re-exports its modules.
+//! Quantities as text, exact numbers and the rings over them, truncated power series, roots, quadrature, small linear algebra, and expressions with
+//! their tapes: the part of `libration` that contains no physics. The crate `libration` re-exports its modules.
 
 pub mod algebra;
 pub mod catalogue;

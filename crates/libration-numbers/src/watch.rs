@@ -1,25 +1,25 @@
-//! Whether a long call may go on, and how far it is.
+//! Cancellation and progress of long calls.
 //!
-//! Every call that may take long has a variant that ends in `_watched` and takes a [`Watch`], which it asks again and again,
-//! at least once in each step of an integration, order of an expansion or piece of a catalogue. Once it has been answered
-//! with `Break` it asks no more, and gives what is done or an error that says [`Interrupted`].
+//! Every call that may take long has a variant that ends in `_watched` and takes a [`Watch`], which it consults at least once in each step of an
+//! integration, order of an expansion or piece of a catalogue. Once the watch has returned `Break` it is not consulted again, and the call returns
+//! its partial result or the error [`Interrupted`].
 
 use std::cell::Cell;
 use std::fmt;
 use std::ops::ControlFlow;
 
-/// How far a long call is.
+/// Progress of a long call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// What is being done.
+    /// The current stage.
     pub stage: Stage,
-    /// How many points, values, orders … of this stage are done.
+    /// Number of points, values, orders … of this stage that are done.
     pub done: usize,
-    /// Of how many, where that is known.
+    /// Total number, where it is known.
     pub of: Option<usize>,
 }
 
-/// What is being done, in calls that do several things.
+/// Stage of a call that does several things.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -44,17 +44,17 @@ pub enum Stage {
     Check,
     /// The motion asked for, 0, or another one beside it.
     Motion {
-        /// Which one.
+        /// The number of the motion.
         number: usize,
     },
 }
 
-/// A long call was told to stop.
+/// A long call was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the computation was interrupted")]
 pub struct Interrupted;
 
-/// Whom a long call asks whether it may go on.
+/// Cancellation and progress of a long call.
 pub struct Watch<'w> {
     asked: Asked<'w>,
     progress: Cell<Progress>,
@@ -93,24 +93,24 @@ impl<'w> Watch<'w> {
         Watch::asking(Asked::Whole(self))
     }
 
-    /// Begins a stage of so many pieces.
+    /// Begins a stage with a number of pieces.
     pub fn begin(&self, stage: Stage, of: Option<usize>) {
         self.progress.set(Progress { stage, done: 0, of });
     }
 
-    /// So many pieces of the stage are done: may the call go on?
+    /// Records the number of finished pieces of the stage, and consults the caller.
     ///
     /// # Errors
-    /// It may not.
+    /// [`Interrupted`] if the call was cancelled.
     pub fn reached(&self, done: usize) -> Result<(), Interrupted> {
         self.progress.set(Progress { done, ..self.progress.get() });
         self.go_on()
     }
 
-    /// May the call go on? Where it was told to stop nobody is asked again.
+    /// Consults the caller whether the call may continue; after a cancellation the caller is not consulted again.
     ///
     /// # Errors
-    /// It may not.
+    /// [`Interrupted`] if the call was cancelled.
     pub fn go_on(&self) -> Result<(), Interrupted> {
         if !self.stopped.get() {
             self.stopped.set(match self.asked {
@@ -132,7 +132,7 @@ impl<'w> Watch<'w> {
         if self.reached(done).is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
-    /// Whether the call was told to stop; nobody is asked.
+    /// Returns whether the call was cancelled, without consulting the caller.
     #[must_use]
     pub fn is_stopped(&self) -> bool {
         self.stopped.get()

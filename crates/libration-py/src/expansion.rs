@@ -25,7 +25,7 @@ enum Found {
     Letters { equation: Equation, expansion: Box<SymbolicExpansion> },
 }
 
-/// What is asked: an equation or a key, values of parameters, those that stay letters, the equilibrium.
+/// Arguments: an equation or a key, values of parameters, those that stay symbols, the equilibrium.
 #[derive(FromPyObject)]
 pub(crate) struct Question(String, Vec<(String, String)>, Vec<String>, Option<String>);
 

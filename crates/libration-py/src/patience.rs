@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use libration::watch::Progress;
 use pyo3::prelude::*;
 
-/// So often the interpreter is asked; it may be busy with another thread.
+/// Interval at which the interpreter is consulted; it may be busy with another thread.
 const INTERVAL: Duration = Duration::from_millis(20);
 
-/// Whom a long call asks whether it may go on.
+/// Cancellation and progress of a long call.
 pub(crate) struct Patience {
-    /// A function that is told how far the call is, or None.
+    /// A function that is called with the progress, or `None`.
     progress: Option<Py<PyAny>>,
     /// The thread that has called: the interpreter hears of signals on no other.
     caller: ThreadId,
@@ -31,17 +31,17 @@ impl Patience {
         Self { progress, caller: current().id(), state: Mutex::new(state) }
     }
 
-    /// Whether the call may go on; how much is done, and of how much, is told from time to time.
+    /// Returns whether the call may continue, and reports its progress at intervals.
     pub(crate) fn go_on(&self, progress: Progress) -> ControlFlow<()> {
         self.ask(INTERVAL, |py, tell| tell.call1(py, (progress.done, progress.of)).map(drop))
     }
 
-    /// Whether the call may go on; nothing is told.
+    /// Returns whether the call may continue, without reporting progress.
     pub(crate) fn lasts(&self) -> bool {
         self.ask(INTERVAL, |_, _| Ok(())).is_continue()
     }
 
-    /// Tells how far the call is, in words.
+    /// Reports the progress of the call in words.
     pub(crate) fn tell(&self, how_far: &str) {
         // Whether it may go on it asks soon enough.
         let _ = self.ask(Duration::ZERO, |py, tell| tell.call1(py, (how_far,)).map(drop));
@@ -73,7 +73,7 @@ impl Patience {
         }
     }
 
-    /// What has stopped the call: `KeyboardInterrupt`, or what the function of the progress has raised.
+    /// The exception that has stopped the call: `KeyboardInterrupt`, or the one that the function of the progress has raised.
     pub(crate) fn stopped_by(&self) -> Option<PyErr> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).stopped_by.take()
     }

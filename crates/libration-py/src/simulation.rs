@@ -16,8 +16,8 @@ use pyo3::prelude::*;
 use crate::errors::{SimulationError, refusal};
 use crate::patience::Patience;
 
-/// What is asked: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends
-/// the motion, the tolerance.
+/// Arguments: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends the motion,
+/// the tolerance.
 #[derive(FromPyObject)]
 pub(crate) struct Question(
     String,
@@ -99,7 +99,7 @@ impl Asked {
     fn followed(&self, times: &[f64], patience: &Patience) -> Followed {
         /// Bytes that any machine with a notebook has.
         const MOST: usize = 1_000_000_000;
-        /// Of a step, about: it has as many for each number of the state, and itself and what manages its memory take as much as one.
+        /// Numbers in a step, about, for each component of the state; the step itself and the management of its memory take as much as one component.
         const TERMS: usize = 30;
         let numbers = TERMS * (self.start.state.len() + 1);
         let (mut steps, mut is_full) = (0_usize, false);
@@ -128,11 +128,11 @@ impl Asked {
 struct Followed {
     outcome: Result<Solution, IntegrationError>,
     dense: [DenseSolution; 2],
-    /// Whether it was ended since its steps take too much memory.
+    /// `true` if it was ended because its steps take too much memory.
     is_full: bool,
 }
 
-/// Of a thousand parts of the time.
+/// Progress in thousandths of the time.
 fn progress(time: f64, span: f64) -> Progress {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a thousand")]
     let done = (1000.0 * (time / span).clamp(0.0, 1.0)) as usize;

@@ -74,7 +74,7 @@ pub(crate) fn sweep_plan(
 /// A row of numbers for each point, the statuses, the messages.
 type Answers<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>, Vec<String>);
 
-/// What is kept of the answers of a chunk; `go_on` is called from time to time with two arguments, and ends it by raising.
+/// The selected results of a chunk; `go_on` is called at intervals with two arguments, and ends the computation by raising.
 #[pyfunction]
 #[pyo3(signature = (plan, chunk, go_on=None))]
 pub(crate) fn sweep_chunk<'py>(

@@ -1,8 +1,8 @@
 //! NumPy's universal functions over batches of the library, and the only unsafe code of this crate.
 //!
-//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the
-//! stack, calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that
-//! are the inputs, or lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
+//! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the stack,
+//! calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that are the inputs, or
+//! lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
 #![expect(unsafe_code, reason = "loops over NumPy's arrays, and the flags of floating-point exceptions")]
 
 #[cfg(target_arch = "x86_64")]
@@ -24,7 +24,7 @@ pub(crate) type Batch<const N: usize, const M: usize> =
 const BLOCK: usize = 2048;
 /// For calls with no more, which shall not clear so much memory: six arrays take 2 µs, as much as 160 elements of `ellipj`.
 const MIDDLE_BLOCK: usize = 256;
-/// As many as a call for one number or a few shall prepare.
+/// Block for calls with one number or a few.
 const SMALL_BLOCK: usize = 8;
 
 /// The batch as an `np.ufunc` with loops for `float32` and `float64`.
@@ -141,11 +141,11 @@ impl Strided {
     }
 }
 
-/// What NumPy calls.
+/// Loop that NumPy calls.
 ///
 /// # Safety
-/// `data` is a `Batch<N, M>`. `arguments` and `steps` have N + M entries, `dimensions` one, the count; each array has as many elements of type `T` from its argument on, its
-/// step apart, and the last M may be written.
+/// `data` is a `Batch<N, M>`. `arguments` and `steps` have N + M entries, `dimensions` one, the count; each array has as many elements of type `T`
+/// from its argument on, its step apart, and the last M may be written.
 unsafe extern "C" fn inner_loop<T: Number, const N: usize, const M: usize>(
     arguments: *mut *mut c_char,
     dimensions: *mut npy_intp,
@@ -210,7 +210,7 @@ unsafe fn blocks<T: Number, const N: usize, const M: usize, const SIZE: usize>(
     invalid
 }
 
-/// Whether an element is NaN in any output and in no input.
+/// Returns whether an element is NaN in any output and in no input.
 fn has_new_nan<const N: usize, const M: usize, const SIZE: usize>(
     inputs: &[[f64; SIZE]; N],
     outputs: &[[f64; SIZE]; M],
@@ -277,7 +277,7 @@ impl Flags {
     }
 }
 
-/// What NumPy shows as "invalid value encountered".
+/// Raises the flag that NumPy shows as "invalid value encountered".
 fn raise_invalid() {
     black_box(black_box(f64::INFINITY) - black_box(f64::INFINITY));
 }

@@ -11,7 +11,7 @@ pub fn error(state: &[f64], row: Row) -> f64 {
     state.iter().zip(&truths).map(distance).fold(0.0, f64::max)
 }
 
-/// By how much a rounding has grown on the way, over the rows of one case after the other.
+/// Growth of a rounding error on the way, over the rows of one case after the other.
 #[derive(Debug, Default)]
 pub struct Growth {
     case: String,
@@ -19,7 +19,7 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// What a rounding has come to until this row. What is lost on the way may shrink until the end.
+    /// Size of a rounding error up to this row: the largest so far, since the error on the way may shrink until the end.
     pub fn until(&mut self, case: &str, row: Row) -> f64 {
         let here = row.input("sensitivity");
         let largest = if self.case == case { self.largest.max(here) } else { here };

@@ -1,4 +1,4 @@
-//! Where the sources of a crate contain tests: a library that is not compiled for tests would leave them out silently.
+//! Search for tests in the sources of a crate: a library that is not compiled for tests would leave them out silently.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! How much of a sweep a test runs: a fixed part of it with a fixed seed by default, all of it in the long run, there with fresh seeds too.
+//! Extent of the sweep that a test runs: a fixed part of it with a fixed seed by default, all of it in the long run, there with fresh seeds too.
 //!
 //! | variable | does |
 //! |---|---|
@@ -9,7 +9,7 @@
 
 use core::ops::Range;
 
-/// Whether all cases are run.
+/// Returns whether all cases are run.
 pub fn is_full() -> bool {
     std::env::var("LIBRATION_SWEEP").is_ok_and(|extent| extent == "full")
 }
@@ -19,11 +19,11 @@ pub fn number<T>(usual: T, full: T) -> T {
     if is_full() { full } else { usual }
 }
 
-/// The test's own seed, mixed with `LIBRATION_SEED` where that is set. Says on the standard error, which is shown of a test that fails,
-/// how the run is repeated.
+/// The test's own seed, mixed with `LIBRATION_SEED` where that is set. Prints on the standard error, which is shown of a test that fails, how the run
+/// is repeated.
 ///
 /// # Panics
-/// `LIBRATION_SEED` is no decimal number below 2⁶⁴.
+/// `LIBRATION_SEED` is not a decimal number below 2⁶⁴.
 pub fn seed(own: u64) -> u64 {
     let Ok(text) = std::env::var("LIBRATION_SEED") else {
         eprintln!("seed {own}, the test's own");
@@ -42,12 +42,12 @@ fn mixed(own: u64, given: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The first case, every so many after it, and the last; all of them in the full run.
+/// The first case, every `step`-th one after it, and the last; all of them in the full run.
 pub fn part<T>(cases: impl IntoIterator<Item = T>, step: usize) -> Vec<T> {
     part_and(cases, step, |_| false)
 }
 
-/// As [`part`], and the cases at seams, where a fault is likeliest.
+/// The cases of [`part`], and those at seams, where a fault is likeliest.
 pub fn part_and<T>(
     cases: impl IntoIterator<Item = T>,
     step: usize,

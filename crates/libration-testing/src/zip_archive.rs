@@ -13,7 +13,7 @@ pub struct Packed {
     pub method: u16,
     /// The cyclic redundancy check.
     pub checksum: u32,
-    /// Of the bytes before they were packed.
+    /// Number of bytes before they were packed.
     pub size: u32,
     /// The bytes as they stand in the archive.
     pub bytes: Vec<u8>,
@@ -44,7 +44,7 @@ impl Packed {
         Self { method: 8, bytes: packed, ..Self::stored(name, bytes) }
     }
 
-    /// What the local header and the directory both say, up to the lengths of the name and the further fields.
+    /// Common part of the local header and the directory, up to the lengths of the name and the further fields.
     fn common(&self, is_local: bool) -> Vec<u8> {
         let later = is_local && self.flags & Self::DESCRIPTOR != 0;
         let numbers = [self.checksum, self.packed_size(), self.size];
@@ -93,7 +93,7 @@ pub fn archive(files: &[Packed]) -> Vec<u8> {
     with_directory(bytes, &directory, files.len())
 }
 
-/// The directory behind local files, and that it lists so many.
+/// Local files with a directory after them, which states a number of entries.
 pub fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> Vec<u8> {
     let place = u32::try_from(files.len()).unwrap().to_le_bytes();
     let size = u32::try_from(directory.len()).unwrap().to_le_bytes();

@@ -8,7 +8,7 @@ use libration::taylor::{Ensemble, Moment};
 use libration_web::exchange::exchange;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// What is followed.
+/// Ensemble that is being integrated.
 struct Followed {
     ensemble: Ensemble,
     bodies: Option<Bodies>,
@@ -69,7 +69,7 @@ pub extern "C" fn advance(time: f64) {
     }
 }
 
-/// Where the bodies are in these states: of each motion, of each body, its place and that on which it hangs, each to the right and upwards.
+/// Positions of the bodies in these states: of each motion, of each body, its place and that on which it hangs, each to the right and upwards.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn bodies() {

@@ -12,11 +12,11 @@ use std::time::Duration;
 #[derive(Debug)]
 pub(crate) struct PageHost {
     files: BTreeMap<PathBuf, Vec<u8>>,
-    /// When the page is asked again whether the question may go on.
+    /// Time at which the page is next asked whether the command may continue.
     due: Mutex<Duration>,
 }
 
-/// Between two times that it is asked.
+/// Interval between two times that it is asked.
 const PAUSE: Duration = Duration::from_millis(50);
 
 impl PageHost {

@@ -11,7 +11,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, Once, PoisonError};
 
-/// What the page has given for the next question.
+/// Input that the page has given for the next command.
 #[derive(Debug, Default)]
 struct Given {
     words: Vec<OsString>,

@@ -1,4 +1,4 @@
-//! What the page can be told, and asked.
+//! Functions that the page provides: output, progress, and cancellation.
 #![expect(unsafe_code, reason = "functions of the page, which read the memory that they are given")]
 
 #[cfg_attr(target_arch = "wasm32", link(wasm_import_module = "page"))]
@@ -33,7 +33,7 @@ pub(crate) fn note(sentence: &str) {
     unsafe { page_note(sentence.as_ptr(), sentence.len()) }
 }
 
-/// How far long work is; nothing when it has ended.
+/// Progress of long work; empty when it has ended.
 pub(crate) fn progress(how_far: &str) {
     // SAFETY: as above.
     unsafe { page_progress(how_far.as_ptr(), how_far.len()) }
@@ -45,7 +45,7 @@ pub(crate) fn error(json: &str) {
     unsafe { page_error(json.as_ptr(), json.len()) }
 }
 
-/// What a panic says, which ends the module.
+/// Message of a panic, which ends the module.
 pub(crate) fn fault(reason: &str) {
     // SAFETY: as above.
     unsafe { page_fault(reason.as_ptr(), reason.len()) }
@@ -57,12 +57,12 @@ pub(crate) fn written(name: &str, bytes: &[u8]) {
     unsafe { page_written(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
 }
 
-/// Whether the question may go on: the page looks at what it was told meanwhile, which takes a moment.
+/// Returns whether the command may continue: the page handles the messages that it has received meanwhile, which takes a moment.
 pub(crate) fn goes_on() -> bool {
     page_goes_on() != 0
 }
 
-/// Since 1970.
+/// Milliseconds since 1970.
 pub(crate) fn milliseconds() -> f64 {
     page_milliseconds()
 }

@@ -2,14 +2,14 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What lies there.
+/// Contents of the exchange.
 #[derive(Debug)]
 pub struct Exchange {
     /// From the page: a text in UTF-8, or the bytes of a file.
     pub given: Vec<u8>,
     /// For the page.
     pub numbers: Vec<f64>,
-    /// For the page: a text, or why there is no answer.
+    /// For the page: a text, or the reason why there is no result.
     pub text: String,
 }
 
@@ -41,7 +41,7 @@ impl Exchange {
     }
 }
 
-/// Makes room for so many bytes of the page, and tells where.
+/// Makes room for a number of bytes of the page, and returns their address.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
@@ -51,28 +51,28 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     exchange.given.as_mut_ptr()
 }
 
-/// Where the numbers are.
+/// Address of the numbers.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn numbers() -> *const f64 {
     exchange().numbers.as_ptr()
 }
 
-/// How many there are.
+/// Number of the numbers.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn numbers_count() -> usize {
     exchange().numbers.len()
 }
 
-/// Where the text is.
+/// Address of the text.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
     exchange().text.as_ptr()
 }
 
-/// How many bytes it has.
+/// Number of bytes of the text.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn text_length() -> usize {

@@ -5,11 +5,11 @@ use libration::pendulum::{ApproximateMotion, Motion, Pendulum, PendulumError, Re
 use libration::quantity::Angle;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What is shown.
+/// Motion that is shown.
 struct Shown {
     pendulum: Pendulum,
     motion: Motion,
-    /// That approximate motions need, or why there are none.
+    /// The amplitude that approximate motions need, or the reason why there is none.
     amplitude: Result<f64, String>,
 }
 
@@ -19,16 +19,16 @@ fn shown() -> MutexGuard<'static, Option<Shown>> {
     SHOWN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Leaves numbers of what is shown.
+/// Leaves numbers of the motion that is shown.
 fn answer(of: impl FnOnce(&Shown) -> Result<Vec<f64>, String>) -> bool {
     let answer = shown().as_ref().ok_or("no motion is shown".to_owned()).and_then(of);
     exchange().answer(answer)
 }
 
-/// Takes the motion of a pendulum of this length in m, under this gravity in m/s², that passes the angle of the text with this velocity
-/// in rad/s at t = 0. Of the motion: regime (0 rest, 1 upright rest, 2 libration, 3 separatrix, 4 rotation), period and small-angle period
-/// in s, amplitude and its complement in rad, energy over 2mgl, the same less 1, energy over ml² in rad²/s², angular frequency of small swings in rad/s.
-/// Where there is none, the text is the quantity that is wrong (angle, length, gravity, velocity) and, on the lines after it, the reason.
+/// Takes the motion of a pendulum of this length in m, under this gravity in m/s², that passes the angle of the text with this velocity in rad/s at t
+/// = 0. Of the motion: regime (0 rest, 1 upright rest, 2 libration, 3 separatrix, 4 rotation), period and small-angle period in s, amplitude and its
+/// complement in rad, energy over 2mgl, the same less 1, energy over ml² in rad²/s², angular frequency of small swings in rad/s. Where there is none,
+/// the text is the quantity that is wrong (angle, length, gravity, velocity) and, on the lines after it, the reason.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn launch(length: f64, gravity: f64, velocity: f64) -> bool {
@@ -106,14 +106,14 @@ pub extern "C" fn state(time: f64) -> bool {
     })
 }
 
-/// So many times, `step` apart.
+/// A number of times, `step` apart.
 fn times(first: f64, step: f64, count: u32) -> Vec<f64> {
     /// More than any picture has points.
     const MOST: u32 = 1 << 20;
     (0..count.min(MOST)).map(|n| first + f64::from(n) * step).collect()
 }
 
-/// The unwrapped angles, then the velocities, at so many times, `step` apart.
+/// The unwrapped angles, then the velocities, at `count` times, `step` apart.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn states(first: f64, step: f64, count: u32) -> bool {
@@ -126,7 +126,7 @@ pub extern "C" fn states(first: f64, step: f64, count: u32) -> bool {
     })
 }
 
-/// The angles of an approximate motion, by its place in the catalogue, at so many times, `step` apart; only after a release at rest.
+/// The angles of an approximate motion, by its index in the catalogue, at `count` times, `step` apart; only after a release at rest.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32) -> bool {
@@ -141,8 +141,8 @@ pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32)
     })
 }
 
-/// The harmonics that are not below a tolerance in rad, so many at most: fundamental angular frequency, mean velocity, epoch, then n, coefficient of
-/// the angle and of the velocity of each.
+/// The harmonics that are not below a tolerance in rad, at most `limit` of them: fundamental angular frequency, mean velocity, epoch, then n,
+/// coefficient of the angle and of the velocity of each.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
 pub extern "C" fn harmonics(tolerance: f64, limit: usize) -> bool {

@@ -1,4 +1,4 @@
-//! Which formula for the period is good enough at 40°?
+//! Choice of a formula for the period that is good enough at 40°.
 //!
 //!     cargo run --release -p libration --example which_formula
 #![expect(clippy::print_stdout, reason = "an example shows its answer")]

@@ -30,7 +30,7 @@ fn answer(systems: &mut Systems, request: &Request) -> Result<Answer, Failure> {
     Ok(answer)
 }
 
-/// A system that has taken so many steps that there is machine code for it.
+/// A system that has taken enough steps to be compiled to machine code.
 fn prepared(request: &Request) -> Result<System, Failure> {
     const STEPS: usize = 20_000;
     let system = system(&request.case)?;

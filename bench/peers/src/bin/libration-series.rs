@@ -126,7 +126,7 @@ fn passes(task: &Task) -> Result<Timed, Box<dyn Error>> {
     Ok((Some(seconds), check))
 }
 
-/// As many runs as make [`PASS_SECONDS`].
+/// Number of runs that take at least [`PASS_SECONDS`].
 fn runs_per_pass(task: &Task) -> Result<u32, Box<dyn Error>> {
     let mut runs = 1;
     loop {

@@ -1,4 +1,4 @@
-//! What is left of a driven oscillator without its drive and its velocity.
+//! Backbone curve: the free oscillations of a driven oscillator, without its drive and without velocities in its force.
 
 use libration_motion::orbit::Orbit;
 use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};

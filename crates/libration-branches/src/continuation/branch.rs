@@ -11,16 +11,16 @@ use super::units::{difference, in_units, largest_swing};
 use libration_motion::internals::periodic::turns_in;
 use libration_numbers::roots::{Tolerance, bisect};
 
-/// Periodic motions one behind the other, as a parameter changes.
+/// A branch of periodic orbits over one parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// Where it comes from.
+    /// Origin of the branch.
     pub origin: Origin,
-    /// How its motions repeat themselves.
+    /// Space of the orbits: the period and the symmetry with which they repeat themselves.
     pub space: Space,
-    /// In their order along the branch; of a closed one the last is the first.
+    /// Points in their order along the branch; of a closed branch the last is the first.
     pub points: Vec<BranchPoint>,
-    /// In the same order.
+    /// Special points in the same order.
     pub special: Vec<SpecialPoint>,
     /// The reason for which the branch does not go on before the first point.
     pub beginning: Ending,
@@ -30,7 +30,7 @@ pub struct Branch {
     pub unresolved: Vec<[f64; 2]>,
 }
 
-/// Where a branch comes from.
+/// Origin of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A motion at an end of the range.
@@ -45,16 +45,16 @@ pub enum Origin {
     Meeting,
 }
 
-/// Why a branch goes on no farther.
+/// Reason why a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// It leaves the range of the parameter.
+    /// The branch leaves the range of the parameter.
     RangeEnd,
-    /// It has come back to where it began.
+    /// The branch has come back to its first point.
     Closed,
-    /// It ends in another branch, of which it is one side.
+    /// The branch ends at a branch point on another branch, of which it is one side.
     BranchPoint,
-    /// It ends at a Hopf point, in a state of rest.
+    /// The branch ends at a Hopf point, in a state of rest.
     Rest,
     /// It has as many points as were allowed.
     PointLimit,
@@ -69,7 +69,7 @@ pub enum Ending {
     Interrupted,
 }
 
-/// How far a branch is followed.
+/// Limits up to which a branch is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Limits {
     /// The ends of the range, the lower first.
@@ -86,11 +86,11 @@ const FIRST: f64 = 0.02;
 const SHORT: f64 = 0.01;
 /// The shortest step to which steps are halved to establish that no special points are passed unseen.
 const RESOLVED: f64 = 2e-4;
-/// A motion so many times as large as the first one, and as a unit, ends a branch.
+/// A branch ends at an orbit larger than this multiple of its first one's size (at least one unit).
 const UNBOUNDED: f64 = 1e9;
 /// A step whose guess is farther off than this part of it may have come to another branch.
 const FAR: f64 = 0.2;
-/// A product of all multipliers less one that is no more than this is that of a crossing at the end of the range.
+/// Largest magnitude of the test for a multiplier +1 that counts as a crossing at the end of the range.
 const CROSSES: f64 = 1e-6;
 /// The largest angle between the directions at both ends, and the one that is meant.
 const TURNS: [f64; 2] = [0.35, 0.14];
@@ -109,7 +109,7 @@ pub(super) struct Walk<'a> {
     last: f64,
     /// The size of the first motion, at least one.
     scale: f64,
-    /// Where it meets the branch it is a side of.
+    /// The place where the branch meets the one of which it is a side.
     meeting: Option<Meeting>,
     /// The Hopf point in which it ends.
     hopf: Option<SpecialPoint>,
@@ -329,7 +329,7 @@ impl<'a> Walk<'a> {
         Node::new(&self.corrector, corrected, &self.at().direction, units)
     }
 
-    /// Whether a multiplier comes to +1 where these tests are, which it has not been all along.
+    /// Returns whether the test for a multiplier +1 vanishes here and does not vanish at the last node.
     fn comes_to_crossing(&self, tests: &Tests) -> bool {
         self.at().tests.branching.abs() > CROSSES && tests.branching.abs() <= CROSSES
     }

@@ -15,16 +15,16 @@ use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::watch::{Stage, Watch};
 
-/// What is asked of a chart.
+/// Options of a stability chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartOptions {
     /// The state of rest, or that from which driven motions are looked for; where all numbers are zero, if there is none.
     pub start: Option<Vec<f64>>,
-    /// How many periods of the drive an answer takes.
+    /// Number of drive periods after which a motion repeats itself.
     pub drive_periods: u32,
-    /// How many times one after the other branches may lose their symmetry or double their period.
+    /// Maximum depth of secondary branches (symmetry breaking, period doubling).
     pub generations: usize,
-    /// On so many lines across each parameter driven motions are followed, whose singular points the curves begin with.
+    /// Number of lines across each parameter on which driven motions are followed; the curves begin at their singular points.
     pub lines: u32,
     /// Points of one curve each way.
     pub most_points: usize,
@@ -43,7 +43,7 @@ pub struct StabilityChart {
     pub rest: Option<RestStability>,
     /// The edges at rest, then the curves of driven motions.
     pub curves: Vec<SpecialCurve>,
-    /// Whether the watch ended it before all was followed.
+    /// `true` if the computation was cancelled before all curves were followed.
     pub interrupted: bool,
 }
 
@@ -88,7 +88,7 @@ impl StabilityChart {
         Self::over_watched(equation, parameters, ranges, options, &Watch::none())
     }
 
-    /// As [`over`](Self::over); `watch` is asked at each step. Where it stops what is there until then is given.
+    /// Computes the same as [`over`](Self::over); `watch` is called at each step. A cancelled call returns the curves found until then.
     ///
     /// # Errors
     /// As [`over`](Self::over).
@@ -117,7 +117,7 @@ impl StabilityChart {
 
 impl StabilityChart {
     /// Ranges of the second parameter in which rest is stable at the least value of the first, 0, or at its greatest, 1: between the ends of the
-    /// edges there. `None` where the start is no rest.
+    /// edges there. `None` where the start is not a state of rest.
     #[must_use]
     pub fn rest_is_stable_at(&self, end: usize) -> Option<Vec<[f64; 2]>> {
         Some(self.rest.as_ref()?.at_ends[end.min(1)].clone())
@@ -146,7 +146,7 @@ impl Survey<'_> {
         Space::of_periods(self.options.drive_periods)
     }
 
-    /// Whether the start stays where it is, at some values of the parameters and of the time.
+    /// Returns whether the start is an equilibrium, by trying some values of the parameters and of the time.
     fn is_at_rest(&self) -> bool {
         const SAME: f64 = 1e-11;
         const PARTS: [[f64; 2]; 3] = [[0.1, 0.35], [0.52, 0.77], [0.93, 0.61]];
@@ -196,16 +196,16 @@ impl Survey<'_> {
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(kind))
     }
 
-    /// Whether an edge that was followed from one crossing goes through another one, and the test rises to the same side of it.
+    /// Returns whether an edge followed from one crossing goes through another one, with the test rising to the same side of it.
     fn is_same(&self, edge: &SpecialCurve, crossings: [&Crossing; 2]) -> bool {
-        /// Of the ranges: what straight lines between points miss.
+        /// Largest distance, in parts of the ranges: the error of straight lines between points.
         const SAME: f64 = 2e-3;
         let [[off, first], [near, other]] = crossings.map(|it| self.side(edge, it));
         let same_test = crossings[0].test == crossings[1].test;
         same_test && off.is_finite() && near <= SAME && (first > 0.0) == (other > 0.0)
     }
 
-    /// How far an edge passes from a crossing, and on which side of it, seen along the edge, the test rises.
+    /// Distance of an edge from a crossing, in parts of the ranges, and a number that is positive if the test rises to the left of the edge.
     fn side(&self, edge: &SpecialCurve, crossing: &Crossing) -> [f64; 2] {
         let widths = self.ranges.map(|[low, high]| high - low);
         let relative = |it: &CurvePoint| {
@@ -287,9 +287,9 @@ impl Survey<'_> {
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(seed.kind))
     }
 
-    /// Whether a curve of its kind goes through a seed: on the line where this was found it has the same parameters there.
+    /// Returns whether a curve of the same kind goes through a seed, that is, has the same parameters on the line on which the seed was found.
     fn is_on(&self, curve: &SpecialCurve, seed: &Seed, fixed: usize) -> bool {
-        /// Of the range: what straight lines between points miss.
+        /// Largest distance, in parts of the range: the error of straight lines between points.
         const SAME: f64 = 2e-3;
         let values = |it: &CurvePoint| [it.point.parameter, it.second];
         let (here, open) = ([seed.point.parameter, seed.second], 1 - fixed);
@@ -307,7 +307,7 @@ impl Survey<'_> {
     }
 }
 
-/// What vanishes at a singular point that makes a curve.
+/// Test function that vanishes at a singular point; `None` for kinds that make no curve.
 fn test_of(kind: SpecialKind) -> Option<Test> {
     match kind {
         SpecialKind::Fold => Some(Test::Branching),

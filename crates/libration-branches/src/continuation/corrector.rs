@@ -10,7 +10,7 @@ pub(super) struct Corrected {
     /// The unknowns of the motion, then the parameter.
     pub(super) place: Vec<f64>,
     pub(super) image: Image,
-    /// How far the first guess was off, in units.
+    /// Size of the first Newton correction, in units.
     pub(super) first: f64,
     /// The change of the map with the place, as a part of its norm for each unit.
     pub(super) map_slope: f64,
@@ -22,16 +22,16 @@ pub(super) struct Corrected {
 const MOST_ROUNDS: usize = 12;
 /// A last correction below this is made, and nothing more is to be gained: its square is below the rounding.
 const CLOSE: f64 = 3e-9;
-/// What no longer shrinks is rounding if it is below this.
+/// A correction that no longer shrinks counts as rounding if it is below this.
 const ROUNDING: f64 = 1e-9;
 
-/// Of a family in one space, with the sizes in which states and the parameter are measured.
+/// Newton corrector of a family in one space.
 #[derive(Clone, Debug)]
 pub(super) struct Corrector<'a> {
     pub(super) family: &'a Family<'a>,
     pub(super) space: Space,
     pub(super) tolerance: f64,
-    /// Derivatives are taken from before the last correction where that is no larger, which changes them by as much.
+    /// Largest last correction, in units, after which the derivatives from before it are kept: they change by about as much.
     pub(super) stale: f64,
 }
 
@@ -97,8 +97,8 @@ impl Corrector<'_> {
     }
 }
 
-/// Whether a motion closes up to the rounding of its state. No correction makes it better, and at a state of rest where other motions branch
-/// off the correction of a rounding error has no bound.
+/// Returns whether an orbit closes up to the rounding of its state. No correction improves it, and at a state of rest where other branches begin the
+/// correction of a rounding error has no bound.
 fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
     const ROUNDINGS: f64 = 4.0;
     let largest =

@@ -24,17 +24,17 @@ pub struct CurvePoint {
 /// Singular motions of one kind over two parameters, one behind the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpecialCurve {
-    /// What happens on it.
+    /// Kind of the singular points on the curve.
     pub kind: SpecialKind,
-    /// Whether the motion is the rest: then the curve is an edge of its stability, or of one of its multipliers.
+    /// `true` if the motion is the state of rest: then the curve is an edge of its stability, or of one of its multipliers.
     pub at_rest: bool,
-    /// How its motions repeat themselves.
+    /// Space of the orbits: the period and the symmetry with which they repeat themselves.
     pub space: Space,
-    /// In their order; of a closed curve the last is the first.
+    /// Points in their order; of a closed curve the last is the first.
     pub points: Vec<CurvePoint>,
-    /// Where two folds meet and end, seen from the parameters.
+    /// Cusps: points at which two folds meet and end, in the plane of the parameters.
     pub cusps: Vec<CurvePoint>,
-    /// Why it ends, before the first point and behind the last.
+    /// Reasons why the curve ends before its first point and after its last.
     pub endings: [Ending; 2],
 }
 
@@ -184,7 +184,7 @@ impl<'a> Trace<'a> {
     fn corrected(&self, guess: &[f64], across: &[f64]) -> Option<Vec<f64>> {
         const MOST_ROUNDS: usize = 16;
         const NEAR: f64 = 1e-3;
-        /// Of units: some roundings.
+        /// Largest remaining correction, in units: some roundings.
         const DONE: f64 = 3e-15;
         const ROUNDING: f64 = 1e-9;
         let mut place = guess.to_vec();
@@ -242,7 +242,7 @@ impl<'a> Trace<'a> {
         Some(Spot { tangent, point: CurvePoint { point, second }, place })
     }
 
-    /// What the values miss, and what another tolerance and the rounding of the unknowns change, as parameters across the curve.
+    /// Error of the parameters across the curve, from the residuals, a second tolerance of the integration and the rounding of the unknowns.
     fn error(&self, place: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
         let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
         let rounding =
@@ -306,7 +306,7 @@ impl<'a> Trace<'a> {
         self.spot(place, &self.at().tangent)
     }
 
-    /// Whether the way to a spot goes through the first one in the same direction.
+    /// Returns whether the step to a spot goes through the first one in the same direction.
     fn closes(&self, next: &Spot, length: f64) -> bool {
         if self.spots.len() < 4 {
             return false;
@@ -321,14 +321,14 @@ impl<'a> Trace<'a> {
         near && side(&self.at().place) < 0.0 && side(&next.place) >= 0.0
     }
 
-    /// Whether the parameters go back on the way to a spot.
+    /// Returns whether the parameters turn back on the step to a spot.
     fn turns_back(&self, next: &Spot) -> bool {
         let product =
             |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).rev().take(2).map(|(a, b)| a * b).sum() };
         self.singular.rest.is_none() && product(&self.at().tangent, &next.tangent) < 0.0
     }
 
-    /// Where they turn back: the direction along the curve is one of the state alone.
+    /// The spot at which the parameters turn back: there the tangent of the curve has components of the state alone.
     fn turning(&self, next: &Spot) -> Option<Spot> {
         const WIDTH: f64 = 1e-10;
         let (a, b) = (self.at(), next);
@@ -347,9 +347,9 @@ impl<'a> Trace<'a> {
         spot_at(zero_between(ends, Tolerance::absolute(WIDTH), value)?)
     }
 
-    /// Whether a motion belongs to a smaller space: there the curve goes back as its own image, half a period later or mirrored.
+    /// Returns whether a motion belongs to a smaller space: there the curve goes back as its own image, half a period later or mirrored.
     fn belongs_to_less(&self, spot: &Spot) -> bool {
-        /// Of the size of the motion.
+        /// Largest defect, in parts of the size of the motion.
         const SAME: f64 = 1e-3;
         const REST: f64 = 0.05;
         let Singular { family, space, rest, .. } = self.singular;

@@ -129,7 +129,7 @@ impl Family<'_> {
     }
 }
 
-/// How far two integrations to different tolerances end apart, in units.
+/// Largest difference between the ends of two integrations to different tolerances, in units.
 fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     let ends = image.defect.iter().zip(&motion.defect).zip(units);
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
@@ -144,8 +144,8 @@ pub(super) fn multipliers(
     map_error: f64,
 ) -> Option<Vec<(Complex, f64)>> {
     /// Variations are integrated together with the motion, to the same tolerance. The distance of multipliers from those of another integration, over
-    /// their stated errors, has the median 0.009, the quantile 0.99 of 0.12 and a maximum of about 1 in 12 110 of random oscillators; without this factor
-    /// some are beyond their errors.
+    /// their stated errors, has the median 0.009, the quantile 0.99 of 0.12 and a maximum of about 1 in 12 110 of random oscillators; without this
+    /// factor some are beyond their errors.
     const APART: f64 = 16.0;
     let map = image.return_map();
     let own = eigenvalues(map)?;

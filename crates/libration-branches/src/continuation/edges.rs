@@ -10,14 +10,14 @@ use libration_motion::orbit::Stability;
 use libration_numbers::internals::roots::other_sign_between;
 use libration_numbers::roots::{Tolerance, zero_between};
 
-/// Whether a state of rest is stable, on a grid over two parameters.
+/// Stability of a state of rest on a grid over two parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestStability {
     /// The values of the first parameter and of the second.
     pub values: [Vec<f64>; 2],
-    /// For each value of the second parameter, for each of the first; none where the motion cannot be followed.
+    /// `true` where rest is stable, for each value of the second parameter and each of the first; `None` where the motion cannot be followed.
     pub stable: Vec<Vec<Option<bool>>>,
-    /// Ranges of the second parameter in which it is stable, at the least value of the first and at its greatest.
+    /// Ranges of the second parameter in which rest is stable, at the least value of the first and at its greatest.
     pub at_ends: [Vec<[f64; 2]>; 2],
 }
 
@@ -96,7 +96,7 @@ impl<'a> Grid<'a> {
         Some((tests, stability != Stability::Unstable))
     }
 
-    /// Where tests vanish along the lines of the grid.
+    /// Zeros of the tests along the lines of the grid.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
         let tests = [Test::Branching, Test::Flip, Test::Torus];
         let lines = (0..2).flat_map(|along| (0..self.values[1 - along].len()).map(move |line| (along, line)));
@@ -120,7 +120,7 @@ impl<'a> Grid<'a> {
         let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
         let axis = &self.values[along];
         let crossing = |[from, to]: [(f64, f64); 2]| {
-            /// Of the distance: a place from which Newton's method goes on.
+            /// Width to which a zero is enclosed, in parts of the interval: small enough to start Newton's method.
             const WIDTH: f64 = 1e-6;
             let width = WIDTH * (to.0 - from.0).abs();
             let at = zero_between([from, to], Tolerance::absolute(width), value_at)?;

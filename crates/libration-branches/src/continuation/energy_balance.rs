@@ -1,4 +1,4 @@
-//! Which free oscillations a weak drive keeps up against the damping, and at which phases.
+//! Energy balance: the free oscillations that a weak drive maintains against the damping, and their phases.
 
 use super::backbone::undriven;
 use super::order::ResonanceOrder;
@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 pub(super) struct EnergyBalance {
     pub(super) equation: Equation,
     pub(super) free: Equation,
-    /// What the one has and the other has not.
+    /// Acceleration of the full equation minus that of the free one.
     rest: Tape,
     is_odd: bool,
     is_periodic: bool,
@@ -24,7 +24,7 @@ pub(super) struct EnergyBalance {
 /// Places of release with the frequencies of the free oscillations from there, in the order of the places, for each side of the bottom.
 pub(super) type Frequencies = Vec<Vec<(f64, f64)>>;
 
-/// What the rest does to a free oscillation over a whole number of periods of both.
+/// Work of drive and damping on a free oscillation over a whole number of periods of both.
 pub(super) enum Work {
     /// Nothing that depends on the phase.
     WithoutPhase,
@@ -35,7 +35,7 @@ pub(super) enum Work {
 }
 
 impl EnergyBalance {
-    /// Of one coordinate with its second derivative, all of whose parameters have values.
+    /// Returns the balance of an equation of second order with one coordinate and without open parameters; `None` for others.
     pub(super) fn new(equation: Equation) -> Option<Self> {
         let free = undriven(&equation)?;
         let place = Symbol::plain(&equation.variables()[0]);
@@ -72,7 +72,7 @@ impl EnergyBalance {
 
     /// The free oscillations of a frequency, each released from rest.
     pub(super) fn oscillations(&self, frequencies: &Frequencies, frequency: f64) -> Vec<Orbit> {
-        /// Near enough for what is a first guess.
+        /// Relative tolerance of the release, sufficient for a first guess.
         const CLOSE: f64 = 1e-4;
         let pairs = frequencies.iter().flat_map(|side| side.windows(2));
         let places = pairs.filter_map(|pair| {
@@ -99,7 +99,7 @@ impl EnergyBalance {
     /// The work of the rest over an oscillation that goes on by an order in a period of the drive.
     pub(super) fn work(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64) -> Work {
         const PHASES: u32 = 48;
-        /// Of the sum of the sizes: more than what the sums miss.
+        /// Smallest variation with the phase, in parts of the sum of the sizes; it exceeds the error of the sums.
         const NONE: f64 = 1e-7;
         let phase = |j: u32| drive_period * f64::from(j) / f64::from(PHASES);
         let values: Vec<[f64; 2]> =
@@ -122,7 +122,7 @@ impl EnergyBalance {
         Work::Balanced(zeros.map(|shift| orbit.state_at(shift)).collect())
     }
 
-    /// Of the oscillation that is so long ahead when the phase of the drive is zero; and the sum of the sizes.
+    /// Work on the oscillation that is `ahead` seconds ahead when the phase of the drive is zero, and the sum of the sizes of its terms.
     fn work_at(&self, orbit: &Orbit, order: ResonanceOrder, drive_period: f64, ahead: f64) -> [f64; 2] {
         const STEPS: u32 = 48;
         let steps = STEPS * (order.oscillations() + order.drive_periods());

@@ -1,10 +1,10 @@
-//! Why there is no branch of periodic motions.
+//! Errors of the search for branches of periodic orbits.
 
 use libration_motion::orbit::NoOrbit;
 use libration_numbers::expression::{EquationError, WithoutValue};
 use libration_numbers::watch::Interrupted;
 
-/// Why there is no branch of periodic motions.
+/// Reason why no branch of periodic orbits was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoBranch {
@@ -24,7 +24,7 @@ pub enum NoBranch {
         "orders are looked for from the free oscillations of one coordinate with its second derivative: these equations are others"
     )]
     NotOneOscillator,
-    /// Rotations of what is no angle.
+    /// A rotation of a coordinate that is not an angle.
     #[error(
         "the coordinate {0} does not go around: it is no angle, after whose turn the equations are the same"
     )]
@@ -37,7 +37,7 @@ pub enum NoBranch {
     NoRotation {
         /// The number of turns.
         turns: i32,
-        /// In so many periods of the drive.
+        /// The number of drive periods.
         drive_periods: u32,
     },
     /// Free motions that are not isolated.
@@ -56,7 +56,7 @@ pub enum NoBranch {
     /// A start outside of the range.
     #[error("the answers are looked for at {at:?}, which is outside of the range from {from:?} to {to:?}")]
     Outside {
-        /// Where they are looked for.
+        /// The value at which they are looked for.
         at: f64,
         /// One end.
         from: f64,

@@ -1,4 +1,4 @@
-//! Whether a step along a branch may have passed special points that its ends do not show.
+//! Test whether a step along a branch may have passed special points that its ends do not show.
 //!
 //! # Method
 //! The test functions are symmetric polynomials of the multipliers and the slope of the parameter, and so smooth along a branch. On a step each of
@@ -13,10 +13,10 @@
 use super::node::Tests;
 use super::special::Test;
 
-/// A multiple of the estimated error of interpolation that a test function must stay away from zero. The estimate is no bound: on the accepted steps of
-/// the random oscillators of the tests the error at the quarters of a step is 2.6 to 3.3 times the estimate in the median (87 times for the slope of the
-/// parameter, which is far from zero as a rule), and more than this multiple of it in 9577 of 25 922 cases; more than the value at the end of the step it
-/// is in 25. With zero in its place tongues within a step are passed.
+/// A multiple of the estimated error of interpolation that a test function must stay away from zero. The estimate is not a bound: on the accepted
+/// steps of the random oscillators of the tests the error at the quarters of a step is 2.6 to 3.3 times the estimate in the median (87 times for the
+/// slope of the parameter, which is far from zero as a rule), and more than this multiple of it in 9577 of 25 922 cases; more than the value at the
+/// end of the step it is in 25. With zero in its place tongues within a step are passed.
 const SAFETY: f64 = 4.0;
 
 /// The test functions at a node, and the node's distance along the branch.
@@ -66,8 +66,8 @@ fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
     [Test::Fold, Test::Branching, Test::Flip, Test::Torus].into_iter().all(is_clear_of)
 }
 
-/// Whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply that
-/// the error leaves one zero.
+/// Returns whether the parabola through three points, between the last two of them, is farther from zero than an error, or crosses it once so steeply
+/// that the error leaves one zero.
 fn is_clear_of_zero(points: [(f64, f64); 3], error: f64) -> bool {
     let [_, (from, start), (to, end)] = points;
     let step = to - from;

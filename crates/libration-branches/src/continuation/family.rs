@@ -11,7 +11,7 @@ use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
 
-/// What sets the period of a motion.
+/// Source of the period of a motion.
 #[derive(Debug)]
 enum Beat {
     /// The drive, at each value of the open parameters.
@@ -20,7 +20,7 @@ enum Beat {
     Own(Field),
 }
 
-/// A system over its open parameters. The unknowns of a motion are the numbers of its state, followed by its period where no drive sets it.
+/// A system over its open parameters. The unknowns of a motion are the components of its state, followed by its period where no drive sets it.
 #[derive(Debug)]
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
@@ -32,21 +32,21 @@ pub(super) struct Family<'w> {
     pub(super) watch: &'w Watch<'w>,
 }
 
-/// Where a motion leads in the time of its space, its mirror image where the space has one.
+/// Image of a state after the time of its space; the mirror image where the space has one.
 #[derive(Clone, Debug)]
 pub(super) struct Image {
-    /// What its end misses of the start; then, where no drive sets the period, what the start misses of its phase.
+    /// Image minus start; then, where no drive sets the period, the deviation of the start from its phase.
     pub(super) defect: Vec<f64>,
-    /// How the end depends on the start, by rows: the derivative of the defect by the unknowns, plus one.
+    /// Derivative of the image with respect to the unknowns, by rows: that of the defect plus the identity.
     pub(super) map: Vec<Vec<f64>>,
-    /// How the return to the phase depends on the start, where no drive sets the period.
+    /// Derivative of the return to the phase with respect to the start, where no drive sets the period.
     returned: Option<Vec<Vec<f64>>>,
-    /// And on each parameter, of which the time is a function.
+    /// Derivatives with respect to each parameter, including the dependence of the time on it.
     pub(super) by_parameters: Vec<Vec<f64>>,
 }
 
 impl Image {
-    /// Where the time depends on the parameters with some slopes.
+    /// Adds the dependence of the time on the parameters, given by its slopes.
     fn in_time_of_drive(mut self, rate: &[f64], slopes: &[f64]) -> Self {
         for (by_parameter, slope) in self.by_parameters.iter_mut().zip(slopes) {
             by_parameter.iter_mut().zip(rate).for_each(|(x, rate)| *x += slope * rate);
@@ -54,7 +54,7 @@ impl Image {
         self
     }
 
-    /// Where the period, a share of which is the time, is an unknown, and that the first coordinate turns back at the start an equation.
+    /// Adds the period, a share of which is the time, as an unknown, and the equation that the first coordinate turns back at the start.
     fn beginning_at_turn(mut self, rate: &[f64], share: f64, start: Rates) -> Option<Self> {
         let (phase, slopes) = (start.rates[0], &start.slopes[0]);
         let (by_state, by_parameters) = slopes.split_at(self.map.len());
@@ -89,7 +89,7 @@ pub(super) const TOLERANCES: [f64; 2] = [1e-16, 1e-15];
 const MOST_STEPS: usize = 100_000;
 
 impl<'w> Family<'w> {
-    /// Of a driven system.
+    /// Returns the family of a driven system.
     pub(super) fn new(
         equation: &Equation,
         parameters: &[&str],
@@ -100,7 +100,7 @@ impl<'w> Family<'w> {
         Self::with_beat(equation, parameters, ranges, Beat::Drive(law), watch)
     }
 
-    /// Of one that nothing drives, where the time does not stand in the equations.
+    /// Returns the family of a driven system, or of an autonomous one, where the time does not stand in the equations.
     pub(super) fn free_or_driven(
         equation: &Equation,
         parameters: &[&str],
@@ -235,7 +235,7 @@ impl<'w> Family<'w> {
         state
     }
 
-    /// How often the first coordinate turns back in a period from a turn on.
+    /// Number of times that the first coordinate begins to rise in a period from a turn on, at least 1.
     pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
         let (steps, _) = self.motion(state, &[value], [0.0, period], TOLERANCES[1]).ok()?;
         let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
@@ -259,7 +259,7 @@ impl<'w> Family<'w> {
         Ok((steps, solution.end.state))
     }
 
-    /// Where a state at a phase of the drive leads from one time to another.
+    /// The state at a later time from a state at a phase of the drive.
     pub(super) fn moved_on(&self, state: &[f64], value: f64, times: [f64; 2]) -> Option<Vec<f64>> {
         let solution = self.flow.motion(state, &[value], times, TOLERANCES[1], |_| self.watch.flow());
         Some(solution.ok()?.end.state)

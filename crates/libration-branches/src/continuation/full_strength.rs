@@ -17,7 +17,7 @@ use libration_numbers::watch::Watch;
 const FIRST_STRENGTHS: [f64; 3] = [0.1, 0.02, 0.004];
 /// Points on the way.
 const MOST_POINTS: usize = 300;
-/// How much the first answer may differ in its swing from the free oscillation.
+/// Largest relative difference in swing between the first driven motion and the free oscillation.
 const SAME_SWING: f64 = 0.3;
 
 /// The ways from free oscillations of one oscillator to its answers.

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// A state of rest at a value of the parameter.
 struct Rest {
     state: Vec<f64>,
-    /// Of the rates by the state.
+    /// Eigenvalues of the Jacobian matrix of the rates.
     eigenvalues: Vec<Complex>,
     /// The one above the real axis whose frequency is nearest to that of the cycle.
     critical: Complex,
@@ -66,7 +66,7 @@ pub(super) fn hopf(
 }
 
 impl Rest {
-    /// By Newton's method from a state.
+    /// Finds a state of rest by Newton's method from a state.
     fn near(field: &Field, state: &[f64], value: f64, frequency: f64) -> Option<Self> {
         const MOST_ROUNDS: usize = 30;
         let numbers = state.len();

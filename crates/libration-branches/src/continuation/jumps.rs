@@ -1,4 +1,4 @@
-//! Where a slow sweep of the parameter jumps from one motion to another.
+//! Jumps from one stable motion to another in slow sweeps of the parameter.
 
 use super::branch::Branch;
 use super::corrector::{Corrector, norm};
@@ -10,7 +10,7 @@ use super::special::{SpecialKind, SpecialPoint};
 /// A fold in which a stable motion ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jump {
-    /// Whether it happens as the parameter rises.
+    /// `true` if the jump happens as the parameter rises.
     pub rising: bool,
     /// The motion that is left, at the value of the parameter.
     pub from: BranchPoint,

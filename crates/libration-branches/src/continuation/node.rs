@@ -17,18 +17,18 @@ pub(super) struct Node {
     pub(super) tests: Tests,
 }
 
-/// What changes its sign at singular points.
+/// Test functions, each of which changes its sign at one kind of singular points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tests {
-    /// How the parameter goes along the branch.
+    /// Component of the unit tangent along the parameter; zero at a fold.
     pub(super) fold: f64,
-    /// Whether a multiplier of the map is +1.
+    /// Real part of Π(λ − 1) over the multipliers λ of the map; zero if one of them is +1.
     pub(super) branching: f64,
-    /// Whether one is −1.
+    /// Real part of Π(λ + 1); zero if a multiplier is −1.
     pub(super) flip: f64,
-    /// Whether the product of two is 1, in units of the square of the largest.
+    /// Real part of Π(λμ − 1) over the pairs of multipliers λ and μ, each factor in units of the square of the largest multiplier.
     pub(super) torus: f64,
-    /// What the errors of the multipliers make of the last three.
+    /// Errors of the last three test functions from those of the multipliers.
     pub(super) noise: [f64; 3],
 }
 

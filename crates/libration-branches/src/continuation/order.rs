@@ -1,9 +1,9 @@
-//! How often an answer oscillates while the drive does.
+//! Order of a sub- or superharmonic response.
 
 /// Most oscillations and most periods of the drive.
 const MOST: u32 = 100;
 
-/// So many oscillations in so many periods of the drive, in lowest terms: 1/3 is the subharmonic answer with a third of the drive's frequency.
+/// Number of oscillations in a number of drive periods, in lowest terms: 1/3 is the subharmonic response with a third of the drive's frequency.
 ///
 /// # Examples
 /// ```
@@ -20,7 +20,7 @@ pub struct ResonanceOrder {
     drive_periods: u32,
 }
 
-/// What is no order.
+/// Text that is not an order.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{0}` is no order: give two whole numbers from 1 to 100, as 1/3 for a third of the drive's frequency, or one"
@@ -28,13 +28,13 @@ pub struct ResonanceOrder {
 pub struct NoOrder(String);
 
 impl ResonanceOrder {
-    /// How many oscillations.
+    /// Number of oscillations.
     #[must_use]
     pub const fn oscillations(self) -> u32 {
         self.oscillations
     }
 
-    /// In how many periods of the drive.
+    /// Number of drive periods.
     #[must_use]
     pub const fn drive_periods(self) -> u32 {
         self.drive_periods

@@ -12,18 +12,18 @@ use super::space::{Space, Symmetry};
 use libration_motion::orbit::Orbit;
 use libration_numbers::expression::Equation;
 
-/// What the search for answers of an order came to.
+/// Result of the search for responses of an order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrderAnswers {
     /// The order.
     pub order: ResonanceOrder,
-    /// How many branches of it are followed that had not been.
+    /// Number of branches of the order that were found and not already followed.
     pub branches: usize,
-    /// How far it came.
+    /// Stage that the search reached.
     pub finding: OrderFinding,
 }
 
-/// How far the search for answers of an order came.
+/// Stage that the search for responses of an order reached.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub enum OrderFinding {
     /// No free oscillation has the frequency.
@@ -115,9 +115,9 @@ impl Search<'_> {
         Ok(finding)
     }
 
-    /// Whether a motion, begun at another period of the drive or mirrored, is on one of the branches.
+    /// Returns whether a motion, begun at another period of the drive or mirrored, is on one of the branches.
     pub(super) fn is_followed(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
-        /// Of the size of the state.
+        /// Largest difference, in parts of the size of the state.
         const SAME: f64 = 1e-6;
         let pairs = branches.iter().flat_map(|branch| {
             branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))

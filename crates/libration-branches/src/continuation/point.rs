@@ -24,10 +24,9 @@ pub struct BranchPoint {
     /// The error of each multiplier: an estimate from the error of the flow. An estimate: of 47 358 values of random oscillators with
     /// kinks and without one was off by more, by 2.7 times, where the motion nearly grazes a kink.
     pub multiplier_errors: Vec<f64>,
-    /// Whether all deviations die out, or none grows where energy is conserved: `true` unless a multiplier is outside the unit circle by more than
-    /// its error.
+    /// `true` unless a multiplier is outside the unit circle by more than its error: all deviations die out, or none grows where energy is conserved.
     pub stable: bool,
-    /// The state may be wrong by so much: what another tolerance of the integration and rounding change, across the branch.
+    /// Error estimate of the state: its change across the branch by another tolerance of the integration and by rounding.
     pub error: f64,
 }
 
@@ -47,7 +46,7 @@ impl BranchPoint {
         Self { multipliers, multiplier_errors, stable: stability != Stability::Unstable, ..self }
     }
 
-    /// Whether the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
+    /// Returns whether the two multipliers whose product is nearest to one are complex, rather than a real one and its inverse.
     pub(super) fn is_torus(&self) -> bool {
         let own = &self.multipliers;
         let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| [own[i], own[j]]));
@@ -57,7 +56,7 @@ impl BranchPoint {
     }
 }
 
-/// Of a coordinate from its range.
+/// Amplitude of a coordinate from its range.
 pub(super) fn amplitude_of([low, high]: [f64; 2], is_angle: bool, rotates: bool) -> f64 {
     if rotates {
         return 0.5 * (high - low);

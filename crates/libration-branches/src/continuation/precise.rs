@@ -31,10 +31,10 @@ const SPARE: usize = 40;
 const MOST_ROUNDS: usize = 200;
 
 impl SpecialPoint {
-    /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the parameter, to so many
-    /// digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision.
-    /// `None` for neutral saddles and for more than two numbers of the state at Neimark–Sacker points, for branch points of motions that are not
-    /// at rest at zero, where nothing drives, and where the motion cannot be followed.
+    /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the parameter, to a number
+    /// of digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision. `None`
+    /// for neutral saddles, for more than two components of the state at Neimark–Sacker points, for branch points of motions that are not at rest at
+    /// zero, where nothing drives, and where the motion cannot be followed.
     ///
     /// # Accuracy
     /// As its error says, below the last of the digits.
@@ -65,7 +65,7 @@ impl SpecialPoint {
         self.to_digits_watched(equation, parameter, space, digits, &Watch::none())
     }
 
-    /// As [`to_digits`](Self::to_digits); `watch` is asked at each step, and where it stops there is nothing.
+    /// Computes the same as [`to_digits`](Self::to_digits); `watch` is called at each step, and a cancelled call returns `None`.
     ///
     /// # Errors
     /// As [`to_digits`](Self::to_digits).

@@ -27,11 +27,11 @@ pub(super) struct PreciseFlow<'w> {
     watch: &'w Watch<'w>,
 }
 
-/// Where a motion leads in the time of its space, its mirror image where the space has one.
+/// Image of a state after the time of its space; the mirror image where the space has one.
 pub(super) struct PreciseImage {
-    /// What its end misses of the start.
+    /// Image minus start.
     pub(super) defect: Vec<BigFloat>,
-    /// How the end depends on the start, by rows.
+    /// Derivative of the image with respect to the start, by rows.
     pub(super) map: Vec<Vec<BigFloat>>,
 }
 

@@ -18,9 +18,9 @@ use libration_numbers::watch::{Stage, Watch};
 /// The periodic motions of a driven or self-excited system over a range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
-    /// Those from the ends of the range before those that branch off.
+    /// Branches, those from the ends of the range before the secondary ones.
     pub branches: Vec<Branch>,
-    /// What the search for each order came to.
+    /// Results of the search for each order.
     pub orders: Vec<OrderAnswers>,
     /// The jumps of slow sweeps, branch by branch.
     pub jumps: Vec<Jump>,
@@ -28,7 +28,7 @@ pub struct Response {
     pub missing: Vec<(f64, NoBranch)>,
     /// `true` if a drive sets the periods; else the motions are limit cycles.
     pub driven: bool,
-    /// Whether the watch ended it before all was followed.
+    /// `true` if the computation was cancelled before all branches were followed.
     pub interrupted: bool,
 }
 
@@ -86,7 +86,7 @@ impl Response {
         Self::over_watched(equation, parameter, range, options, &Watch::none())
     }
 
-    /// As [`over`](Self::over); `watch` is asked at each step, and told how many points there are. Where it stops the branches are given as
+    /// Computes the same as [`over`](Self::over); `watch` is called at each step with the number of points. A cancelled call returns the branches as
     /// far as they were followed.
     ///
     /// # Errors
@@ -119,14 +119,14 @@ impl Response {
     }
 }
 
-/// What is followed, and what is left to follow.
+/// Branches followed so far, and those left to follow.
 #[derive(Default)]
 struct Found {
     branches: Vec<Branch>,
     leaving: Vec<(usize, Leaving)>,
-    /// Where a branch has met another one, which then has no second branch to switch to there.
+    /// Places where a branch has met another one, which then has no second branch to switch to there.
     met: Vec<(Space, Meeting)>,
-    /// Those whose other branch is not looked for yet, with the generation of the branch that ends there.
+    /// Meetings whose other branch is not looked for yet, with the generation of the branch that ends there.
     open: Vec<(usize, Meeting)>,
 }
 
@@ -206,8 +206,8 @@ impl Search<'_> {
         true
     }
 
-    /// The branch through a motion, from beside it on: the motion itself is singular, where the other branch ends, and known by interpolation only. `None`
-    /// where the branch is followed already.
+    /// The branch through a motion, from a place next to it on: the motion itself is singular, where the other branch ends, and known by
+    /// interpolation only. `None` where the branch is followed already.
     fn beside(&self, branches: &[Branch], parameter: f64, start: &Start) -> Option<Walked> {
         /// The distance as a part of the range.
         const ASIDE: f64 = 1e-3;
@@ -230,12 +230,12 @@ impl Search<'_> {
         Some(Start { unknowns: corrector.unknowns(&node.point), space: start.space })
     }
 
-    /// Whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.
+    /// Returns whether a motion at an end of the range is the end of a branch that is followed already, or a rotating one lies on it.
     fn is_known(&self, branches: &[Branch], value: f64, start: &Start) -> bool {
         if start.space.rotation.is_some() && self.is_followed(branches, value, start) {
             return true;
         }
-        /// Of the size of the state.
+        /// Largest difference, in parts of the size of the state.
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;

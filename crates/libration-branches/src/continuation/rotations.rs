@@ -12,7 +12,7 @@ const PHASES: u32 = 16;
 const SETTLING: [u32; 2] = [10, 5];
 
 impl Search<'_> {
-    /// Whether a coordinate can go around.
+    /// Returns an error unless the coordinate of a rotation is an angle.
     pub(super) fn check(&self, rotation: Rotation) -> Result<(), NoBranch> {
         let names = self.equation.variables();
         let is_angle = angles(self.equation).get(rotation.coordinate).copied().unwrap_or(false);
@@ -36,7 +36,7 @@ impl Search<'_> {
                 continue;
             };
             self.family.watch.go_on()?;
-            /// Of the size of the state.
+            /// Largest difference, in parts of the size of the state.
             const SAME: f64 = 1e-7;
             let size = start.unknowns.iter().map(|x| x.abs()).fold(1.0, f64::max);
             let is_same = |copy: &Vec<f64>| space.is_near(copy, &start.unknowns, SAME * size);

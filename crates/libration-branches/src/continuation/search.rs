@@ -1,4 +1,4 @@
-//! Where branches are looked for: a system over a range of a parameter, and what is asked of it.
+//! Search for branches: a system over a range of a parameter, with the options of the response.
 
 use super::branch::{Ending, Limits, Origin, Walk, Walked};
 use super::corrector::Corrector;
@@ -137,7 +137,8 @@ impl Search<'_> {
     }
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
-        /// Of the size of the state. A motion that Newton's method has closed misses its mirror image by rounding, or by a difference.
+        /// Largest defect, in parts of the size of the state. A motion that Newton's method has closed misses its mirror image by rounding, or by a
+        /// difference.
         const SAME: f64 = 1e-9;
         let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let belongs = |smaller: &Space| {

@@ -29,7 +29,7 @@ impl Singular<'_> {
         self.family.image(self.space, state, parameters, tolerance)
     }
 
-    /// What the equations miss, in units of the state, and the test.
+    /// Residuals of the equations, in units of the state, followed by the test function.
     pub(super) fn values(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<f64>> {
         let image = self.image(place, tolerance)?;
         let test = self.test.of(&Tests::new(&image, 0.0)?);
@@ -39,7 +39,7 @@ impl Singular<'_> {
         Some(image.defect.iter().zip(units).map(|(d, unit)| d / unit).chain([test]).collect())
     }
 
-    /// How the values change with the unknowns, in units: by differences on both sides, to some ten digits.
+    /// Derivatives of the values with respect to the unknowns, in units, by central differences, to about ten digits.
     pub(super) fn slopes(&self, place: &[f64], units: &[f64], tolerance: f64) -> Option<Vec<Vec<f64>>> {
         /// The third power of it and the rounding over it are alike.
         const ASIDE: f64 = 1e-5;

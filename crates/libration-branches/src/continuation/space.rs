@@ -2,15 +2,15 @@
 
 use std::f64::consts::TAU;
 
-/// How a motion repeats itself: after so many halves of the drive's period, as it is or mirrored.
+/// Period of a motion, in halves of the drive's period, and the symmetry with which it repeats itself.
 ///
 /// Motions of one space stay among themselves when a parameter changes. So a fold of symmetric motions is a singular point in their
 /// own space, while a motion that loses its symmetry, or doubles its period, leaves it: the two never meet in one equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Space {
-    /// After how many halves of the drive's period.
+    /// Number of halves of the drive's period after which the motion repeats itself.
     pub half_periods: u32,
-    /// `true` if the motion is its mirror image then, in which all coordinates have the opposite sign, or some of them.
+    /// `true` if the motion is its mirror image then, in which all coordinates, or some of them, have the opposite sign.
     pub mirrored: bool,
     /// The angle that goes around meanwhile, if one does.
     pub rotation: Option<Rotation>,
@@ -21,26 +21,26 @@ pub struct Space {
 pub struct Rotation {
     /// The number of the coordinate, from 0.
     pub coordinate: usize,
-    /// How many turns it makes; backwards where negative.
+    /// Number of turns; negative for backward ones.
     pub turns: i32,
 }
 
 /// The shift in time, in halves of the drive's period, with which the mirror image of a motion is a motion too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Symmetry {
-    /// None: the pendulum whose pivot is shaken up and down.
+    /// No shift: the pendulum whose pivot is shaken up and down.
     Unshifted,
     /// Half a period: the pendulum driven by a torque.
     HalfPeriod,
 }
 
 impl Space {
-    /// Motions with so many periods of the drive.
+    /// Space of motions that repeat themselves after a number of drive periods.
     pub(super) const fn of_periods(periods: u32) -> Self {
         Self { half_periods: 2 * periods, mirrored: false, rotation: None }
     }
 
-    /// Those of them that are symmetric, where there are such.
+    /// Space of the symmetric motions in this one; `None` if there are none.
     pub(super) fn symmetric(self, symmetry: Option<Symmetry>) -> Option<Self> {
         let half_periods = self.half_periods / 2;
         let fits = match symmetry? {
@@ -72,12 +72,12 @@ impl Space {
         if self.mirrored { self.half_periods } else { self.half_periods / 2 }
     }
 
-    /// How many turns a number of the state has made at the end.
+    /// Number of turns that a component of the state has made at the end.
     pub(super) fn turns_of(self, number: usize) -> i32 {
         self.rotation.map_or(0, |it| it.turns_of(number))
     }
 
-    /// What an end misses of the start, or its mirror image, which changes signs.
+    /// Difference between the end, or its mirror image, and the start, less the turns.
     pub(super) fn missed(self, end: &[f64], start: &[f64], signs: &[f64]) -> Vec<f64> {
         let sign = |component: usize| if self.mirrored { signs[component] } else { 1.0 };
         let pairs = end.iter().zip(start).enumerate();
@@ -86,7 +86,7 @@ impl Space {
             .collect()
     }
 
-    /// Whether two states are no farther apart than so much; angles that go around are the same a turn later.
+    /// Returns whether each component of two states differs by at most a distance; angles that go around are the same a turn later.
     pub(super) fn is_near(self, a: &[f64], b: &[f64], distance: f64) -> bool {
         let apart = |(number, far): (usize, f64)| match self.turns_of(number) {
             0 => far,
@@ -102,7 +102,7 @@ impl Rotation {
         Self { turns: 2 * self.turns, ..self }
     }
 
-    /// How many turns a coordinate makes.
+    /// Number of turns of a coordinate; 0 for those that do not go around.
     #[must_use]
     pub const fn turns_of(self, coordinate: usize) -> i32 {
         if coordinate == self.coordinate { self.turns } else { 0 }

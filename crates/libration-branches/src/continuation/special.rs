@@ -11,7 +11,7 @@ use super::units::{difference, in_units};
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
 
-/// What happens at a singular point.
+/// Kind of a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpecialKind {
     /// The branch turns back: on one side of the value there are two motions, on the other none of them.
@@ -63,17 +63,17 @@ impl std::fmt::Display for SpecialKind {
 /// A singular point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpecialPoint {
-    /// What happens there.
+    /// Kind of the singular point.
     pub kind: SpecialKind,
     /// The motion there.
     pub point: BranchPoint,
-    /// Its parameter may be wrong by so much: what another tolerance of the integration changes, and rounding.
+    /// Error estimate of the parameter: its change by another tolerance of the integration, and rounding.
     pub error: f64,
-    /// So many points of the branch are before it.
+    /// Number of points of the branch before it.
     pub before: usize,
 }
 
-/// What changes its sign at a singular point.
+/// Test function that changes its sign at a singular point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Test {
     Fold,
@@ -92,7 +92,7 @@ impl Test {
         }
     }
 
-    /// How far from zero its values must be to have a sign: of conservative systems products of multipliers are one throughout, to rounding.
+    /// Smallest magnitude of a value that has a sign: in conservative systems products of multipliers are one throughout, to rounding.
     pub(super) fn sure(self) -> f64 {
         match self {
             Self::Fold => 0.0,
@@ -101,7 +101,7 @@ impl Test {
         }
     }
 
-    /// Whether a value has a sign, beyond what the errors of the multipliers make of it.
+    /// Returns whether a value has a sign, beyond the errors of the multipliers.
     pub(super) fn has_sign(self, tests: &Tests) -> bool {
         let noise = match self {
             Self::Fold => 0.0,
@@ -118,7 +118,7 @@ impl Test {
     }
 }
 
-/// What moves less is at rest, in units that are themselves a fiftieth of the largest swing or more.
+/// Largest size of a motion that counts as at rest, in units that are themselves a fiftieth of the largest swing or more.
 const REST: f64 = 0.05;
 
 /// A stretch of a branch between two places.
@@ -134,7 +134,7 @@ pub(super) struct Located {
     pub(super) node: Node,
 }
 
-/// Where a branch ends in another one, whose motions belong to a smaller space.
+/// End of a branch on another one, whose motions belong to a smaller space.
 #[derive(Clone, Debug)]
 pub(super) struct Meeting {
     pub(super) parameter: f64,
@@ -143,7 +143,7 @@ pub(super) struct Meeting {
 }
 
 impl Stretch<'_> {
-    /// Whether the branch turns back on the way, in a space with parts that other branches are in.
+    /// Returns whether the branch turns back on the way, in a space with parts that other branches are in.
     pub(super) fn may_meet_other_branch(&self) -> bool {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
@@ -154,8 +154,8 @@ impl Stretch<'_> {
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
     }
 
-    /// Whether the branch turns back on the way where no multiplier of its map seems to go through +1, as it does at each fold: at a crossing
-    /// with another branch, or at a fold with a crossing beside it.
+    /// Returns whether the branch turns back on the way where no multiplier of its map seems to go through +1, as it does at each fold: at a crossing
+    /// with another branch, or at a fold next to a crossing.
     pub(super) fn may_cross_other_branch(&self) -> bool {
         let [a, b] = self.ends;
         Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
@@ -194,10 +194,10 @@ impl Stretch<'_> {
         Some(SpecialPoint { kind: SpecialKind::Hopf, error: point.error, point, before: 0 })
     }
 
-    /// Where the branch turns, if its motion belongs to a smaller space there: it meets the branch that it is a side of, and goes back as its own
-    /// mirror image or half a period later.
+    /// The turning point of the branch, if its motion belongs to a smaller space there: it meets the branch that it is a side of, and goes back as
+    /// its own mirror image or half a period later.
     pub(super) fn meeting(&self) -> Option<Meeting> {
-        /// Of the size of the motion: on a short stretch the interpolation misses much less.
+        /// Largest defect, in parts of the size of the motion; on a short stretch the error of the interpolation is much smaller.
         const SAME: f64 = 1e-3;
         let place = self.turn();
         let (parameter, unknowns) = place.split_last()?;
@@ -240,7 +240,8 @@ impl Stretch<'_> {
         found.or_else(|| self.crossing(test).filter(|_| crosses))
     }
 
-    /// Where branches cross, as far as motions can be corrected beside it: there several directions are as good, and corrections have no bound.
+    /// Crossing of branches, as far as motions next to it can be corrected: at the crossing several directions are equivalent, and corrections have
+    /// no bound.
     fn crossing(&self, test: Test) -> Option<(f64, Located)> {
         /// Nearer to the crossing nothing is told apart.
         const NEAR: f64 = 1e-9;
@@ -340,7 +341,7 @@ impl Stretch<'_> {
     }
 }
 
-/// What two integrations and the rounding of a product of multipliers leave of a test function, as a distance of the parameter: by its slope between
+/// Error of the parameter from the residual of a test function in two integrations and the rounding of a product of multipliers, by the slope between
 /// two nodes. A fold is the extremum of the parameter and moves by less.
 fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
     if test == Test::Fold {

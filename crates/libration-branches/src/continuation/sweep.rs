@@ -15,20 +15,20 @@ use std::f64::consts::{PI, TAU};
 /// The motions through which a slow sweep of the parameter goes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// Whether the parameter rises.
+    /// `true` if the parameter rises.
     pub rising: bool,
-    /// In their order.
+    /// Points in their order.
     pub points: Vec<SweepPoint>,
 }
 
-/// Where the motion settles at one value of the parameter.
+/// Motion to which the system settles at one value of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepPoint {
     /// The value.
     pub parameter: f64,
     /// The state when the phase of the drive is zero.
     pub state: Vec<f64>,
-    /// After how many periods of the drive the motion repeats itself to a millionth; none where it does not after a thousand periods.
+    /// Number of drive periods after which the motion repeats itself to a millionth; `None` where it does not after a thousand periods.
     pub drive_periods: Option<u32>,
     /// The angle that goes around in these periods, if one does.
     pub rotation: Option<Rotation>,
@@ -47,14 +47,14 @@ const MOST_PERIODS: usize = 1000;
 /// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
 /// thousandth, which no picture shows.
 const SETTLED: f64 = 1e-6;
-/// What takes several periods is farther than this part of its size from itself after fewer, or a transient that turns to and fro; where it is not it is
-/// followed to the end.
+/// Smallest distance, in parts of its size, of a motion that takes several periods from itself after fewer; a nearer one may be a transient that
+/// turns to and fro, and is followed further.
 const DISTINCT: f64 = 1e-3;
-/// Periods that are looked at where nothing settles.
+/// Number of periods that are recorded where nothing settles.
 const LOOKED_AT: u32 = 16;
 
 impl SweepPoint {
-    /// As [`BranchPoint::amplitude`](super::BranchPoint::amplitude); `None` for an angle that goes around without an end.
+    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that goes around without an end.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
         let [low, high] = self.ranges[coordinate];
@@ -65,9 +65,9 @@ impl SweepPoint {
 }
 
 impl Response {
-    /// The motions through which slow sweeps go, up from a stable answer at the lower end of the range and down from one at the upper end, by
-    /// integration alone: from value to value in small steps, and at each of so many evenly spaced ones until the motion repeats itself. Where an end has no stable
-    /// answer there is no sweep from there.
+    /// The motions through which slow sweeps go, up from a stable solution at the lower end of the range and down from one at the upper end, by
+    /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
+    /// an end has no stable solution there is no sweep from there.
     ///
     /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
     ///
@@ -181,7 +181,7 @@ impl Sweeping<'_> {
         self.seen(value, states.pop()?, None, None)
     }
 
-    /// What is seen of the motion from a state on.
+    /// Description of the motion from a state on.
     fn seen(
         &self,
         value: f64,
@@ -203,7 +203,7 @@ impl Sweeping<'_> {
         apart.all(|(number, far)| (far - self.whole_turns(number, far)).abs() <= part * size)
     }
 
-    /// Of a number of the state: nothing but for angles.
+    /// The whole turns in a value of a component of the state, in radians; zero unless the component is an angle.
     fn whole_turns(&self, number: usize, x: f64) -> f64 {
         if self.angles.get(number).is_some_and(|it| *it) { TAU * libm::rint(x / TAU) } else { 0.0 }
     }

@@ -19,9 +19,9 @@ pub(super) struct Leaving {
 }
 
 impl Search<'_> {
-    /// Whether a branch that leaves another one has come to it from elsewhere.
+    /// Returns whether a branch that leaves another one was already followed to this place from elsewhere.
     pub(super) fn is_met(&self, start: &Leaving, space: Space, parameter: f64) -> bool {
-        /// Of the range, as the interpolation shows the place.
+        /// Largest difference, in parts of the range, within the error of the interpolation.
         const SAME: f64 = 1e-3;
         let off = (start.node.point.parameter - parameter).abs();
         start.space.drive_periods() == space.drive_periods() && off <= SAME * self.width()

@@ -1,4 +1,4 @@
-//! Whether the mirror image of a motion is a motion.
+//! Test whether the mirror image of a motion is a motion.
 
 use super::drive_law::DriveLaw;
 use super::space::Symmetry;
@@ -15,11 +15,11 @@ const SCALES: [i32; 2] = [-60, 60];
 
 /// The symmetry of a system and the signs that its mirror image gives to the components of a state.
 ///
-/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal S of signs and a shift τ, zero or half a period: a property of the equation, not of
-/// some of its orbits. S changes all signs or some of them, as (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive some only where τ is half a
-/// period. Without a drive the period is counted from one maximum of the first coordinate to the next: where S keeps its sign, the mirror image
-/// comes after whole periods, otherwise after odd numbers of half periods. The values of both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate value is not
-/// seen.
+/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal S of signs and a shift τ, zero or half a period: a property of the equation, not of some
+/// of its orbits. S changes all signs or some of them, as (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive some only where τ is half a
+/// period. Without a drive the period is counted from one maximum of the first coordinate to the next: where S keeps its sign, the mirror image comes
+/// after whole periods, otherwise after odd numbers of half periods. The values of both sides are compared at states of all sizes; a difference below
+/// the rounding of the largest intermediate value is not seen.
 pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
@@ -77,7 +77,7 @@ impl Trial<'_> {
         self.layout.arrange(mirror.iter().copied(), |coordinate| mirror[coordinate])
     }
 
-    /// Whether the equation has a symmetry in all trials, of which some have values.
+    /// Returns whether the equation has a symmetry in all trials that have values, of which there is at least one.
     fn has(&self, shift: f64, mirror: &[f64]) -> bool {
         let trials = (0..TRIALS).flat_map(|trial| self.scales().map(move |scale| (trial, scale)));
         let mut outcomes = trials.map(|(trial, scale)| self.holds(shift, mirror, trial, scale));

@@ -1,10 +1,10 @@
-//! Why there is no Melnikov function.
+//! Errors of Melnikov's method.
 
 use libration_motion::taylor::IntegrationError;
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
 use libration_numbers::watch::Interrupted;
 
-/// Why there is no Melnikov function of a pendulum, or no threshold.
+/// Reason why a pendulum has no Melnikov function or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoMelnikov {
@@ -24,7 +24,7 @@ pub enum NoMelnikov {
         "the acceleration has {0} sin of the angle in it: give a pendulum that hangs at zero, whose acceleration has -omega0^2*sin in it"
     )]
     NoPendulum(f64),
-    /// A force of the angle alone that is no polynomial of sine and cosine.
+    /// A force of the angle alone that is not a polynomial of sine and cosine.
     #[error(
         "the acceleration {0} is no polynomial of the angle's sine and cosine: the unperturbed motion must be that of a pendulum"
     )]
@@ -52,7 +52,7 @@ pub enum NoMelnikov {
         parameter: String,
         /// Its value.
         value: f64,
-        /// What is wrong there.
+        /// Reason why the value is refused.
         reason: String,
     },
     /// Cancelled by the caller.
@@ -60,14 +60,14 @@ pub enum NoMelnikov {
     Interrupted(#[from] Interrupted),
 }
 
-/// Why no tangency of the manifolds is known.
+/// Reason why no tangency of the manifolds was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoTangency {
     /// No Melnikov function to begin with.
     #[error(transparent)]
     NoMelnikov(#[from] NoMelnikov),
-    /// The upright position is no saddle orbit any more.
+    /// The upright position is no longer a saddle orbit.
     #[error("no periodic motion stays near the upright position: the perturbation is too strong")]
     NoSaddle,
     /// A manifold that turns before it comes to the bottom.

@@ -41,7 +41,7 @@ pub struct Melnikov {
     pub direction: f64,
     /// Ω in rad/s, zero without a drive.
     pub frequency: f64,
-    /// What does not depend on t0.
+    /// Part of M that does not depend on t0.
     pub mean: f64,
     /// Bound on its error.
     pub mean_error: f64,
@@ -55,7 +55,7 @@ pub struct Melnikov {
 const PLACES: usize = 16;
 
 impl Melnikov {
-    /// That of the separatrix on which the angle grows, and that of the other.
+    /// Returns the functions of the separatrix on which the angle grows and of the other one.
     #[must_use]
     pub fn both(pendulum: &PerturbedPendulum) -> [Self; 2] {
         [1.0, -1.0].map(|direction| {
@@ -64,7 +64,7 @@ impl Melnikov {
         })
     }
 
-    /// The same, asking at each step of a quadrature whether to go on.
+    /// Computes the same as [`both`](Self::both); `watch` is called at each step of a quadrature.
     ///
     /// # Errors
     /// Cancelled by the caller.
@@ -116,8 +116,8 @@ impl Melnikov {
         values.fold([0.0, 0.0], |[least, most], value| [least.min(value), most.max(value)])
     }
 
-    /// By what factor the part that depends on the phase must be multiplied for simple zeros to appear: below 1 they are there, 0 where
-    /// nothing opposes them, infinite where nothing depends on the phase.
+    /// Factor by which the part that depends on the phase must be multiplied for simple zeros to appear: below 1 they exist already, 0 where nothing
+    /// opposes them, infinite where nothing depends on the phase.
     #[must_use]
     pub fn threshold_factor(&self) -> f64 {
         let [least, most] = self.extremes();
@@ -125,14 +125,14 @@ impl Melnikov {
         if reach == 0.0 { f64::INFINITY } else { self.mean.abs() / reach }
     }
 
-    /// Whether there are simple zeros, which means that the manifolds cross; `None` where the errors do not tell.
+    /// Returns whether M has simple zeros, which means that the manifolds cross; `None` where the errors leave it open.
     #[must_use]
     pub fn has_simple_zeros(&self) -> Option<bool> {
         let margin = self.margin();
         (margin.abs() > self.error()).then_some(margin > 0.0)
     }
 
-    /// How far the part that depends on the phase goes beyond what it has to make up for.
+    /// Smaller one of the maxima of M and −M over the phase: positive if M changes its sign.
     pub(super) fn margin(&self) -> f64 {
         let [least, most] = self.extremes();
         (most + self.mean).min(-(least + self.mean))
@@ -176,11 +176,11 @@ pub struct Threshold {
     pub value: f64,
     /// Bound on its error, as that of a zero of the Melnikov function: of the first order in the perturbation it knows nothing.
     pub error: f64,
-    /// Whether there are simple zeros above the value.
+    /// `true` if there are simple zeros above the value.
     pub above: bool,
 }
 
-/// Where in a range of a parameter the manifolds begin or cease to cross, to the first order of the perturbation, on either separatrix.
+/// Values in a range of a parameter at which the manifolds begin or cease to cross, to the first order of the perturbation, on either separatrix.
 ///
 /// # Errors
 /// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.

@@ -18,11 +18,11 @@ const LONGEST: f64 = 100.0;
 /// The motions that leave the upright position on one side and arrive on the other.
 pub(super) struct Manifolds<'a> {
     motion: System,
-    /// Where they leave and where they arrive.
+    /// Saddles from which the manifolds leave and at which they arrive.
     saddles: [Saddle; 2],
     direction: f64,
     omega0: f64,
-    /// Of the starts from the saddles, in radians.
+    /// Distance of the starts from the saddles, in radians.
     distance: f64,
     watch: &'a Watch<'a>,
 }
@@ -34,7 +34,7 @@ struct Passage {
     velocity: f64,
 }
 
-/// How long motions are on their way, positive from the saddle and negative to it.
+/// Times between a start and its passage of the bottom, in seconds: positive from the saddle, negative to it.
 pub(super) type Delays = [f64; 2];
 
 impl<'a> Manifolds<'a> {
@@ -57,7 +57,8 @@ impl<'a> Manifolds<'a> {
         [delay, -delay]
     }
 
-    /// By how much more energy per m·l² the unstable manifold passes the bottom at this time than the stable one, and the velocity of the first.
+    /// Energy per m·l² of the unstable manifold minus that of the stable one as they pass the bottom at this time, and the velocity of the unstable
+    /// one.
     pub(super) fn separation(&self, time: f64, delays: &mut Delays) -> Result<[f64; 2], NoTangency> {
         let [leaving, arriving] = [0, 1].map(|end| self.velocity_at(time, end, &mut delays[end]));
         let (leaving, arriving) = (leaving?, arriving?);

@@ -10,7 +10,7 @@ use libration_numbers::{
 };
 use std::f64::consts::TAU;
 
-/// Phases of the drive at which what is no trigonometric polynomial is evaluated.
+/// Number of phases of the drive at which a function that is not a trigonometric polynomial is evaluated.
 const PHASES: u32 = 64;
 /// Harmonics that are taken from them; those above tell what is left out.
 const HARMONICS: usize = 24;
@@ -31,7 +31,7 @@ pub struct PerturbedPendulum {
     /// Ω, zero without a drive.
     frequency: f64,
     pub(super) closed: Trigonometric,
-    /// What is no polynomial in θ′, sin θ, cos θ and waves, with its greatest harmonic.
+    /// Part of the perturbation that is not a polynomial in θ′, sin θ, cos θ and waves.
     pub(super) rest: Option<Tape>,
     rest_depends_on_time: bool,
 }
@@ -84,7 +84,7 @@ impl PerturbedPendulum {
         (self.frequency > 0.0).then_some(self.frequency)
     }
 
-    /// Whether the integrals over the separatrix have a closed form, by residues.
+    /// Returns whether the integrals over the separatrix have a closed form, by residues.
     #[must_use]
     pub const fn is_closed(&self) -> bool {
         self.rest.is_none()

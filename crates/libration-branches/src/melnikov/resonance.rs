@@ -22,9 +22,9 @@ pub struct DriveResonance {
     pub direction: f64,
     /// The unperturbed motion, upwards through the bottom at t = 0.
     pub motion: Motion,
-    /// What the perturbation gives per time to the motion whatever its phase, per m·l², in rad²/s³: damping takes.
+    /// Mean power of the perturbation whatever the phase of the motion, per m·l², in rad²/s³: negative for damping.
     pub mean_power: f64,
-    /// What it gives at most beside that, at the best phase against the drive.
+    /// Amplitude of the power that depends on the phase against the drive, per m·l², in rad²/s³.
     pub resonant_power: f64,
     /// Bound on the error of both.
     pub error: f64,
@@ -45,8 +45,8 @@ impl DriveResonance {
         0.5 * self.half_width * self.error / self.resonant_power + 8.0 * f64::EPSILON * self.half_width
     }
 
-    /// By what factor the drive must be multiplied for it to keep up such a motion against the damping: the threshold of the subharmonic
-    /// Melnikov function.
+    /// Factor by which the drive must be multiplied to maintain such a motion against the damping: the threshold of the subharmonic Melnikov
+    /// function.
     #[must_use]
     pub fn threshold_factor(&self) -> f64 {
         self.mean_power.abs() / self.resonant_power
@@ -186,7 +186,7 @@ impl PerturbedPendulum {
         mirror: f64,
         watch: &Watch<'_>,
     ) -> Result<(Vec<Complex>, f64), Interrupted> {
-        /// Of the sum of the sizes.
+        /// Rounding error, in parts of the sum of the sizes.
         const ROUNDING: f64 = 4e-15;
         const FEWEST: u32 = 64;
         const DOUBLINGS: u32 = 9;

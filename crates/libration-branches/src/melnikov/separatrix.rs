@@ -16,7 +16,7 @@ use libration_numbers::algebra::Complex;
 use libration_numbers::watch::{Interrupted, Watch};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// What rounding may change of a sum, in parts of the sum of the sizes of its terms: some ten operations each.
+/// Bound on the rounding error of a sum, in parts of the sum of the sizes of its terms: some ten operations each.
 const ROUNDING: f64 = 2e-15;
 
 /// ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt as the coefficients of e^{ikΩt0}, from k = 0 on, each with its error.

@@ -1,4 +1,4 @@
-//! Where the manifolds of the upright position touch, which Melnikov's threshold says to the first order of the perturbation.
+//! Tangencies of the manifolds of the upright position, which Melnikov's threshold gives to the first order of the perturbation.
 
 use std::f64::consts::TAU;
 
@@ -36,10 +36,10 @@ pub struct Tangency {
     pub place_error: f64,
 }
 
-/// Of the starts from the saddle, in radians: its square times the strength of the perturbation is below the last digit.
+/// Distance of the starts from the saddle, in radians: its square times the strength of the perturbation is below the last digit.
 const DISTANCE: f64 = 1e-6;
 
-/// What integration leaves of the energy at the bottom, in parts of it.
+/// Error of the energy at the bottom from the integration, in parts of it.
 const ROUNDING: f64 = 2e-15;
 
 impl Threshold {
@@ -82,7 +82,7 @@ struct Nearest {
     velocity: f64,
     /// The last correction of the separation, and rounding.
     separation_error: f64,
-    /// What rounding changes of the time.
+    /// Rounding error of the time.
     time_rounding: f64,
 }
 
@@ -93,8 +93,8 @@ const NEXT: &[f64] = &[1.0 / 1024.0];
 const SHORTER: &[f64] = &[1.0 / 2048.0];
 
 impl Approach<'_> {
-    /// By the secant through the last two values, from the threshold on. Where the step is so short that rounding is seen in its slope, the
-    /// slope before it stays.
+    /// Finds the tangency by the secant method, from the threshold on. Where the step is so short that rounding shows in its slope, the slope before
+    /// it is kept.
     fn tangency(&self, threshold: f64) -> Result<Tangency, NoTangency> {
         const FIRST_STEP: f64 = 1e-3;
         const SHORTEST_OF_SLOPE: f64 = 1e-7;

@@ -27,7 +27,7 @@ pub(super) struct Trigonometric {
     pub(super) terms: BTreeMap<Monomial, Complex>,
 }
 
-/// What the names in a formula are.
+/// Names of the quantities in a formula.
 #[derive(Clone, Debug)]
 pub(super) struct Names {
     pub(super) angle: Symbol,

@@ -1,4 +1,4 @@
-//! Whether an orbit that Newton's method has closed is one of the mode, or only closes.
+//! Test whether an orbit that Newton's method has closed belongs to the mode.
 //!
 //! A state that rests closes after any time, an orbit closes after twice its period too, and beyond a separatrix there are orbits about other
 //! equilibria. None of them is the mode at that amplitude, however well it closes.
@@ -6,13 +6,13 @@
 use super::Reason;
 use libration_motion::orbit::{NoOrbit, Orbit};
 
-/// Where the mode is, and what is asked of it.
+/// Release of a mode from rest, displaced in one coordinate.
 pub(super) struct Release<'a> {
     /// The state of rest that the mode is about.
     pub(super) rest: &'a [f64],
     /// The coordinate that is displaced.
     pub(super) coordinate: usize,
-    /// By so much.
+    /// The displacement.
     pub(super) amplitude: f64,
 }
 
@@ -31,7 +31,7 @@ const BACK: f64 = 1e-7;
 const MOST_TURNS: u32 = 6;
 
 impl Release<'_> {
-    /// Why this orbit is none of the mode; `None` where it is one.
+    /// Reason why this orbit does not belong to the mode; `None` where it does.
     pub(super) fn refusal(&self, orbit: &Orbit) -> Option<Reason> {
         let start = orbit.start();
         let swing = |number: usize| {
@@ -50,7 +50,7 @@ impl Release<'_> {
         self.elsewhere(orbit).or_else(|| turns(orbit, &start).map(Reason::Repetition))
     }
 
-    /// Whether the coordinate stays on one side of its place of rest, or comes farther than it was released.
+    /// Reason for refusal if the coordinate stays on one side of its place of rest, or comes farther than it was released.
     fn elsewhere(&self, orbit: &Orbit) -> Option<Reason> {
         let centre = self.rest[self.coordinate];
         let (low, high) = orbit.range(self.coordinate);
@@ -66,7 +66,7 @@ impl Release<'_> {
     }
 }
 
-/// How many times over an orbit is a shorter one; `None` where it is none.
+/// Number of turns of a shorter orbit that the orbit consists of; `None` where there is no shorter one.
 fn turns(orbit: &Orbit, start: &[f64]) -> Option<u32> {
     let distance = |state: &[f64]| {
         let squares = state.iter().zip(start).map(|(a, b)| (a - b) * (a - b));

@@ -1,9 +1,9 @@
-//! Why a mode is not followed.
+//! Errors of following a nonlinear mode.
 
 use libration_motion::orbit::NoOrbit;
 use libration_numbers::watch::Interrupted;
 
-/// Why no mode is followed.
+/// Reason why a mode cannot be followed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoNonlinearMode {
@@ -12,7 +12,7 @@ pub enum NoNonlinearMode {
     NoMode {
         /// Its number from 1.
         wanted: usize,
-        /// How many there are.
+        /// The number of modes.
         modes: usize,
     },
     /// A mode that does not oscillate, or as many with the same frequency.
@@ -31,23 +31,23 @@ pub enum NoNonlinearMode {
     Interrupted(#[from] Interrupted),
 }
 
-/// Where a mode was lost on its way to larger amplitudes.
+/// Loss of a mode on its way to larger amplitudes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("beyond the amplitude {reached} the mode is not followed: {reason}")]
 pub struct LostMode {
     /// The largest amplitude that was reached.
     pub reached: f64,
-    /// Why the next orbit was not found.
+    /// Reason why the next orbit was not found.
     pub reason: Reason,
 }
 
-/// Why the next orbit was not found.
+/// Reason why the next orbit was not found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
     /// The search failed.
     #[error(transparent)]
     NoOrbit(#[from] NoOrbit),
-    /// What is found belongs to another family.
+    /// The orbit found belongs to another family.
     #[error("the orbits that are found are not near the last ones")]
     Jump,
     /// Rounding errors decide the period.
@@ -56,9 +56,9 @@ pub enum Reason {
          bound: give a smaller amplitude"
     )]
     Unsure {
-        /// What is found.
+        /// The period found.
         period: f64,
-        /// How wrong it may be; not a number where the orbit leaves it open.
+        /// Its error; not a number where the orbit leaves it open.
         uncertainty: f64,
     },
     /// A turning point that is not the farthest one.
@@ -66,9 +66,9 @@ pub enum Reason {
         "released from {amplitude} the coordinate comes to {displacement} on the same side, so that this is not its amplitude: give a smaller one"
     )]
     Farther {
-        /// Where it was released.
+        /// The displacement at the release.
         amplitude: f64,
-        /// How far it comes.
+        /// The largest displacement on the same side.
         displacement: f64,
     },
     /// A shorter orbit, several times over.
@@ -77,7 +77,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// Whether it says more than that nothing was found.
+    /// Returns whether the reason says more than that nothing was found.
     pub(super) const fn is_telling(&self) -> bool {
         !matches!(self, Self::Jump | Self::NoOrbit(NoOrbit::NoConvergence { .. } | NoOrbit::Period(_)))
     }

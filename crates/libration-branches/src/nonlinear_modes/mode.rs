@@ -13,9 +13,9 @@ use std::f64::consts::TAU;
 pub struct NonlinearMode {
     /// Its orbits at the amplitudes asked for, as far as it came.
     pub points: Vec<ModePoint>,
-    /// Where it becomes stable or unstable.
+    /// Changes of stability along the mode.
     pub changes: Vec<StabilityChange>,
-    /// Why it did not come to the last amplitude.
+    /// Reason why the mode did not reach the last amplitude.
     pub lost: Option<LostMode>,
 }
 
@@ -37,7 +37,7 @@ pub struct ModePoint {
 pub struct StabilityChange {
     /// It lies between these, below and above.
     pub between: [f64; 2],
-    /// Whether it is stable above.
+    /// `true` if the mode is stable above.
     pub stable_above: bool,
 }
 
@@ -47,21 +47,21 @@ const FIRST: f64 = 0.02;
 const GROWTH: f64 = 1.6;
 /// The longest step in parts of the last amplitude.
 const LONGEST: f64 = 0.25;
-/// An orbit may be so far from what is expected, in parts of the step.
+/// Largest distance of an orbit from the expected one, in parts of the step.
 const NEAR: f64 = 0.5;
-/// And its period so far from the expected one, in parts of it: twice over it would be off by one, half of it by a half.
+/// Largest deviation of its period from the expected one, in parts of it: two turns would be off by one, half a turn by a half.
 const SAME_PERIOD: f64 = 0.3;
-/// A step is halved so often before the mode is given up.
+/// Number of times that a step is halved before the mode is given up.
 const HALVINGS: u32 = 8;
-/// And a step below this part of the amplitude gives it up too: steps may fail and halve, and succeed, for ever towards a separatrix. A
-/// pendulum is followed to 179.9999° with 5e-6.
+/// Smallest step, in parts of the amplitude, below which the mode is given up too: steps may fail and halve, and succeed, for ever towards a
+/// separatrix. A pendulum is followed to 179.9999° with 5e-6.
 const LEAST: f64 = 1e-6;
 /// A change of stability is halved down to this part of the amplitude: nearer to it four multipliers are at 1, each right to a fourth root of
 /// the errors.
 const NARROW: f64 = 2e-3;
 
 impl ModePoint {
-    /// Whether small deviations do not grow.
+    /// Returns whether small deviations do not grow.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.orbit.floquet().is_some_and(|floquet| floquet.stability != Stability::Unstable)
@@ -69,8 +69,8 @@ impl ModePoint {
 }
 
 impl NonlinearMode {
-    /// The largest of its amplitudes up to which ω + κa² is within this part of the frequency; `None` where the first is not, or there is
-    /// no such series.
+    /// The largest of its amplitudes up to which ω + κa² is within this part of the frequency; `None` where the first is not, or there is no such
+    /// series.
     #[must_use]
     pub fn series_reach(&self, part: f64) -> Option<f64> {
         let fits = |point: &&ModePoint| {
@@ -138,7 +138,7 @@ impl NonlinearMode {
     }
 }
 
-/// What does not change along the mode.
+/// Quantities that stay the same along the mode.
 struct Family<'a> {
     equation: &'a Equation,
     mode: &'a Mode,
@@ -160,7 +160,7 @@ impl<'a> Family<'a> {
         if mode.behaviour != Behaviour::Oscillating || mode.multiplicity > 1 {
             return Err(NoNonlinearMode::NotOscillating(number + 1));
         }
-        /// Of the largest part, which is 1.
+        /// Smallest part of a moving coordinate, of the largest part, which is 1.
         const STILL: f64 = 1e-6;
         if mode.shape[coordinate].re.abs() < STILL {
             return Err(NoNonlinearMode::AtRest(modes.variables[coordinate].clone()));
@@ -234,7 +234,7 @@ impl<'a> Family<'a> {
         OrbitGuess { state, period: if (period / last - 1.0).abs() < 1.0 { period } else { last } }
     }
 
-    /// Why there is no orbit at an amplitude: of one coordinate its release tells, of several what was found last.
+    /// Reason why there is no orbit at an amplitude: for one coordinate from its release, for several the last one found.
     fn reason_at(&self, amplitude: f64, last: Reason) -> Result<Reason, NoNonlinearMode> {
         if self.rest.len() > 1 {
             return Ok(last);
@@ -274,7 +274,7 @@ impl<'a> Family<'a> {
         ModePoint { amplitude, start: orbit.start(), orbit, series_frequency }
     }
 
-    /// Where stability changes along a path, from one of its orbits on.
+    /// Changes of stability along a path, from one of its orbits on.
     fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NoNonlinearMode> {
         let mut changes = vec![];
         for (place, pair) in path.windows(2).enumerate().skip(from) {
@@ -295,8 +295,7 @@ impl<'a> Family<'a> {
     }
 }
 
-/// Whether an orbit is where the last ones lead: no farther from it than half a step, in all numbers together,
-/// and with about the period.
+/// Returns whether an orbit is near the expected one: no farther from it than half a step, in all components together, and with about the period.
 fn is_near(point: &ModePoint, expected: &OrbitGuess, last: f64, path: &[ModePoint]) -> bool {
     let distance =
         |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt() };

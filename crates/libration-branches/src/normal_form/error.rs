@@ -1,10 +1,10 @@
-//! Why there is no normal form.
+//! Errors of normal forms.
 
 use crate::normal_modes::NoModes;
 use libration_numbers::expression::WithoutValue;
 use libration_numbers::watch::Interrupted;
 
-/// Why a system has no normal form about an equilibrium.
+/// Reason why a system has no normal form about an equilibrium.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoNormalForm {

@@ -1,5 +1,5 @@
-//! How modes in resonance exchange their energy: by the slow flow, in closed form where it is one of two modes at 2:1, and as the whole motion
-//! shows it.
+//! Exchange of energy between modes in resonance: from the slow flow, in closed form where it is one of two modes at 2:1, and measured on the whole
+//! motion.
 
 use super::form::NormalForm;
 use libration_kernels::elementary::count;
@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 /// The exchange of energy between modes, from a state on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exchange {
-    /// After so many seconds the amplitudes are as they were.
+    /// Period in seconds after which the amplitudes are as they were.
     pub period: f64,
     /// The error of the period as that of the slow flow, by what a tenth of the time changes.
     pub error: f64,
@@ -33,7 +33,7 @@ pub struct MeasuredExchange {
     pub error: f64,
 }
 
-/// Why there is no exchange.
+/// Reason why there is no exchange of energy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoExchange {
@@ -62,7 +62,7 @@ pub enum NoExchange {
 /// the modes pass for slow changes.
 const EXCHANGES: usize = 96;
 const SAMPLES: usize = 96;
-/// What the tolerance of the integration leaves of a mean frequency, in parts of it.
+/// Error of a mean frequency from the tolerance of the integration, in parts of it.
 const ROUNDING: f64 = 1e-12;
 /// Periods of the slowest mode that are waited for an exchange.
 const LONGEST: usize = 2000;
@@ -214,7 +214,7 @@ impl NormalForm {
         Err(if is_steady { NoExchange::Steady } else { NoExchange::TooSlow(slowest * count(LONGEST)) })
     }
 
-    /// By aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
+    /// Period by aⱼ′ = iα·b², b′ = iβ·a·b̄: u = |b|² is a Jacobi function of the time, between roots of (|a|²u − …) as Re(a·b̄²) is conserved.
     fn closed_form(&self, amplitudes: &[Complex]) -> Option<f64> {
         let second = |mode: usize, powers: &[u8], bars: &[u8]| {
             let fits = |it: &&super::SlowTerm| {
@@ -262,7 +262,7 @@ fn motion(
     Ok(solution.samples.into_iter().map(|it| it.state).collect())
 }
 
-/// What a curve goes around, and how large it is.
+/// Centre and size of a closed curve.
 struct Scale {
     middle: f64,
     half_width: f64,

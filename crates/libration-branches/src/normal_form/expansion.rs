@@ -34,14 +34,14 @@ pub(super) struct DivisorOf<E> {
     pub(super) divisor: E,
 }
 
-/// What is found: for each mode the slow terms, and the modal coordinates beyond the amplitudes themselves.
+/// Expansion of a normal form: for each mode the slow terms, and the modal coordinates beyond the amplitudes themselves.
 pub(super) struct Expansion<N: Ring> {
     pub(super) slow: Vec<PolynomialOf<N>>,
     pub(super) transform: Vec<PolynomialOf<N>>,
     pub(super) divisors: Vec<DivisorOf<N::Element>>,
 }
 
-/// Why it ended.
+/// Reason why the expansion ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
     /// A value or a coefficient that is not in the field.
@@ -61,14 +61,14 @@ impl From<Interrupted> for Obstacle {
     }
 }
 
-/// How numbers are judged.
+/// Rules by which numbers are compared.
 pub(super) struct Judge<'a, E> {
     pub(super) number: &'a dyn Fn(&E) -> f64,
     /// Divisors up to this size are taken for resonances.
     pub(super) smallest: f64,
 }
 
-/// To an order in the amplitudes.
+/// Expands to an order in the amplitudes.
 pub(super) fn expand<N: Ring + Clone>(
     linear: &LinearMotion<N>,
     judge: &Judge<'_, N::Element>,
@@ -112,7 +112,7 @@ pub(super) fn expand<N: Ring + Clone>(
     })
 }
 
-/// What one order adds.
+/// Terms that one order adds.
 struct Order<N: Ring> {
     transform: Vec<PolynomialOf<N>>,
     slow: Vec<PolynomialOf<N>>,
@@ -129,7 +129,7 @@ fn conjugate<N: Ring>(ring: &AmplitudePolynomials<Complexes<N>>, a: &PolynomialO
     a.iter().map(term).collect()
 }
 
-/// What slow terms of lower orders carry along: Σ Nₜ·∂Z/∂aₜ.
+/// Terms that the slow terms of lower orders carry along: Σ Nₜ·∂Z/∂aₜ.
 fn transport<N: Ring>(
     ring: &AmplitudePolynomials<Complexes<N>>,
     orders: &[Order<N>],
@@ -195,7 +195,7 @@ fn divisor<N: Ring>(linear: &LinearMotion<N>, mode: usize, powers: &Powers) -> N
 struct Basis<N: Ring> {
     /// φ/2 and iωφ/2, a row for each mode.
     columns: Vec<Vec<ComplexOf<N>>>,
-    /// How much of each mode an acceleration of a coordinate makes: a row for each mode.
+    /// Projection of an acceleration of each coordinate onto the modes: a row for each mode.
     projection: Vec<Vec<ComplexOf<N>>>,
 }
 

@@ -15,8 +15,8 @@ use libration_numbers::{
     internals::expression::Tape,
 };
 
-/// How the amplitudes of a system's modes change slowly: aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates are
-/// xₑ + Re Σ aⱼφⱼ to the first order, with the shapes φⱼ of the modes.
+/// Normal form: the slow change of the amplitudes of a system's modes, aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates
+/// are xₑ + Re Σ aⱼφⱼ to the first order, with the shapes φⱼ of the modes.
 ///
 /// # Accuracy
 /// Exact to the order, with coefficients in square roots, where frequencies and shapes are; then the form is found in digits too, for what is
@@ -69,7 +69,7 @@ pub struct Divisor {
 }
 
 impl SlowTerm {
-    /// Whether it is there whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
+    /// Returns whether the term exists whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
     #[must_use]
     pub fn is_of_every_system(&self) -> bool {
         let own = |k: usize| u8::from(k == self.mode);
@@ -77,7 +77,7 @@ impl SlowTerm {
     }
 }
 
-/// How many of the smallest divisors are told.
+/// Number of the smallest divisors that are kept.
 const TOLD: usize = 5;
 
 impl NormalForm {
@@ -170,7 +170,7 @@ impl NormalForm {
         None
     }
 
-    /// What the modal coordinates have beyond the amplitudes.
+    /// Terms of the modal coordinates beyond the amplitudes themselves.
     fn beyond(&self, amplitudes: &[Complex]) -> Vec<Complex> {
         self.transform.iter().map(|polynomial| value(polynomial, amplitudes)).collect()
     }

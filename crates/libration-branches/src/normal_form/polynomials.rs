@@ -130,7 +130,7 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
         ordered_map(terms.filter(|(_, value)| !self.numbers.is_zero(value)))
     }
 
-    /// By constants only.
+    /// Divides by constants only.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
         let divisor = self.as_constant(divisor)??;
         let terms =

@@ -1,4 +1,4 @@
-//! Where a system rests.
+//! Equilibria of a system.
 
 use super::error::{NoModes, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Rational, Rationals, Ring};

@@ -1,9 +1,9 @@
-//! Why there are no normal modes.
+//! Errors of the search for normal modes.
 
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
 use libration_numbers::watch::Interrupted;
 
-/// Why a system has no normal modes.
+/// Reason why a system has no normal modes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoModes {
@@ -19,9 +19,9 @@ pub enum NoModes {
     /// A guess of the wrong length.
     #[error("the guess {guess:?} does not fit: give a finite number for each of {wanted} coordinates")]
     Guess {
-        /// What was given.
+        /// The guess given.
         guess: Vec<f64>,
-        /// How many numbers there should be.
+        /// The number of coordinates.
         wanted: usize,
     },
     /// No place where the accelerations at rest vanish.
@@ -31,9 +31,9 @@ pub enum NoModes {
     NoEquilibrium {
         /// The guess.
         from: Vec<f64>,
-        /// Where Newton's method ended.
+        /// The last point of Newton's method.
         to: Vec<f64>,
-        /// Why it ended there.
+        /// The reason why it ended there.
         end: SearchEnd,
     },
     /// Accelerations without derivatives.
@@ -53,7 +53,7 @@ pub enum NoModes {
     Interrupted(#[from] Interrupted),
 }
 
-/// Why the search for an equilibrium ended.
+/// Reason why the search for an equilibrium ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SearchEnd {
@@ -63,7 +63,7 @@ pub enum SearchEnd {
     /// Nothing in the slopes that leads to zero.
     #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
-    /// As many steps as are made.
+    /// The step limit was reached.
     #[error("where it was given up because it does not converge")]
     Unsettled,
 }

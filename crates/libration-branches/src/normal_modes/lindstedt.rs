@@ -28,7 +28,7 @@ pub(super) struct Fundamental<E> {
     pub(super) leading: usize,
 }
 
-/// What the third order fixes.
+/// Results of the third order.
 pub(super) struct Third<E> {
     /// w.
     pub(super) frequency: E,
@@ -36,7 +36,7 @@ pub(super) struct Third<E> {
     pub(super) growth: E,
 }
 
-/// What stands in the way.
+/// Reason why there is no expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
     /// A value or a coefficient that is not in the field, or not finite.
@@ -51,7 +51,7 @@ impl From<NoSeries> for Obstacle {
     }
 }
 
-/// How numbers of a field are judged.
+/// Rules by which numbers of a field are compared.
 pub(super) struct Judge<'a, E> {
     pub(super) size: &'a dyn Fn(&E) -> f64,
     /// Parts of the largest number that are taken for zero.
@@ -252,7 +252,7 @@ impl<N: Ring> Expansion<'_, N> {
         Ok(Third { frequency, growth })
     }
 
-    /// What a change of the frequency by its own size adds to the accelerations of c·cos τ + s·sin τ: (2ω² + iωG)·φ.
+    /// Terms that a change of the frequency by its own size adds to the accelerations of c·cos τ + s·sin τ: (2ω² + iωG)·φ.
     fn detuning(&self, cosine: &[N::Element], sine: &[N::Element]) -> Vec<N::Element> {
         let (numbers, omega) = (self.ring.numbers(), &self.mode.frequency);
         let twice = numbers.times_integer(&numbers.multiply(omega, omega), 2);

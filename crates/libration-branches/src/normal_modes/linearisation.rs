@@ -59,7 +59,7 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
     formulas.iter().map(|formula| symbols.iter().map(|symbol| formula.derivative(symbol)).collect()).collect()
 }
 
-/// Whether formulas and their slopes are the same on both sides of a state.
+/// Returns whether formulas and their slopes are the same on both sides of a state.
 fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], state: &[f64]) -> Result<bool, NoModes> {
     const ROUNDING: f64 = 1e-9;
     let values = |formulas: &[Expression]| {

@@ -10,22 +10,22 @@ pub struct Mode {
     pub exponent: Complex,
     /// −s² exactly, where it is known: the square of the frequency.
     pub frequency_squared: Option<Surd>,
-    /// What it does.
+    /// Behaviour of the mode in time.
     pub behaviour: Behaviour,
     /// The parts of the coordinates, the largest being 1: x(t) = xₑ + a·Re(shape·e^{st}). So a is the amplitude of the
     /// coordinate with the part 1, which is [`leading`](Self::leading).
     pub shape: Vec<Complex>,
     /// The shape exactly, where it is known.
     pub exact_shape: Option<Vec<Surd>>,
-    /// How many modes have this frequency: any mixture of them is a mode as well.
+    /// Number of modes with this frequency: any mixture of them is a mode as well.
     pub multiplicity: usize,
     /// Other modes whose frequency is a small multiple of this one's, or of which this one's is.
     pub resonances: Vec<Resonance>,
-    /// How its frequency changes with the amplitude.
+    /// Change of the frequency with the amplitude.
     pub shift: Result<Shift, NoShift>,
 }
 
-/// What a mode does in time.
+/// Behaviour of a mode in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behaviour {
     /// It oscillates with a constant amplitude.
@@ -67,12 +67,12 @@ impl Mode {
 pub struct Resonance {
     /// The number of the other mode.
     pub other: usize,
-    /// The faster of the two has so many times the frequency of the slower: 1, 2 or 3.
+    /// Ratio of the faster frequency to the slower one: 1, 2 or 3.
     pub multiple: u32,
-    /// Whether the other one is the faster.
+    /// `true` if the other one is the faster.
     pub other_is_faster: bool,
     /// The faster frequency over the multiple of the slower one, less one.
     pub detuning: f64,
-    /// Whether the detuning is zero: proved, or but for rounding errors.
+    /// `true` if the detuning is zero: proved, or up to rounding errors.
     pub exact: bool,
 }

@@ -61,7 +61,7 @@ impl NormalModes {
         Self::about_watched(equation, guess, &Watch::none())
     }
 
-    /// As [`about`](Self::about); `watch` is asked for each mode, whose change with the amplitude is what takes long.
+    /// Computes the same as [`about`](Self::about); `watch` is called for each mode, since its change with the amplitude takes the longest.
     ///
     /// # Errors
     /// As [`about`](Self::about), and [`NoModes::Interrupted`].

@@ -1,8 +1,8 @@
-//! Why the change of a frequency with the amplitude is not given.
+//! Reasons for the absence of a change of frequency with the amplitude.
 
 use super::lindstedt::Obstacle;
 
-/// Why the change of the frequency is not given.
+/// Reason why the change of the frequency is not given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoShift {
@@ -25,7 +25,7 @@ pub enum NoShift {
     /// Damping or excitation that grows with the amplitude.
     #[error("the amplitude {} by the nonlinear terms: there is no periodic motion", if *grows { "grows" } else { "shrinks" })]
     NotPeriodic {
-        /// Whether it grows.
+        /// `true` if it grows.
         grows: bool,
     },
     /// Forces without a third derivative.

@@ -41,7 +41,7 @@ pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec
     Some(found)
 }
 
-/// Those that digits are near to.
+/// The roots of a square-free polynomial near approximate values: exact where a rational root or a quadratic factor is found.
 fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Root>> {
     let (mut exact, mut rest) = (vec![], polynomial);
     let mut left = vec![];
@@ -69,7 +69,7 @@ fn is_real(near: Complex) -> bool {
     near.im.abs() <= 1e-9 * near.abs()
 }
 
-/// What is left of a polynomial, two of its roots, and where these are among the digits.
+/// The quotient after division by a quadratic factor, its two roots, and their indices among the approximate values.
 type Quadratic = (Vec<Rational>, [Surd; 2], [usize; 2]);
 
 /// A factor x² − px + q with real roots, found and divided out.

@@ -15,10 +15,10 @@ pub(super) struct Shape {
     pub(super) exact: Option<Vec<Surd>>,
 }
 
-/// What is left of zero, as a part of the terms, where exponents are known to half their digits at least.
+/// Largest remainder that counts as zero, as a part of the terms, where exponents are known to half their digits at least.
 const ROUNDING: f64 = 1e-6;
 
-/// As many shapes as an exponent has.
+/// Shapes of the modes with an exponent, as many as its multiplicity.
 pub(super) fn shapes(linear: &Linear, exponent: &Exponent) -> Vec<Shape> {
     let without_velocities = linear.numbers.velocity.iter().flatten().all(|x| *x == 0.0);
     let exact = linear.exact.as_ref().zip(exponent.exact.as_ref()).filter(|_| without_velocities);
@@ -63,7 +63,7 @@ fn shifted<R: Ring>(ring: &R, matrix: &[Vec<R::Element>], by: &R::Element) -> Ve
     shifted
 }
 
-/// Independent vectors that the matrix maps to zero, but for so much: as many as there are, at most so many.
+/// Independent vectors that the matrix maps to zero within a rounding error, at most `most` of them.
 fn null_vectors<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64 + Copy,

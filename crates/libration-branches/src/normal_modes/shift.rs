@@ -1,4 +1,4 @@
-//! How the frequency of a mode changes with its amplitude.
+//! Change of the frequency of a mode with its amplitude.
 
 use super::equilibrium::Equilibrium;
 use super::lindstedt::{Fundamental, Judge, Obstacle, Third, third_order};

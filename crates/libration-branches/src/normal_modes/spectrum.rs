@@ -120,7 +120,7 @@ fn gathered(values: &[Complex]) -> Vec<(Complex, usize)> {
     in_groups(&values.iter().map(|z| Complex::new(clean(z.re), z.im)).collect::<Vec<_>>())
 }
 
-/// What is nothing but for rounding errors beside the largest of some numbers as zero.
+/// Returns a function that replaces numbers by zero if they are rounding errors compared with the largest of some values.
 fn cleaned(values: &[Complex]) -> impl Fn(f64) -> f64 {
     let largest = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
     move |x: f64| if x.abs() <= SAME * largest { 0.0 } else { x }

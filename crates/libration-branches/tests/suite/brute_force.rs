@@ -22,7 +22,7 @@ struct Oscillator {
     range: [f64; 2],
     /// The drive's frequency over the parameter.
     beat: f64,
-    /// Where the force has kinks.
+    /// Positions of the kinks of the force.
     kinks: Vec<f64>,
 }
 
@@ -33,7 +33,7 @@ impl Oscillator {
         response.unwrap_or_else(|error| panic!("{}: {error}", self.text))
     }
 
-    /// The state after so many periods of the drive from t = 0, by the classical Runge–Kutta method.
+    /// The state after a number of drive periods from t = 0, by the classical Runge–Kutta method.
     fn after(&self, state: [f64; 2], w: f64, periods: u32) -> [f64; 2] {
         self.followed(state, w, periods * STEPS)
     }
@@ -70,7 +70,7 @@ impl Oscillator {
         moved(state, [mean(0), mean(1)], step)
     }
 
-    /// The map of so many periods with its derivatives by differences.
+    /// The map over a number of drive periods with its derivatives by differences.
     fn map(&self, state: [f64; 2], w: f64, periods: u32) -> ([f64; 2], [[f64; 2]; 2]) {
         let aside = 1e-6 * (1.0 + state[0].abs().max(state[1].abs()));
         let ends = [[aside, 0.0], [-aside, 0.0], [0.0, aside], [0.0, -aside]]
@@ -102,7 +102,7 @@ fn largest([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     if square > 0.0 { half.abs() + square.sqrt() } else { determinant.sqrt() }
 }
 
-/// What the Runge–Kutta method and its differences leave open of a multiplier.
+/// Error of a multiplier from the Runge–Kutta method and its differences.
 const OPEN: f64 = 1e-4;
 
 fn check_points(oscillator: &Oscillator, branch: &Branch) {
@@ -345,8 +345,8 @@ fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     }
 }
 
-/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point that
-/// is shown is an orbit of the whole equation.
+/// A spring that acts from 0.69 to 0.71 alone, where no trial of the symmetry looks: the motions are symmetric until they come there, and each point
+/// that is shown is an orbit of the whole equation.
 #[test]
 fn a_narrow_force_that_no_trial_of_the_symmetry_meets_invents_no_orbit() {
     let oscillator = Oscillator {
@@ -452,7 +452,8 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
     // From the median on, the parts beyond which are each a tenth of those before.
     let beyond = [2, 10, 100, 1000].map(|part| ratios[ratios.len() - 1 - ratios.len() / part]);
     eprintln!("{} ratios: quantiles {beyond:?}", ratios.len());
-    // One motion in 47 358 of four seeds, which nearly grazes a kink, was 2.7 times its error off: the change of the map with the start is an estimate.
+    // One motion in 47 358 of four seeds, which nearly grazes a kink, was 2.7 times its error off: the change of the map with the start is an
+    // estimate.
     let wrong = ratios.iter().filter(|ratio| **ratio > 1.0).count();
     assert!(10_000 * wrong <= ratios.len(), "{wrong} of {}, the largest {:?}", ratios.len(), ratios.last());
 }

@@ -28,7 +28,7 @@ fn specials(response: &Response, kind: SpecialKind) -> Vec<f64> {
     special.filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
 }
 
-/// That one of the special points of a kind is at a value, to 12 digits, and as near as it says.
+/// Asserts that one of the special points of a kind is at a value, to 12 digits and within its stated error.
 fn assert_special(response: &Response, kind: SpecialKind, expected: f64, amplitude: Option<f64>) {
     let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
     let off = |parameter: f64| (parameter - expected).abs();
@@ -239,7 +239,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
     }
 }
 
-/// Where the integrator leads in so many periods of the drive, whose frequency is w.
+/// The state after a number of drive periods by the integrator, at the drive frequency w.
 fn followed(equation: &Equation, frequency: f64, mut state: Vec<f64>, periods: u32) -> Vec<f64> {
     let exact = format!("{frequency:?}").parse().unwrap();
     let system = System::new(&equation.with(&[("w", exact)]).unwrap()).unwrap();

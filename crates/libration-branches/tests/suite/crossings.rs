@@ -1,4 +1,4 @@
-//! Where branches of periodic motions cross, and what looks like it; beside closed forms and integrations by other programs.
+//! Crossings of branches of periodic motions, and similar cases, compared with closed forms and integrations by other programs.
 
 use libration::continuation::{Branch, Ending, NoBranch, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;

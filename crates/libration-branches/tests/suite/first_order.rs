@@ -72,7 +72,7 @@ fn both_forms_of_one_equation_have_one_motion() {
     }
 }
 
-/// How exact a motion is does not depend on where zero is: x' = v beside an x of a million.
+/// Accuracy of a motion does not depend on the origin: x' = v next to an x of a million.
 #[test]
 fn the_error_of_a_variable_is_a_part_of_how_far_it_moves() {
     let far = system("x' = v; v' = -(x - 1000000)");

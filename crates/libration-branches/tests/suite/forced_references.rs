@@ -211,7 +211,7 @@ fn swings_of_the_pendulum_on_a_moving_pivot_have_their_states() {
     }
 }
 
-/// That a special point is where it has to be, to 12 digits and within its error.
+/// Asserts that a special point is at its expected value, to 12 digits and within its error.
 fn assert_special(equation: &Equation, parameter: &str, start: [f64; 2], kind: SpecialKind, expected: f64) {
     let range = [0.97 * expected, 1.03 * expected];
     let options = ResponseOptions {

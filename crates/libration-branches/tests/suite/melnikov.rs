@@ -272,7 +272,7 @@ fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
     assert!(upper.tangency(&equation, "A").is_err());
 }
 
-/// Where the manifolds touch, against Taylor series and Newton's method in 200 bits from two distances.
+/// The place of a tangency, against Taylor series and Newton's method in 200 bits from two distances.
 #[test]
 fn the_place_of_a_tangency_is_known_to_its_stated_error() {
     use libration::taylor::{Effort, Moment, System, integrate};

@@ -106,7 +106,7 @@ fn the_exchange_is_that_of_return_maps() {
     }
 }
 
-/// Whether a stated error is not below the true one, and no more than thirty times as large, or than what rounding leaves.
+/// Returns whether a stated error is not below the true one, and at most thirty times as large or within rounding.
 fn is_near_the_true_one(stated: f64, period: f64, truth: f64) -> bool {
     const ROUNDING: f64 = 4e-12;
     let off = (period - truth).abs();

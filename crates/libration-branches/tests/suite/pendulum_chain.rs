@@ -38,7 +38,7 @@ fn its_modes_are_those_of_a_chain_with_free_ends() {
     }
 }
 
-/// Of a billionth of a radian, in the shape of a mode of forty pendulums.
+/// An oscillation of a billionth of a radian, in the shape of a mode of forty pendulums.
 #[test]
 fn a_small_mode_swings_with_its_frequency() {
     let (n, k, time) = (40, 7.0, 30.0);

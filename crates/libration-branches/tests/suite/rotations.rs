@@ -21,7 +21,7 @@ fn turning(turns: i32, drive_periods: u32) -> ResponseOptions {
     ResponseOptions { rotation, drive_periods, generations: 0, ..ResponseOptions::default() }
 }
 
-/// How far an angle is from another one, but for whole turns.
+/// Distance between two angles, modulo whole turns.
 fn apart(a: f64, b: f64) -> f64 {
     (a - b - TAU * ((a - b) / TAU).round()).abs()
 }

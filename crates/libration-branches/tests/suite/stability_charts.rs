@@ -37,7 +37,7 @@ fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, s
     );
 }
 
-/// That an edge of rest along a line of the pivot's amplitude is where it has to be.
+/// Asserts that an edge of rest along a line of the pivot's amplitude is at its expected value.
 fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind, edge: f64) {
     let options =
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };

@@ -1,4 +1,4 @@
-//! What can be said about a file instead of being inferred from it.
+//! Choices about a file that replace inferences from it.
 
 use std::convert::Infallible;
 use std::fmt;
@@ -11,7 +11,7 @@ use super::heading::Unit;
 pub enum Column {
     /// Counted from one.
     Number(usize),
-    /// As in the header, with or without its unit.
+    /// The name as in the header, with or without its unit.
     Name(String),
 }
 
@@ -24,7 +24,7 @@ impl FromStr for Column {
     }
 }
 
-/// What the columns of a recording are, where it is not to be inferred from the file; `None` leaves it to the file.
+/// Roles of the columns of a recording that are not to be inferred from the file; `None` leaves the choice to the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Choices {
     /// The sheet, by its name or its number counted from one.
@@ -42,13 +42,13 @@ pub struct Choices {
     pub angular_velocity: Option<Column>,
     /// The unit of the angles or angular velocities.
     pub unit: Option<Unit>,
-    /// How many counts of an encoder make a turn.
+    /// Number of counts of an encoder in a turn.
     pub counts_per_turn: Option<f64>,
     /// The column of horizontal positions.
     pub x: Option<Column>,
     /// The column of vertical positions.
     pub y: Option<Column>,
-    /// Where the pivot is, in the unit of the positions.
+    /// Position of the pivot, in the unit of the positions.
     pub pivot: Option<(f64, f64)>,
     /// The column of uncertainties of angles or angular velocities.
     pub uncertainty: Option<Column>,
@@ -58,24 +58,24 @@ pub struct Choices {
     pub from: Option<f64>,
     /// Leave out rows after this time.
     pub to: Option<f64>,
-    /// Which times are taken where those of the file are rounded.
+    /// Times to use where those of the file are rounded.
     pub stamps: Option<TimeStamps>,
 }
 
-/// Which times are taken where those of the file are rounded.
+/// Times to use where those of the file are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TimeStamps {
-    /// As they are written.
+    /// The times as they are written.
     AsWritten,
     /// The even times of which they are roundings.
     Even,
 }
 
-/// The name of something that can be said, as an option has it.
+/// Name of a choice, as an option has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Choice {
-    /// What stands between cells.
+    /// The delimiter of cells.
     Delimiter,
     /// Decimal point or decimal comma.
     Decimal,
@@ -138,7 +138,7 @@ impl fmt::Display for Choice {
 /// A choice with a value that would do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggestion {
-    /// What is chosen.
+    /// The choice.
     pub choice: Choice,
     /// A value that would do.
     pub value: String,
@@ -156,12 +156,12 @@ impl fmt::Display for Suggestion {
     }
 }
 
-/// What was inferred from a file, as a sentence, and the choice that would override it.
+/// An inference from a file, as a sentence, and the choice that would override it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     /// The sentence, without a full stop.
     pub text: String,
-    /// What would override it, if anything does.
+    /// The choice that would override it, if there is one.
     pub choice: Option<Choice>,
 }
 

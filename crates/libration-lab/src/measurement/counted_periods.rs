@@ -1,21 +1,21 @@
-//! How many periods each time of a column lasts, by its heading: `10T`, `half period (s)`, `time of 20 oscillations`.
+//! Number of periods that each time of a column lasts, by its heading: `10T`, `half period (s)`, `time of 20 oscillations`.
 
 use super::table::Table;
 use super::{Column, MeasurementError};
 
-/// What a heading says of how many periods each time lasts.
+/// Number of periods that each time lasts, as stated in a heading.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CountedPeriods {
-    /// So many: 0.5 for half periods. One where it speaks of a period or of T.
+    /// The stated number: 0.5 for half periods, 1 where the heading speaks of a period or of T.
     Said(f64),
-    /// Nothing.
+    /// No number is stated.
     Nothing,
     /// A number or a part that may be meant so, as in `T10` or `10 swings`: the heading as it is written.
     Unclear(String),
 }
 
 impl Table {
-    /// How many periods each time in this column lasts, by its heading.
+    /// Number of periods that each time in this column lasts, by its heading.
     ///
     /// # Errors
     /// No such column.
@@ -61,7 +61,7 @@ const PERIOD: [&str; 19] = [
 ];
 const HALF: [&str; 8] = ["half", "halbe", "halben", "demi", "semi", "½", "0.5", "0,5"];
 const HALF_PERIOD: [&str; 4] = ["halfperiod", "semiperiodo", "semiperiod", "halbschwingung"];
-/// What is the mean of so many is one.
+/// Words for a mean: the mean of several periods is one period.
 const MEAN: [&str; 12] = [
     "mean",
     "average",
@@ -77,7 +77,7 @@ const MEAN: [&str; 12] = [
     "per",
 ];
 
-/// How many periods a column with this heading counts in each time.
+/// Number of periods that a column with this heading counts in each time.
 pub fn counted(heading: &str) -> CountedPeriods {
     let lower = heading.to_lowercase().replace(['×', '*', '·', '_', '-', '{', '}', '$'], " ");
     let words = words(&lower);

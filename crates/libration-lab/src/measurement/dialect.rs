@@ -1,4 +1,4 @@
-//! What stands between the cells and within the numbers, inferred from the lines themselves.
+//! Delimiter of the cells and notation of the numbers, inferred from the lines themselves.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use super::text::{COMMENT, is_blank_or_comment};
 /// Lines looked at to tell the dialect.
 pub(super) const SAMPLE: usize = 1000;
 
-/// What stands between the cells of a row.
+/// Delimiter of the cells of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
     /// A tab.
@@ -56,12 +56,12 @@ impl fmt::Display for DecimalMark {
     }
 }
 
-/// How a text is cut into numbers.
+/// Rules by which a text is split into numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dialect {
-    /// What stands between cells.
+    /// Delimiter of the cells.
     pub delimiter: Delimiter,
-    /// What stands within numbers.
+    /// Decimal mark of the numbers.
     pub mark: DecimalMark,
     /// `true` if cells have units, as `10cm` has.
     pub units: bool,
@@ -91,7 +91,7 @@ impl Row {
         self.kinds(mark).filter(|cell| cell.is_number()).count()
     }
 
-    /// Whether it has a number, and nothing that is none.
+    /// Returns whether the row has a number, and no cell of text.
     pub(super) fn is_of_numbers(&self, mark: DecimalMark) -> bool {
         self.numbers(mark) > 0 && self.kinds(mark).all(|cell| cell != Cell::Text)
     }
@@ -198,7 +198,7 @@ fn without_units(row: Row, mark: DecimalMark) -> Row {
     Row { line: row.line, cells: StringRecord::from(cells), units }
 }
 
-/// Where commas are decimal commas and between cells too, a row of whole numbers is one of pairs: `0,5,1,2` is 0.5 and 1.2.
+/// A row of whole numbers with pairs joined, where commas are decimal commas and delimiters too: `0,5,1,2` is 0.5 and 1.2.
 fn with_pairs_joined(row: Row) -> Row {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_whole = |text: &str| digits(text.trim_start_matches(['-', '+', '−']));

@@ -1,8 +1,8 @@
-//! What can be wrong with a file of measurements.
+//! Errors in files of measurements.
 
 use super::choices::{Choice, Suggestion};
 
-/// Why a file is no recording, or has not what is asked of it.
+/// Reason why a file is not a recording, or lacks the data asked for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
@@ -70,7 +70,7 @@ pub enum MeasurementError {
         /// The units that are mixed.
         found: String,
     },
-    /// A cell that is no finite number.
+    /// A cell that is not a finite number.
     #[error("line {line}, column {column}: `{cell}` is not a finite number: write it as 1.25 or 1.25e-3")]
     NotANumber {
         /// Counted from one.
@@ -85,18 +85,18 @@ pub enum MeasurementError {
     NoSuchColumn {
         /// The number or name.
         asked: String,
-        /// What there is.
+        /// The columns available.
         available: String,
     },
     /// Two columns of this name.
     #[error("several columns are named `{0}`: ask by number, counted from 1")]
     AmbiguousColumn(String),
-    /// None of several sheets has what is asked for; the first says why.
+    /// No sheet of several has the data asked for; the error is that of the first.
     #[error("no sheet has what is asked for; `{name}`: {error}")]
     OfSheet {
         /// The sheet.
         name: String,
-        /// Why not.
+        /// The reason.
         error: Box<Self>,
     },
     /// No sheet or run of this name.
@@ -104,9 +104,9 @@ pub enum MeasurementError {
     NoSuch {
         /// `sheet` or `run`.
         what: &'static str,
-        /// As asked.
+        /// The name asked for.
         asked: String,
-        /// What there is.
+        /// The names available.
         available: String,
     },
     /// Not one row is complete in the columns asked for.
@@ -115,11 +115,11 @@ pub enum MeasurementError {
     /// More than any measurement has.
     #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
     TooMany {
-        /// Of what.
+        /// The kind of items.
         what: &'static str,
-        /// How many.
+        /// Their number.
         count: usize,
-        /// Where.
+        /// Their place.
         place: String,
         /// At most.
         limit: usize,
@@ -127,9 +127,9 @@ pub enum MeasurementError {
     /// Something that the file does not decide.
     #[error("{question}: say {}", listed(.choices, &|choice| format!("{choice}=")))]
     Undecided {
-        /// What is open, and why.
+        /// The open question, with its reason.
         question: String,
-        /// What would decide it.
+        /// Choices that would decide it.
         choices: Vec<Suggestion>,
     },
     /// Times that go back more often than a clock is set back or a row misplaced.
@@ -139,31 +139,31 @@ pub enum MeasurementError {
     TimeGoesBack {
         /// Counted from one.
         line: u64,
-        /// As in the file.
+        /// The earlier time, as in the file.
         before: f64,
-        /// As in the file.
+        /// The later time, as in the file.
         after: f64,
     },
-    /// A number that is no state of a photogate.
+    /// A number that is not a state of a photogate.
     #[error("line {line}: {found} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
     NotAState {
         /// Counted from one.
         line: u64,
-        /// As in the file.
+        /// The number, as in the file.
         found: f64,
     },
-    /// Positions that do not say where the pivot is.
+    /// Positions that do not determine the pivot.
     #[error("{0}: say where the pivot is with pivot=X,Y")]
     PivotUnknown(String),
     /// Horizontal and vertical positions in different units.
     #[error("the positions are in {x} and in {y}: give both in one unit")]
     PositionUnits {
-        /// Of the horizontal positions.
+        /// The unit of the horizontal positions.
         x: String,
-        /// Of the vertical positions.
+        /// The unit of the vertical positions.
         y: String,
     },
-    /// Values that are no trace.
+    /// Values that are not a trace.
     #[error(transparent)]
     Trace(#[from] super::TraceError),
     /// A column whose heading says that it holds something else than it is asked for.
@@ -171,9 +171,9 @@ pub enum MeasurementError {
     HoldsOther {
         /// Its number and name.
         column: String,
-        /// By its header.
+        /// The quantity by its header.
         found: &'static str,
-        /// What it is asked for.
+        /// The role for which it was chosen.
         expected: super::Role,
     },
     /// Times, and nothing that was measured at them.
@@ -186,9 +186,9 @@ pub enum MeasurementError {
         "{goes_back} of {rows} times are less than the one before: they are not times of a photogate; are they periods?"
     )]
     NotGateTimes {
-        /// How many.
+        /// Number of times that are less than the one before.
         goes_back: usize,
-        /// Of how many.
+        /// Number of all times.
         rows: usize,
     },
     /// Accelerations, from which alone neither angle nor angular velocity follows.
@@ -207,35 +207,35 @@ pub enum MeasurementError {
          are missing: export the times with more digits"
     )]
     CoarseTimes {
-        /// Whose they are, with a colon, or nothing.
+        /// The run, with a colon, or an empty text.
         run: String,
-        /// How many.
+        /// Number of digits.
         digits: usize,
     },
-    /// Times that are no roundings of even ones.
+    /// Times that are not roundings of even ones.
     #[error("{run}the times are not evenly spaced times that were rounded: keep them as written")]
     NotEven {
-        /// Whose they are, with a colon, or nothing.
+        /// The run, with a colon, or an empty text.
         run: String,
     },
     /// No row between the times that are asked for.
     #[error("{run}no row lies between the times asked for: the times run from {first} to {last} s")]
     NothingBetween {
-        /// Whose they are, with a colon, or nothing.
+        /// The run, with a colon, or an empty text.
         run: String,
         /// In seconds.
         first: f64,
         /// In seconds.
         last: f64,
     },
-    /// A unit that does not fit what it is said of.
+    /// A unit that does not fit its quantity.
     #[error("{unit} is not a unit of {of}: give one such as {examples}")]
     WrongUnit {
-        /// As said.
+        /// The unit given.
         unit: super::Unit,
-        /// Of what.
+        /// The quantity.
         of: &'static str,
-        /// What would do.
+        /// Examples of units of the quantity.
         examples: &'static str,
     },
 }

@@ -4,19 +4,19 @@
 /// that was given and that contradicts the positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedPivot {
-    /// Where, in the unit of the positions.
+    /// Place of the pivot, in the unit of the positions.
     pub place: [f64; 2],
-    /// Of the place, in the square of that unit.
+    /// Covariance of the place, in the square of that unit.
     pub covariance: [[f64; 2]; 2],
-    /// What each angle changes by with the place, in radians per unit.
+    /// Derivatives of each angle with respect to the place, in radians per unit.
     pub derivatives: Vec<[f64; 2]>,
-    /// The centre of the circle through the positions, where the place was given and is not that centre. The difference is then the half-width of a rectangular
-    /// distribution, whose covariance is above.
+    /// The centre of the circle through the positions, where the place was given and is not that centre. The difference is then the half-width of a
+    /// rectangular distribution, whose covariance is above.
     pub contradicted_by: Option<[f64; 2]>,
 }
 
 impl FittedPivot {
-    /// By how much the angles change in two independent errors of the place, each of one standard deviation.
+    /// Changes of the angles for two independent errors of the place, each of one standard deviation.
     #[must_use]
     pub fn errors(&self) -> [Vec<f64>; 2] {
         // The lower triangle whose product with its transpose is the covariance.

@@ -12,13 +12,13 @@ use crate::statistics::lower_median;
 pub struct Gates {
     /// In seconds, in the order of the file.
     pub times: Vec<f64>,
-    /// Whether the gate became blocked at each time, where the file says it.
+    /// `true` for each time at which the gate became blocked, where the file says it.
     pub blocked: Option<Vec<bool>>,
     /// The line of each time, counted from one.
     pub lines: Vec<u64>,
     /// Rows without a time or a state, which are left out.
     pub incomplete: usize,
-    /// What was inferred from the file.
+    /// Inferences from the file.
     pub findings: Vec<Finding>,
 }
 
@@ -72,7 +72,7 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     Ok(gates)
 }
 
-/// A trace beside its times is no table of a gate: nor is any other measured column, if the times come as evenly as samples do.
+/// Refuses a trace next to its times, which is not a table of a gate, and any other measured column, if the times come as evenly as samples do.
 fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let is_traced = |place: usize| {
         let heading = &sheet.channels[place].heading;

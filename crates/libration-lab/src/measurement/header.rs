@@ -6,7 +6,7 @@ use super::options::Header;
 use super::text::COMMENT;
 use super::{MeasurementError, QuantityKind, Unit};
 
-/// What the lines above the numbers say.
+/// Contents of the lines above the numbers.
 pub(super) struct Names {
     pub(super) headings: Vec<Heading>,
     pub(super) line: Option<u64>,
@@ -81,8 +81,8 @@ fn in_comment(text: &str, width: usize, dialect: Dialect, first_line: u64) -> Op
         .then_some(row)
 }
 
-/// As many names as columns, and those that are more. Words that blanks have torn apart are joined at brackets and strokes, or
-/// where there is but one blank between them; other names beyond the last column have no numbers below them.
+/// Names of the columns, and the names beyond the last column. Words that blanks have torn apart are joined at brackets and strokes, or where there
+/// is but one blank between them; other names beyond the last column have no numbers below them.
 fn name_cells(
     row: &Row,
     text: &str,

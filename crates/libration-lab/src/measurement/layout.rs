@@ -1,4 +1,4 @@
-//! Where the numbers of a text begin, and what the lines above them are.
+//! Beginning of the numbers of a text, and the roles of the lines above them.
 
 use super::MeasurementError;
 use super::dialect::{Dialect, Row, SAMPLE};
@@ -10,7 +10,7 @@ use super::options::Header;
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;
 
-/// Where the parts of a text are.
+/// Parts of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Layout {
     /// One for each column.
@@ -77,7 +77,7 @@ fn refuse_long_cells(rows: &[Row]) -> Result<(), MeasurementError> {
     }
 }
 
-/// How wide the rows with numbers are.
+/// Width of the rows with numbers.
 struct Extent {
     /// Cells up to the last one that is filled in any of them, those longer than most aside.
     filled: usize,

@@ -1,4 +1,4 @@
-//! What an instrument wrote → columns with quantities and units → traces of a swing, or times of a photogate.
+//! Files of instruments → columns with quantities and units → traces of a swing, or times of a photogate.
 //!
 //! A [`Recording`] is read from bytes: text with commas, semicolons, tabs or blanks between its cells, decimal points or commas, in
 //! UTF-8, UTF-16 or Windows-1252; Excel workbooks, old and new; archives of text files. Lines that begin with `#` or `%` are remarks.

@@ -2,7 +2,7 @@
 
 use super::Unit;
 
-/// What a cell holds.
+/// Content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
     /// A number.

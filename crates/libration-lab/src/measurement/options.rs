@@ -1,30 +1,30 @@
-//! How a file is read.
+//! Options of reading a file.
 
 use super::dialect::Delimiter;
 use super::number::DecimalMark;
 
-/// Whether the first row names the columns.
+/// Presence of a row that names the columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Header {
-    /// It does when not one of its cells is a number; lines of other kinds above it are left out.
+    /// The first row names the columns when not one of its cells is a number; lines of other kinds above it are left out.
     #[default]
     Detect,
-    /// It does.
+    /// The first row names the columns.
     Present,
-    /// It does not.
+    /// No row names the columns.
     Absent,
-    /// This line does, counted from one; what is above it is left out.
+    /// This line names the columns, counted from one; lines above it are left out.
     Line(u64),
 }
 
-/// How a file is read.
+/// Options of reading a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReadOptions {
-    /// What stands between cells; inferred from the file when not given.
+    /// Delimiter of cells; inferred from the file when not given.
     pub delimiter: Option<Delimiter>,
     /// Decimal point or decimal comma; inferred from the file when not given.
     pub decimal: Option<DecimalMark>,
-    /// Whether the first row names the columns.
+    /// Presence of a row that names the columns.
     pub header: Header,
     /// The most bytes that are read.
     pub size_limit: usize,

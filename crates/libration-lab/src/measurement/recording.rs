@@ -50,7 +50,7 @@ impl Recording {
         }
     }
 
-    /// What kind of file it is.
+    /// Format of the file.
     #[must_use]
     pub fn format(&self) -> Format {
         self.format
@@ -70,7 +70,7 @@ impl Recording {
         (self.sheets.swap_remove(place), count)
     }
 
-    /// What was inferred from the file in reading it.
+    /// Inferences made in reading the file.
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let of_text = matches!(self.format, Format::Text(_) | Format::Zip);
@@ -79,7 +79,7 @@ impl Recording {
         left_out.chain(self.sheets.iter().flat_map(|sheet| sheet.findings(of_text))).collect()
     }
 
-    /// What the chosen sheet gives, or the only one that gives anything.
+    /// Result from the chosen sheet, or from the only one that gives a result.
     pub(super) fn in_one_sheet<T>(
         &self,
         choices: &Choices,
@@ -143,7 +143,7 @@ fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, Measuremen
 }
 
 impl Sheet {
-    /// What was told in reading it; of a workbook there is no dialect to tell.
+    /// Inferences made in reading the sheet; a workbook has no dialect to report.
     fn findings(&self, of_text: bool) -> Vec<Finding> {
         let Dialect { delimiter, mark, .. } = self.dialect;
         let of = if self.name.is_empty() { String::new() } else { format!("`{}`: ", self.name) };

@@ -1,10 +1,10 @@
-//! What a chosen column is to hold, and what a heading says of that: a unit, or something else than it is to hold.
+//! Role of a chosen column, and the statements of a heading about it: a unit, or another quantity.
 
 use super::heading::{Heading, Measures};
 use super::{QuantityKind, Unit};
 use std::fmt;
 
-/// What a chosen column is to hold.
+/// Role of a chosen column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Times, such as periods.
@@ -22,9 +22,9 @@ pub enum Role {
 /// The unit that is written over a column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WrittenUnit {
-    /// None.
+    /// No unit.
     Nothing,
-    /// One of what the column is to hold.
+    /// A unit that fits the role of the column.
     Known(Unit),
     /// Something where a unit would be, as it is written.
     Unknown(String),
@@ -50,7 +50,7 @@ const NAMES: [(Role, &[&str]); 3] = [
 ];
 
 impl Role {
-    /// What the heading says the column holds, when that is not this.
+    /// Quantity that the column holds by its heading, when that is not this role.
     pub(super) fn contradicted_by(self, heading: &Heading) -> Option<&'static str> {
         self.contradicted_by_unit(heading).or_else(|| self.contradicted_by_name(heading))
     }

@@ -12,7 +12,7 @@ use libration::quantity::{excerpt, printable};
 /// A column: its heading and its cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// What the header says of it.
+    /// Heading of the column.
     pub heading: Heading,
     pub(super) cells: Vec<Cell>,
     /// Every cell that is neither a number nor missing, with its row.
@@ -20,7 +20,7 @@ pub struct Channel {
 }
 
 impl Channel {
-    /// The numbers, `None` where the cell is empty or no number.
+    /// The numbers, `None` where the cell is empty or not a number.
     pub fn numbers(&self) -> impl Iterator<Item = Option<f64>> {
         self.cells.iter().map(|cell| match cell {
             Cell::Number(number) => Some(*number),
@@ -28,13 +28,13 @@ impl Channel {
         })
     }
 
-    /// How many cells are numbers.
+    /// Number of cells that are numbers.
     #[must_use]
     pub fn count(&self) -> usize {
         self.numbers().flatten().count()
     }
 
-    /// How many cells are empty, or say that nothing was measured.
+    /// Number of cells that are empty, or say that nothing was measured.
     #[must_use]
     pub fn blanks(&self) -> usize {
         self.cells.len() - self.count() - self.words.len()
@@ -46,7 +46,7 @@ impl Channel {
         &self.words
     }
 
-    /// Whether it holds words and no numbers, as a column of names does.
+    /// Returns whether the column holds words and no numbers, as a column of names does.
     #[must_use]
     pub fn is_of_words(&self) -> bool {
         !self.words.is_empty() && self.count() == 0
@@ -61,7 +61,7 @@ impl Channel {
         })
     }
 
-    /// Whether it has at least two numbers and each is above the one before.
+    /// Returns whether the column has at least two numbers and each is above the one before.
     pub(super) fn increases(&self) -> bool {
         let numbers: Vec<f64> = self.numbers().flatten().collect();
         self.words.is_empty() && numbers.len() > 1 && numbers.windows(2).all(|pair| pair[0] < pair[1])
@@ -73,7 +73,7 @@ impl Channel {
 pub struct Sheet {
     /// Its name in a workbook or an archive; empty for a text file.
     pub name: String,
-    /// What stands between its cells and within its numbers.
+    /// Delimiter of its cells and notation of its numbers.
     pub dialect: Dialect,
     /// The line that names the columns, where there is one.
     pub header_line: Option<u64>,
@@ -152,7 +152,7 @@ impl Sheet {
         Ok(())
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.lines.len()
@@ -212,7 +212,7 @@ impl Sheet {
         }
     }
 
-    /// What stands in a cell that is no number.
+    /// Text of a cell that is not a number.
     pub(super) fn word(&self, place: usize, row: usize) -> Option<&str> {
         let words = &self.channels[place].words;
         words.binary_search_by_key(&row, |(row, _)| *row).ok().map(|at| words[at].1.as_str())

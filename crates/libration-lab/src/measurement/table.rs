@@ -21,7 +21,7 @@ use super::{Column, MeasurementError};
 pub struct Table {
     sheet: Sheet,
     names: Vec<String>,
-    /// How many sheets the file has.
+    /// Number of sheets in the file.
     sheets: usize,
 }
 
@@ -32,7 +32,7 @@ pub struct Selection {
     pub columns: Vec<Vec<f64>>,
     /// The line each row came from, counted from one.
     pub lines: Vec<u64>,
-    /// How many rows were left out because a chosen cell is empty or NaN.
+    /// Number of rows that were left out because a chosen cell is empty or NaN.
     pub dropped: usize,
 }
 
@@ -59,7 +59,7 @@ impl Table {
         (self.sheets > 1).then_some(self.sheet.name.as_str())
     }
 
-    /// What stands between the cells.
+    /// Delimiter of the cells.
     #[must_use]
     pub fn delimiter(&self) -> Delimiter {
         let Dialect { delimiter, .. } = self.sheet.dialect;
@@ -72,7 +72,7 @@ impl Table {
         &self.names
     }
 
-    /// How many columns there are.
+    /// Number of columns.
     #[must_use]
     pub fn width(&self) -> usize {
         self.sheet.channels.len()

@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::MeasurementError;
 
-/// How the letters of a file are written as bytes.
+/// Character encoding of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
     /// UTF-8, plain ASCII included.
@@ -92,11 +92,11 @@ fn with_line_feeds(text: Cow<'_, str>) -> Cow<'_, str> {
     text.replace("\r\n", "\n").replace('\r', "\n").into()
 }
 
-/// Whether a line holds nothing to read.
+/// Returns whether a line is blank or a comment.
 pub(super) fn is_blank_or_comment(line: &str) -> bool {
     let line = line.trim_start();
     line.is_empty() || line.starts_with(COMMENT)
 }
 
-/// What a line of remarks begins with.
+/// Characters with which a comment begins.
 pub(super) const COMMENT: [char; 2] = ['#', '%'];

@@ -2,7 +2,7 @@
 
 use super::FittedPivot;
 
-/// Why columns are no trace.
+/// Reason why columns are not a trace.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TraceError {
@@ -25,16 +25,16 @@ pub enum TraceError {
     Uncertainty(f64),
 }
 
-/// What the numbers of a trace are.
+/// Quantity of the numbers of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
-    /// The angle, in radians; where it is zero is not known.
+    /// The angle, in radians; its zero is not known.
     Angle,
     /// The angular velocity, in radians per second, as a gyroscope gives it.
     AngularVelocity,
 }
 
-/// What an instrument saw of one swing. Units are radians and seconds.
+/// Measurement of one swing. Units are radians and seconds.
 ///
 /// # Examples
 /// ```
@@ -106,7 +106,7 @@ impl Trace {
         Self { clock_uncertainty, ..self }
     }
 
-    /// By which part all times together may be too long or too short, one standard deviation; zero where that is not known.
+    /// Relative standard uncertainty of the scale of all times; zero where it is not known.
     #[must_use]
     pub fn clock_uncertainty(&self) -> f64 {
         self.clock_uncertainty
@@ -130,19 +130,19 @@ impl Trace {
         self.fitted_pivot.as_ref()
     }
 
-    /// What would be seen if every value were larger by its part of this column, about a pivot that is not in doubt.
+    /// The trace with each value increased by its entry in this column, about a pivot without uncertainty.
     pub(crate) fn shifted(&self, by: &[f64]) -> Self {
         let values = self.values.iter().zip(by).map(|(value, by)| value + by).collect();
         Self { values, fitted_pivot: None, ..self.clone() }
     }
 
-    /// Whose it is.
+    /// Name of the trace.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What its numbers are.
+    /// Quantity of its numbers.
     #[must_use]
     pub fn observable(&self) -> Observable {
         self.observable
@@ -166,7 +166,7 @@ impl Trace {
         self.uncertainties.as_deref()
     }
 
-    /// How many rows there are; at least one.
+    /// Number of rows; at least one.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a trace is never empty")]
     pub fn len(&self) -> usize {

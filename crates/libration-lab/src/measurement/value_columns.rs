@@ -9,14 +9,14 @@ use super::table::Table;
 pub struct ValueColumn {
     /// The column.
     pub values: Column,
-    /// That of their uncertainties.
+    /// The column of their uncertainties.
     pub uncertainties: Option<Column>,
 }
 
 impl Table {
-    /// The columns of values with those of their uncertainties, as the header says which are which: `±` belongs to the column
-    /// before it, or to the last one before it that has none yet, `u(T)` and `dT` to that of the same name, or else to the one before it. Of two that would belong to one column the first does.
-    /// Columns of words are left out.
+    /// The columns of values with those of their uncertainties, as the header says which are which: `±` belongs to the column before it, or to the
+    /// last one before it that has none yet, `u(T)` and `dT` to that of the same name, or else to the one before it. Of two that would belong to one
+    /// column the first does. Columns of words are left out.
     ///
     /// # Examples
     /// ```

@@ -1,4 +1,4 @@
-//! How likely chance is to give a sum of squares as large as this.
+//! Probability that chance gives a sum of squares as large as this.
 
 use super::count;
 

@@ -9,16 +9,16 @@ use nalgebra::{DMatrix, DVector};
 /// The part of its length that rounding errors leave of a column that the columns before it span: 64 units in the last place.
 pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Why data leave coefficients open.
+/// Reason why data do not determine coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undetermined {
     /// Fewer rows than columns, or no column.
     TooFewRows,
-    /// Something that is no number, or too large to be squared.
+    /// A number that is not finite, or too large to be squared.
     NotFinite,
     /// The columns before this one, counted from zero, span it; or it is zero.
     Dependent {
-        /// Which one.
+        /// The column.
         column: usize,
     },
 }
@@ -32,8 +32,7 @@ pub struct Design {
 }
 
 impl Design {
-    /// Of a matrix whose columns are exact to this part of their lengths, [`ROUNDING`] where they are not computed by anything
-    /// worse.
+    /// Factors a matrix whose columns are exact to this part of their lengths, [`ROUNDING`] where they are not computed by anything worse.
     pub fn new(matrix: &DMatrix<f64>, exactness: f64) -> Result<Self, Undetermined> {
         if matrix.is_empty() || matrix.nrows() < matrix.ncols() {
             return Err(Undetermined::TooFewRows);
@@ -73,7 +72,7 @@ impl Design {
         -2.0 * self.inverse.diagonal().iter().map(|entry| libm::log(entry.abs())).sum::<f64>()
     }
 
-    /// What is left of a vector without its part in the span of the columns.
+    /// Component of a vector that is orthogonal to the span of the columns.
     pub(crate) fn without_span(&self, vector: &DVector<f64>) -> DVector<f64> {
         vector - &self.orthogonal * self.orthogonal.tr_mul(vector)
     }
@@ -98,9 +97,9 @@ impl Design {
 /// The best coefficients of a linear model.
 #[derive(Clone, Debug)]
 pub struct LinearFit {
-    /// In the order of the columns.
+    /// Coefficients, in the order of the columns.
     pub coefficients: DVector<f64>,
-    /// Of the coefficients, where the weights are right; without weights in units of the variance of a row.
+    /// Covariance of the coefficients, where the weights are right; without weights in units of the variance of a row.
     pub covariance: DMatrix<f64>,
     /// y − X·β, times the weights.
     pub residuals: DVector<f64>,

@@ -1,5 +1,4 @@
-//! Levenberg's and Marquardt's way to least squares of what is not linear (J. J. Moré, Lect. Notes Math. 630, 105 (1978),
-//! doi:10.1007/BFb0067700).
+//! Nonlinear least squares by the Levenberg–Marquardt method (J. J. Moré, Lect. Notes Math. 630, 105 (1978), doi:10.1007/BFb0067700).
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
@@ -9,43 +8,43 @@ use std::cell::{Cell, RefCell};
 /// A model at some parameters.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// What it says less the data, each times its weight: one over its standard deviation.
+    /// Values of the model less the data, each times its weight: one over its standard deviation.
     pub residuals: DVector<f64>,
     /// Their derivatives: a row for each residual, a column for each parameter.
     pub jacobian: DMatrix<f64>,
 }
 
-/// Why a model has no residuals at some parameters.
+/// Reason why a model has no residuals at some parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoResiduals {
-    /// It says nothing there.
+    /// The parameters are outside the domain of the model.
     OutOfDomain,
-    /// It was stopped.
+    /// The model was cancelled.
     Stopped,
 }
 
-/// Where the sum of squares is least.
+/// Minimum of the sum of squares.
 #[derive(Clone, Debug)]
 pub struct Minimum {
     pub parameters: DVector<f64>,
     pub linearised: Linearised,
-    /// Whether the way ended there, and not for want of patience.
+    /// `true` if the search converged and did not end at its limit of evaluations.
     pub converged: bool,
 }
 
-/// How far to go.
+/// Tolerance and limit of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// The relative change of the sum of squares that is none, and of the parameters where that is less than 1e-10; not less than the residuals
-    /// are exact to.
+    /// The relative change of the sum of squares that counts as none, and of the parameters where that is less than 1e-10; not less than the accuracy
+    /// of the residuals.
     pub tolerance: f64,
     /// Evaluations for each parameter and one more, as MINPACK counts them.
     pub patience: usize,
 }
 
-/// The first step is at most so many times as long as the parameters, each in units of what a residual of one makes of it. Moré
-/// takes 100 and advises 0.1 to 100: a motion that is followed over many periods is linear in short steps only. Fits of swings end
-/// alike with 0.1, 1, 10 and 100 (the recordings of `fit/trace/search.rs`).
+/// Maximum length of the first step in multiples of that of the parameters, each in units of its change by a residual of one. Moré takes 100 and
+/// advises 0.1 to 100: a motion that is followed over many periods is linear in short steps only. Fits of swings end alike with 0.1, 1, 10 and 100
+/// (the recordings of `fit/trace/search.rs`).
 const STEP_BOUND: f64 = 10.0;
 /// A step by a smaller part of the parameters is none, however rough the search: those of a swing next to the top are exact to it when a
 /// thousandth of the sum of squares is still far away.
@@ -53,13 +52,13 @@ const SMALL_STEP: f64 = 1e-10;
 /// A linear model promises so small a part of the tolerance of the sum of squares where another step is not worth an evaluation: a
 /// tolerance of 1e-11 of a million rows leaves the parameters within 1e-4 of their uncertainties then.
 const SETTLED: f64 = 1e-3;
-/// So large that the search turns back.
+/// Residuals outside the domain of the model, so large that the search turns back.
 const OUT_OF_DOMAIN: f64 = 1e9;
 
-/// The minimum next to some parameters. Where the model says nothing the search turns back.
+/// The minimum next to some parameters. Outside the domain of the model the search turns back.
 ///
 /// # Errors
-/// The model says nothing at the start, or was stopped.
+/// A start outside the domain of the model, or a cancelled model.
 pub fn minimum(
     start: DVector<f64>,
     effort: Effort,
@@ -99,14 +98,14 @@ struct Search<F> {
     evaluate: F,
     parameters: DVector<f64>,
     linearised: Linearised,
-    /// Where the last good step led, to which a bad one returns.
+    /// Result of the last good step, to which a bad one returns.
     accepted: RefCell<Option<(DVector<f64>, Linearised)>>,
     /// The relative change of the sum of squares that a linear model promises at the end.
     settled: f64,
     end: Cell<Option<End>>,
 }
 
-/// Why a search ends before its method says so.
+/// Reason why a search ends before its method does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
     Stopped,
@@ -155,7 +154,7 @@ where
 }
 
 impl Linearised {
-    /// By which part the sum of squares would fall to its least value if the model were linear.
+    /// Part by which the sum of squares would fall to its least value if the model were linear.
     pub(crate) fn promises(&self) -> f64 {
         let sum = self.residuals.norm_squared();
         if sum > 0.0 && self.jacobian.nrows() >= self.jacobian.ncols() {

@@ -1,4 +1,4 @@
-//! What fits and the reading of files know of samples: means, medians, least squares, distributions, criteria.
+//! Statistics of samples for fits and for the reading of files: means, medians, least squares, distributions, criteria.
 
 pub(crate) mod count;
 pub(crate) mod least_squares;

@@ -1,4 +1,4 @@
-//! How likely chance is to give a coefficient as far from zero as this.
+//! Probability that chance gives a coefficient as far from zero as this.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -43,7 +43,7 @@ pub fn quantile(probability: f64, dof: f64) -> f64 {
     normal + 0.25 * normal * (normal * normal + 1.0) / whole
 }
 
-/// Where a condition that holds at zero ceases to hold.
+/// The point at which a condition that holds at zero ceases to hold.
 fn root(holds: impl Fn(f64) -> bool) -> f64 {
     let [root, _] = bisect([0.0, 1e6], Tolerance::relative(1e-10), holds);
     root

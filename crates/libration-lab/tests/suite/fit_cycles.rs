@@ -55,7 +55,7 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
     }
 }
 
-/// Sums of squares of errors over their stated uncertainties, of T0 and of β, over so many traces.
+/// Sums of squares of errors over their stated uncertainties, of T0 and of β, over a number of traces.
 fn pulls(case: &Synthetic, traces: u64, first_seed: u64) -> [f64; 2] {
     let mut squares = [0.0; 2];
     for draw in 0..traces {

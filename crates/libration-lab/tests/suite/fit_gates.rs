@@ -15,7 +15,7 @@ use std::ops::ControlFlow;
 
 const OMEGA0: f64 = 3.2;
 const T0: f64 = std::f64::consts::TAU / OMEGA0;
-/// Of the bob, as an angle.
+/// Width of the bob, as an angle.
 const WIDTH: f64 = 0.026;
 const RELEASE: f64 = 0.9;
 
@@ -23,7 +23,7 @@ fn exactly(value: f64) -> Quantity {
     Quantity { value, uncertainty: None }
 }
 
-/// When the bob blocks and frees a gate at this angle, and whether it blocks it, for 60 s.
+/// Times at which the bob blocks or frees a gate at this angle, with `true` if it blocks it, for 60 s.
 fn edges(gate: f64, jitter: f64) -> Vec<(f64, bool)> {
     edges_from(RELEASE, gate, jitter)
 }
@@ -118,7 +118,7 @@ fn the_amplitude_of_the_release_gives_t0() {
     }
 }
 
-/// Of exactly even times, as simulated ones are, and of three passages.
+/// Times without information on their scatter: exactly even ones, as simulated ones are, and those of three passages.
 #[test]
 fn times_that_do_not_tell_their_scatter_are_said_to() {
     let even: Vec<f64> = (0..20).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();

@@ -185,7 +185,7 @@ fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
     assert!(!stated.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Scatter(_))));
 }
 
-/// Of ten degrees of freedom chance leaves χ² below 2.558 in one table of a hundred.
+/// Critical value for ten degrees of freedom: chance leaves χ² below 2.558 in one table of a hundred.
 #[test]
 fn rows_that_scatter_less_than_stated_are_told_and_nothing_is_made_smaller() {
     let (little, enough) = (scattered(0.25), scattered(0.26));

@@ -95,13 +95,13 @@ fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
     (0..size).map(|i| rows[i][size] * rows[i][size] / rows[i][i]).sum()
 }
 
-/// By the stated uncertainties, not enlarged where chance makes the rows scatter more than stated.
+/// Squared distance by the stated uncertainties, not enlarged where chance makes the rows scatter more than stated.
 fn stated_distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
     let enlargement = fit.scatter().map_or(1.0, |scatter| scatter.enlargement());
     distance_squared(fit, truth) * enlargement * enlargement
 }
 
-/// Fits of so many sweeps with errors of a part of the largest amplitude, and of phases that are as uncertain.
+/// Fits of a number of sweeps with errors of a part of the largest amplitude, and of phases that are as uncertain.
 fn draws(
     columns: [Vec<f64>; 4],
     model: ResponseModel,
@@ -187,12 +187,12 @@ fn unstated_draws(
     (0..number).map(draw).collect()
 }
 
-/// Squares of Student's variables, three of them and that of ω0, summed over 10 draws in the default run and over 60 in the full one. How many
-/// degrees of freedom a scatter has depends on which rows tell the most: between the 22 of 25 rows of one kind with all three parameters,
-/// which the upper limits suppose, and so many that they are normal, which the lower ones suppose. A false alarm has the probability 1e-6,
-/// as each of 22 tails has 4.5e-8: quantiles of sums of 3·F(3, 22) and F(1, 22) (`scipy.stats.f`, convolved by Fourier transforms), of
-/// `chi2(3*n)` and `chi2(n)`; for the mean square of the scatters of `chi2(22*n)`. With one scatter for both kinds u(ω0) was half as large
-/// as it should be where phases are read to a degree.
+/// Squares of Student's variables, three of them and that of ω0, summed over 10 draws in the default run and over 60 in the full one. The number of
+/// degrees of freedom of a scatter depends on which rows are the most informative: between the 22 of 25 rows of one kind with all three parameters,
+/// which the upper limits suppose, and a number at which they are normal, which the lower ones suppose. A false alarm has the probability 1e-6, as
+/// each of 22 tails has 4.5e-8: quantiles of sums of 3·F(3, 22) and F(1, 22) (`scipy.stats.f`, convolved by Fourier transforms), of `chi2(3*n)` and
+/// `chi2(n)`; for the mean square of the scatters of `chi2(22*n)`. With one scatter for both kinds u(ω0) was half as large as it should be where
+/// phases are read to a degree.
 #[test]
 fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     const TRUTH: [f64; 3] = [5.0, 0.5, 0.2];
@@ -228,7 +228,7 @@ fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     Limits { usual: 2.4..154.5, full: 48.1..372.1, own: 60.0..256.0 }.check(all, "sines");
 }
 
-/// Duffing's oscillator has a parameter more than the pendulum, and the pendulum is no simpler than a linear one.
+/// Duffing's oscillator has a parameter more than the pendulum, and the pendulum is not simpler than a linear oscillator.
 #[test]
 fn rows_prefer_the_oscillator_that_they_are_of() {
     for (columns, model) in [(pendulum(), ResponseModel::Pendulum), (duffing(), ResponseModel::Duffing)] {
@@ -246,8 +246,8 @@ fn rows_prefer_the_oscillator_that_they_are_of() {
     }
 }
 
-/// Of 34 rows less three parameters: χ² with 31n degrees of freedom, of 3 draws in the default run and of 16 in the full one. A false alarm has
-/// the probability 1e-6: `scipy.stats.chi2.ppf(5e-7, 31*n)` and `isf`.
+/// Sums of squares of 34 rows less three parameters: χ² with 31n degrees of freedom, of 3 draws in the default run and of 16 in the full one. A false
+/// alarm has the probability 1e-6: `scipy.stats.chi2.ppf(5e-7, 31*n)` and `isf`.
 #[test]
 fn residuals_are_as_large_as_stated_in_a_sweep() {
     let limits = Limits { usual: 40.7..175.6, full: 356.9..665.7, own: 400.0..592.0 };

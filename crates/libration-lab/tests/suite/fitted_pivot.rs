@@ -133,7 +133,7 @@ const HALF_AS_OFTEN: Synthetic = Synthetic { step: 0.04, rows: 1000, ..Synthetic
 /// One standard deviation of a pivot's place, in m, of a pendulum of a metre: sideways and upwards.
 const PIVOT: [f64; 2] = [2e-3, 5e-3];
 
-/// What is seen of these angles about a pivot that is drawn from its uncertainty, with noise.
+/// Measurement of these angles about a pivot that is drawn from its uncertainty, with noise.
 fn about_a_drawn_pivot(swing: &Trace, random: &mut Random) -> Trace {
     let [right, up] = PIVOT.map(|deviation| deviation * random.normal());
     let bob = |angle: &f64| (libm::sin(*angle) - right, -libm::cos(*angle) - up);
@@ -234,8 +234,8 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
     );
 }
 
-/// Pivots 0.5 to 5 cm off in any direction, of a pendulum of a metre: each is named, and T0 is at most 2.5 of its uncertainties off in at least 90 % of 30
-/// traces (8 in the default run, of which 3 or fewer have the probability 4e-4 where 90 % is true). The true pivot is never named.
+/// Pivots 0.5 to 5 cm off in any direction, of a pendulum of a metre: each is named, and T0 is at most 2.5 of its uncertainties off in at least 90 %
+/// of 30 traces (8 in the default run, of which 3 or fewer have the probability 4e-4 where 90 % is true). The true pivot is never named.
 #[test]
 fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
     let limits = Limits { usual: 3.5..8.5, full: 16.5..30.5, own: 26.5..30.5 };

@@ -1,4 +1,4 @@
-//! Whether uncertainties by the times of a gate are as large as what many records of one motion scatter.
+//! Uncertainties from the times of a gate, compared with the scatter of many records of one motion.
 
 use libration::quantity::Quantity;
 use libration_lab::fit::gates::{GateOptions, GatesFit, gates};
@@ -45,7 +45,7 @@ fn fits(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> Vec<GatesFit> {
     seeds.map(fit).collect()
 }
 
-/// Of T0 and of β.
+/// Deviations of T0 and of β from their true values, in units of their uncertainties.
 fn deviations(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> [Deviations; 2] {
     let fits = fits(record, jitter, seeds);
     let of_t0 = |fit: &GatesFit| {

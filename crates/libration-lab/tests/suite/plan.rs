@@ -1,4 +1,4 @@
-//! What a plan expects, beside fits of simulated recordings and by itself.
+//! Expected results of a plan, compared with fits of simulated recordings and by themselves.
 
 use libration::pendulum::Amplitude;
 use libration::quantity::Quantity;

@@ -23,7 +23,7 @@ fn named(name: &str) -> Option<Column> {
     Some(Column::Name(name.into()))
 }
 
-/// As text on a command line is read.
+/// An angle in degrees as text on a command line is read, in radians.
 fn radians(degrees: f64) -> f64 {
     format!("{degrees}deg").parse::<Angle>().unwrap().radians()
 }

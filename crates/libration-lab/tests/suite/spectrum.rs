@@ -47,7 +47,7 @@ const EXACT: [f64; 4] = [
 const STILL: Synthetic =
     Synthetic { amplitude: 2.094_395_102_393_195_5, linear: 0.0, rows: 1500, ..Synthetic::USUAL };
 
-/// What is left of harmonics above the eighth is below 1.5e-5 rad, and nearly orthogonal to the others.
+/// The sum of the harmonics above the eighth is below 1.5e-5 rad, and nearly orthogonal to the others.
 #[test]
 fn without_damping_and_noise_harmonics_are_the_exact_ones() {
     let found = of(&STILL, 1);
@@ -112,9 +112,9 @@ fn with_memory(trace: &Trace, correlation: f64, deviation: f64, seed: u64) -> Tr
 /// `scipy.stats.t.ppf(0.5 + p/2, 8)`.
 const T_OF_8: [(f64, f64); 2] = [(0.6827, 1.066_8), (0.95, 2.306_0)];
 
-/// How many of 20 draws, or of 100, may be so near the truth if the true probability is within 0.03 of Student's: 0.680 and 0.952 of 1200 were.
-/// A false alarm has the probability 1e-6, as each of 40 tails has 2.5e-8: `scipy.stats.binom.ppf(2.5e-8, n, p - 0.03)` and
-/// `isf(2.5e-8, n, p + 0.03)`. The full sample of the test's own seed has kept within three and a half standard deviations.
+/// Limits of the number of 20 draws, or of 100, that are so near the truth if the true probability is within 0.03 of Student's: 0.680 and 0.952 of
+/// 1200 were. A false alarm has the probability 1e-6, as each of 40 tails has 2.5e-8: `scipy.stats.binom.ppf(2.5e-8, n, p - 0.03)` and `isf(2.5e-8,
+/// n, p + 0.03)`. The full sample of the test's own seed has kept within three and a half standard deviations.
 const ONE_PLACE: [Limits; 2] = [
     Limits { usual: 1.0..21.0, full: 38.0..94.0, own: 52.0..85.0 },
     Limits { usual: 9.0..21.0, full: 74.0..101.0, own: 88.0..101.0 },

@@ -8,12 +8,12 @@ use crate::random::Random;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GateRecord {
     pub(crate) omega0: f64,
-    /// Of the velocity, per second.
+    /// Damping rate of the velocity, per second.
     pub(crate) damping: f64,
     pub(crate) release: f64,
     /// The angle at which it stands.
     pub(crate) gate: f64,
-    /// Of the bob, as an angle.
+    /// Width of the bob, as an angle.
     pub(crate) width: f64,
     pub(crate) seconds: f64,
 }
@@ -24,7 +24,7 @@ impl GateRecord {
         std::f64::consts::TAU / libm::sqrt(self.omega0 * self.omega0 - 0.25 * self.damping * self.damping)
     }
 
-    /// When the bob blocks and frees the gate, and whether it blocks it.
+    /// Times at which the bob blocks or frees the gate, with `true` if it blocks it.
     pub(crate) fn edges(&self) -> Vec<(f64, bool)> {
         let (square, damping) = (self.omega0 * self.omega0, self.damping);
         let equation = format!("theta'' = -{square:e}*sin(theta) - {damping:e}*theta'");

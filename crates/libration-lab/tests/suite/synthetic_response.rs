@@ -8,7 +8,7 @@ pub(crate) struct DrivenPendulum {
     pub(crate) drive: f64,
 }
 
-/// Of a period of the drive: errors of the peak are below 1e-6.
+/// Steps in a period of the drive: errors of the peak are below 1e-6.
 const STEPS: u32 = 160;
 
 impl DrivenPendulum {
@@ -16,7 +16,7 @@ impl DrivenPendulum {
         -self.damping * velocity - self.omega * self.omega * libm::sin(angle) + self.drive * force
     }
 
-    /// A step from the phase of the drive at so many halves of a step.
+    /// A step with the forces of the drive at its start, middle and end.
     fn step(self, [x, v]: [f64; 2], h: f64, forces: &[f64; 3]) -> [f64; 2] {
         let slope = |x: f64, v: f64, force: f64| [v, self.acceleration(x, v, force)];
         let [a, b] = slope(x, v, forces[0]);

@@ -138,8 +138,7 @@ fn deviation(fit: &TraceFit, name: &str, truth: f64) -> f64 {
     (parameter.estimate.value - truth) / parameter.estimate.uncertainty
 }
 
-/// How often the intervals held the truth: of each parameter by name, the number of intervals, and how many at 68 % and
-/// at 95 %.
+/// Counts of the intervals that held the truth: for each parameter by name, the number of intervals, and of those that held it at 68 % and at 95 %.
 #[derive(Debug, Default)]
 struct Coverage(Vec<(&'static str, [u32; 3])>);
 
@@ -389,7 +388,7 @@ fn with_memory(trace: &Trace, memory: f64, noise: f64, random: &mut Random) -> T
     Trace::new("with memory", Observable::Angle, trace.times().to_vec(), values, None).unwrap()
 }
 
-/// What the intervals of ω0 hold with noise that remembers so much from row to row, in parts of all.
+/// Coverage of the intervals of ω0 with noise that is correlated from row to row, in parts of all.
 fn coverage_with_memory(traces: u32, seed: u64, memory: impl Fn(&mut Random) -> f64) -> [f64; 2] {
     let mut random = Random::seeded(seed);
     let mut coverage = Coverage::default();
@@ -405,7 +404,7 @@ fn coverage_with_memory(traces: u32, seed: u64, memory: impl Fn(&mut Random) -> 
     coverage.parts()
 }
 
-/// The bounds are those that are promised; of so many traces two standard deviations are 4.7 and 2.2 %.
+/// The bounds are those that are promised; of this number of traces two standard deviations are 4.7 and 2.2 %.
 #[expect(clippy::print_stdout, reason = "the figures themselves are of interest")]
 fn assert_covered(parts: [f64; 2]) {
     println!("{parts:?}");
@@ -464,7 +463,7 @@ fn alike_residuals_are_told_and_widen_the_uncertainties() {
     assert!(fit.autocorrelation.is_noise() && fit.independent_rows > 250.0, "{}", fit.independent_rows);
 }
 
-/// What repeats with the swing is no noise, and hardly moves ω0.
+/// Residuals that repeat with the swing are not noise, and hardly move ω0.
 #[test]
 fn a_cosine_of_constant_period_leaves_no_noise() {
     let times: Vec<f64> = (0..400).map(|row| 0.05 * f64::from(row)).collect();

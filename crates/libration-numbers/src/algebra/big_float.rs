@@ -20,20 +20,20 @@ type Float = FBig<HalfEven, 2>;
 pub struct BigFloat(Float);
 
 impl BigFloat {
-    /// A whole number, rounded to so many bits.
+    /// A whole number, rounded to a precision in bits.
     #[must_use]
     pub fn from_integer(integer: i64, precision: usize) -> Self {
         Self(rounded(Float::from(integer), precision))
     }
 
-    /// An `f64`, rounded to so many bits; `None` for what is not finite.
+    /// An `f64`, rounded to a precision in bits; `None` for values that are not finite.
     #[must_use]
     pub fn from_f64(value: f64, precision: usize) -> Option<Self> {
         let value = Float::try_from(value).ok().filter(|_| value.is_finite())?;
         Some(Self(rounded(value, precision)))
     }
 
-    /// A fraction, rounded to so many bits.
+    /// A fraction, rounded to a precision in bits.
     #[must_use]
     pub fn from_rational(value: &Rational, precision: usize) -> Self {
         let (numerator, denominator) = value.parts();
@@ -72,7 +72,7 @@ impl BigFloat {
         self.0.to_f64().value()
     }
 
-    /// Whether it is 0.
+    /// Returns whether the number is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.repr().significand().is_zero()
@@ -140,7 +140,7 @@ impl BigFloat {
         Self(self.0.atan())
     }
 
-    /// Rounded to so many bits.
+    /// The number rounded to a precision in bits.
     #[must_use]
     pub fn rounded_to(&self, precision: usize) -> Self {
         Self(rounded(self.0.clone(), precision))

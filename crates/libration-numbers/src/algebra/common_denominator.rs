@@ -54,7 +54,7 @@ impl OverCommon {
         }
     }
 
-    /// Σ factorⱼ·seriesⱼ to so many coefficients.
+    /// Σ factorⱼ·seriesⱼ to a number of coefficients.
     fn combination(factors: &[Rational], series: &[Self], length: usize) -> Self {
         let under = |(factor, series): (&Rational, &Self)| factor.parts().1 * &series.denominator;
         let denominators: Vec<UBig> = factors.iter().zip(series).map(under).collect();

@@ -48,7 +48,7 @@ impl Complex {
         (0..exponent).fold(Self::from(1.0), |power, _| power * self)
     }
 
-    /// Whether both parts are finite.
+    /// Returns whether both parts are finite.
     #[must_use]
     pub const fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()

@@ -19,7 +19,7 @@ impl Rational {
         format!("{sign}{}", placed(figures.to_string().trim_end_matches('0'), exponent))
     }
 
-    /// The decimal of so many significant digits next to it.
+    /// The nearest decimal with a number of significant digits.
     #[doc(hidden)]
     pub fn rounded_to_digits(&self, digits: usize) -> Self {
         if self.is_zero() {
@@ -34,7 +34,7 @@ impl Rational {
         }
     }
 
-    /// So many digits of |a|, rounded, and the power of ten of the first of them.
+    /// The leading digits of |a|, rounded, and the power of ten of the first of them.
     fn leading_figures(&self, digits: usize) -> (UBig, isize) {
         let end = ten_to(isize::try_from(digits).unwrap_or(isize::MAX));
         let mut exponent = self.decimal_exponent();

@@ -24,7 +24,7 @@ impl Default for Growth {
 }
 
 impl Growth {
-    /// What the next order may have: it grows as before.
+    /// Expected denominator of the next order, which grows as before.
     pub(super) fn expected(&self) -> UBig {
         let common = (&self.last).gcd(&self.before);
         &self.last * (&self.last / common)
@@ -40,7 +40,7 @@ pub(super) struct Common<'a> {
     radix: &'a MixedRadix,
     value: UBig,
     residues: Vec<u32>,
-    /// What it has that none of the numbers so far needs.
+    /// Factor of the denominator that none of the numbers so far needs.
     excess: Option<UBig>,
 }
 

@@ -11,7 +11,7 @@ pub struct HarmonicPair<N> {
 
 /// A ring of finite sums of harmonics Σ aₖ cos kτ + bₖ sin kτ, whose coefficients are numbers of a field.
 pub trait PhaseRing: Ring {
-    /// Where the coefficients come from.
+    /// Ring of the coefficients.
     type Numbers: Ring;
 
     fn numbers(&self) -> &Self::Numbers;
@@ -121,7 +121,7 @@ impl<F: Ring> HarmonicSums<F> {
 enum Placing {
     Plus,
     Minus,
-    /// That of k − l.
+    /// The sign of k − l.
     Odd,
 }
 

@@ -31,7 +31,7 @@ const fn reciprocals() -> [f64; PREPARED.end] {
     reciprocals
 }
 
-/// What a quotient by an integer is made a product with, if it is.
+/// Reciprocal with which a quotient by an integer is computed as a product, if it is prepared.
 #[inline(always)]
 pub fn prepared_reciprocal(divisor: u64) -> Option<f64> {
     let is_prepared = |n: &usize| PREPARED.contains(n) || n.is_power_of_two() && *n < PREPARED.end;

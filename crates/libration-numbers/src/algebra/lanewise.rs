@@ -17,7 +17,7 @@ pub fn lanes<const N: usize>(mut number: impl FnMut(usize) -> f64) -> [f64; N] {
     all
 }
 
-/// Whether one of the lanes is so: asked of all of them, without a branch for each.
+/// Returns whether a condition holds in one of the lanes: evaluated in all of them, without a branch for each.
 #[inline(always)]
 pub fn any<const N: usize>(numbers: &[f64; N], is_so: impl Fn(f64) -> bool) -> bool {
     let mut any = false;

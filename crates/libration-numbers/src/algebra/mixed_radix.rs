@@ -132,7 +132,7 @@ fn from_words(words: &[u64]) -> UBig {
     UBig::from_le_bytes(&bytes)
 }
 
-/// How many of the last digits of each lane are all zero, or all one less than their prime.
+/// Number of the last digits of each lane that are all zero, or all one less than their prime.
 #[derive(Default)]
 struct Ends {
     zeros: [u32; LANES],
@@ -140,7 +140,7 @@ struct Ends {
 }
 
 impl Ends {
-    /// Whether all lanes have so many after these digits.
+    /// Returns whether all lanes have sufficiently many after these digits.
     fn suffice(&mut self, digits: &Residues, prime: u32) -> bool {
         let longer = |count: &mut u32, is_end: bool| *count = if is_end { *count + 1 } else { 0 };
         self.zeros.iter_mut().zip(digits).for_each(|(count, &digit)| longer(count, digit == 0));

@@ -38,7 +38,7 @@ impl PiSum {
         &self.terms
     }
 
-    /// Whether it is 0.
+    /// Returns whether the sum is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
@@ -75,7 +75,7 @@ fn is_zero(factor: &Surd) -> bool {
     factor.plain().is_zero() && factor.root().is_zero()
 }
 
-/// As a formula: `2/9 - 4/(3*pi)`.
+/// Writes a formula such as `2/9 - 4/(3*pi)`.
 impl fmt::Display for PiSum {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.terms.is_empty() {

@@ -3,7 +3,7 @@
 use super::{Function, PrimeField, Rational, Ring};
 use libration_kernels::dispatch::{Kernel, dispatch_slices};
 
-/// How many primes there are: as many products of 32 bits as the widest registers hold.
+/// Number of primes: as many products of 32 bits as the widest registers hold.
 pub const LANES: usize = 8;
 
 /// A number for each prime.
@@ -12,7 +12,7 @@ pub type Residues = [u32; LANES];
 /// Sums of products of residues before they are reduced.
 pub(super) type Sums = [u64; LANES];
 
-/// How many products may be added to a folded sum.
+/// Number of products that may be added to a folded sum.
 pub(super) const PRODUCTS: usize = 8;
 
 /// The integers modulo each of eight primes below 2³⁰, as Montgomery residues: a ring in which a number without inverse modulo one of
@@ -33,7 +33,7 @@ pub(super) struct Lanes {
     radices_squared: Residues,
 }
 
-/// How many inverses of small integers are kept.
+/// Number of inverses of small integers that are kept.
 const KEPT_INVERSES: usize = 512;
 
 /// One number for each lane, always compiled into its caller, and so for the same instruction set.

@@ -38,7 +38,7 @@ impl Rational {
         (!divisor.is_zero()).then(|| Self(&self.0 / &divisor.0))
     }
 
-    /// Whether this is zero.
+    /// Returns whether the number is zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.is_zero()
@@ -62,7 +62,7 @@ impl Rational {
         self.0.to_f64().value()
     }
 
-    /// Whether double precision holds it as it is.
+    /// Returns whether double precision represents the number exactly.
     #[doc(hidden)]
     pub fn is_double(&self) -> bool {
         matches!(self.0.to_f64(), Approximation::Exact(_))
@@ -80,7 +80,7 @@ impl Rational {
         if self.is_negative() { self.clone().neg() } else { self.clone() }
     }
 
-    /// Whether this is below zero.
+    /// Returns whether the number is below zero.
     #[must_use]
     pub fn is_negative(&self) -> bool {
         self.parts().0.sign() == Sign::Negative
@@ -92,7 +92,7 @@ impl Rational {
         self.parts().0.bit_len().max(self.parts().1.bit_len())
     }
 
-    /// Whether this is a whole number.
+    /// Returns whether the number is an integer.
     #[must_use]
     pub fn is_integer(&self) -> bool {
         self.parts().1.is_one()
@@ -201,7 +201,7 @@ impl Neg for Rational {
     }
 }
 
-/// As `-23/737280`, an integer without its denominator.
+/// Writes `-23/737280`, for example, and an integer without its denominator.
 impl fmt::Display for Rational {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(formatter)
@@ -228,6 +228,6 @@ impl FromStr for Rational {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` is not a fraction: give an integer such as 7, or two such as -23/737280")]
 pub struct NotARational {
-    /// What was given.
+    /// The text given.
     pub text: String,
 }

@@ -8,16 +8,16 @@ use super::{LANES, PrimeFields, Rational, Residues};
 
 /// A computation that can be done modulo any prime but a few bad ones.
 pub trait Images {
-    /// Why it may end without an answer.
+    /// Reason why the computation may end without a result.
     type Error;
 
     /// The numbers wanted, as residues of `fields`; `None` when one of the primes is bad.
     fn image(&mut self, fields: &PrimeFields) -> Result<Option<Vec<Residues>>, Self::Error>;
 
-    /// Where each of the numbers stands; asked after the first image.
+    /// Places of the numbers; called after the first image.
     fn places(&self) -> Vec<Place>;
 
-    /// Asked while fractions are put together from so many primes.
+    /// Called while fractions are reconstructed, with the number of primes; an error ends the reconstruction.
     fn go_on(&mut self, _primes: usize) -> Result<(), Self::Error> {
         Ok(())
     }
@@ -78,7 +78,7 @@ struct Fractions {
     /// For each number its residues, or nothing while they are all zero.
     residues: Vec<Option<Vec<Residues>>>,
     steps: Vec<(Place, Vec<usize>)>,
-    /// How many steps are done.
+    /// Number of steps that are done.
     done: usize,
     numbers: Vec<Rational>,
     /// The denominators of each family.

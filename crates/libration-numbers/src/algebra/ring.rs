@@ -1,4 +1,4 @@
-//! What the coefficients of a power series must be able to do.
+//! Operations that the coefficients of a power series need.
 
 use std::fmt::Debug;
 
@@ -26,7 +26,7 @@ pub trait Ring {
 
     /// 0.
     fn zero(&self) -> Self::Element;
-    /// Whether it is 0.
+    /// Returns whether an element is 0.
     fn is_zero(&self, a: &Self::Element) -> bool;
     /// The fraction as an element; `None` when it is not in the ring.
     fn rational(&self, value: &Rational) -> Option<Self::Element>;

@@ -4,7 +4,7 @@ use super::sampled_values::{Harmonic, Pointwise, Scaled, SumOfHarmonics, SumOfPr
 use super::{Function, HarmonicPair, LANES, PhaseRing, PrimeFields, Rational, Residues, Ring};
 use libration_kernels::dispatch::dispatch_slices;
 
-/// What is known of all the sums of a ring, so that fewer points determine them.
+/// Symmetries of all the sums of a ring, by which fewer points determine them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symmetry {
     /// There are no sines.
@@ -72,7 +72,7 @@ impl SampledHarmonics {
     }
 }
 
-/// Of M points on the circle each sampled one stands for its mirror images too.
+/// Number of points on the circle for which each sampled one stands: itself and its mirror images, of M points in all.
 fn multiplicities(period: usize, symmetry: Symmetry) -> Vec<i64> {
     let with_ends = |last: usize, inner: i64| {
         (0..=last).map(|j| if j == 0 || j == last { inner / 2 } else { inner }).collect()

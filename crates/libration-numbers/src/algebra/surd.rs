@@ -113,7 +113,7 @@ fn without_squares(x: &Rational) -> (Rational, Rational) {
     (factor, radicand)
 }
 
-/// As a formula: `3/2 - 1/2*sqrt(5)`.
+/// Writes a formula such as `3/2 - 1/2*sqrt(5)`.
 impl fmt::Display for Surd {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.root.is_zero() {

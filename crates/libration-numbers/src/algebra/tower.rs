@@ -50,7 +50,7 @@ impl Tower {
         }
     }
 
-    /// As a formula.
+    /// The element as a formula.
     pub fn text(&self, element: &[Rational]) -> String {
         let height = element.len().trailing_zeros() as usize;
         let radicands: Vec<String> = self.squares[..height].iter().map(|square| self.text(square)).collect();
@@ -134,7 +134,7 @@ impl Tower {
         [plain, self.sum(&self.product(a, d), &self.product(c, b))].concat()
     }
 
-    /// By the conjugate, whose product with it lies in the field below.
+    /// The inverse by the conjugate, whose product with the element lies in the field below.
     fn inverse(&self, a: &[Rational]) -> Option<Vec<Rational>> {
         if a.len() == 1 {
             return Rational::from(1).checked_div(&a[0]).map(|it| vec![it]);

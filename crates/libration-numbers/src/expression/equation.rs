@@ -47,7 +47,7 @@ pub struct Equation {
     derivatives: Vec<Expression>,
 }
 
-/// What stands left and right of an equals sign.
+/// Left and right side of an equation.
 type Sides = (Expression, Expression);
 
 impl Equation {
@@ -72,7 +72,7 @@ impl Equation {
         &self.variables
     }
 
-    /// Of which order the equation of each variable is.
+    /// Order of the equation of each variable.
     #[must_use]
     pub fn orders(&self) -> &[Order] {
         &self.orders
@@ -104,7 +104,7 @@ impl Equation {
         }
     }
 
-    /// What multiplies each highest derivative as the equations are written: the masses, in `m x'' + k x = 0`.
+    /// Factor of each highest derivative in the equations as they are written: the masses, in `m x'' + k x = 0`.
     #[doc(hidden)]
     pub fn inertias(&self) -> Vec<Expression> {
         let factor = |((left, right), own): (&Sides, Symbol)| {
@@ -113,7 +113,7 @@ impl Equation {
         self.written.iter().zip(self.own_derivatives()).map(factor).collect()
     }
 
-    /// What each equation is solved for: `x''`, or `x'` where it is of the first order.
+    /// Derivative for which each equation is solved: `x''`, or `x'` where it is of the first order.
     #[doc(hidden)]
     pub fn own_derivatives(&self) -> impl Iterator<Item = Symbol> {
         self.variables.iter().zip(&self.orders).map(|(name, order)| order.derivative_of(name))
@@ -155,7 +155,7 @@ impl Equation {
     /// Parameters as the equations name them: ω0 is omega0.
     ///
     /// # Errors
-    /// A name that is no parameter.
+    /// A name that is not a parameter.
     pub fn parameters_called(&self, names: &[&str]) -> Result<Vec<String>, EquationError> {
         let known = self.parameters();
         names.iter().map(|name| Ok(parameter(name, &known)?.name)).collect()
@@ -164,8 +164,8 @@ impl Equation {
     /// The equations with constants in the place of parameters, and numbers worked out where one is put in.
     ///
     /// # Errors
-    /// A name that is no parameter, or is given twice; a value that has symbols in it, or is none, as 1/0; an equation
-    /// whose highest derivative drops out, or that has no value with these.
+    /// A name that is not a parameter, or is given twice; a value that contains symbols, or has no value, as 1/0; an equation whose highest
+    /// derivative drops out, or that has no value with these.
     pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
         let known = self.parameters();
         let mut written = self.written.clone();
@@ -215,8 +215,8 @@ impl Equation {
         Ok(Self { derivatives, ..solved })
     }
 
-    /// How equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is;
-    /// `None` for others, and for what is not understood.
+    /// Returns how equations are understood that are written more freely than they are written back, as `d²x/dt² + sin 2x = 0` is; `None` for others,
+    /// and for text that is not understood.
     ///
     /// ```
     /// # extern crate libration_numbers as libration;
@@ -256,7 +256,7 @@ fn refuse_without_value(written: &[Sides]) -> Result<(), EquationError> {
     sides.find_map(Expression::without_value).map_or(Ok(()), |missing| Err(missing.into()))
 }
 
-/// Refuses derivatives of what is no variable.
+/// Refuses derivatives of names that are not variables.
 fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result<(), EquationError> {
     let sides = written.iter().flat_map(|(left, right)| [left, right]);
     let mut symbols = sides.flat_map(Expression::symbols);
@@ -295,8 +295,8 @@ fn opposite(a: Expression) -> Expression {
 /// Reads one equation, or several with `;` between them.
 ///
 /// # Errors
-/// Text that is no formula; no `=`, or two; an equation that is for none or for several derivatives, or not linear in its own;
-/// derivatives of the third order; parts that have no value, as 1/0.
+/// Text that is not a formula; no `=`, or two; an equation that is for none or for several derivatives, or not linear in its own; derivatives of the
+/// third order; parts that have no value, as 1/0.
 impl FromStr for Equation {
     type Err = EquationError;
 
@@ -333,7 +333,7 @@ fn one_equation(parser: &mut Parser) -> Result<Sides, EquationError> {
     }
 }
 
-/// As it was understood; several with `;` between them.
+/// Writes the equations as they were understood; several with `;` between them.
 impl fmt::Display for Equation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (place, (left, right)) in self.written.iter().enumerate() {

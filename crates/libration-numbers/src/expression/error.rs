@@ -1,13 +1,13 @@
-//! What can be wrong with a formula as text, and where.
+//! Errors in the text of a formula, and their positions.
 
 use std::fmt;
 
-/// Why a text is not a formula, and the place in it.
+/// Reason why a text is not a formula, and the position in it.
 ///
-/// The message has three lines: what is wrong and what would do, the text about the place, and a caret below it.
+/// The message has three lines: the error and its remedy, the text about the position, and a caret below it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
-    /// What is wrong.
+    /// The error.
     pub fault: Fault,
     /// Bytes of the text before the place.
     pub byte: usize,
@@ -19,7 +19,7 @@ pub struct ParseError {
     indent: usize,
 }
 
-/// What is wrong with a formula, and what would do.
+/// Error in a formula, with a remedy.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
@@ -57,19 +57,19 @@ pub enum Fault {
     UnknownCharacter {
         /// The character.
         found: char,
-        /// What would do.
+        /// The remedy.
         hint: &'static str,
     },
     /// Something where a number, a name or a bracket should be.
     #[error("expected a number, a name or (, found {found}")]
     MissingOperand {
-        /// What is there.
+        /// The text found.
         found: String,
     },
     /// Something where an operator or the end should be.
     #[error("{found} cannot follow here: write an operator before it, or leave it out")]
     Unexpected {
-        /// What is there.
+        /// The text found.
         found: String,
     },
     /// A bracket that is not closed.
@@ -88,9 +88,9 @@ pub enum Fault {
     AmbiguousArgument {
         /// The function.
         function: &'static str,
-        /// What certainly belongs to its argument.
+        /// The part that certainly belongs to its argument.
         argument: String,
-        /// What may belong to it.
+        /// The part that may belong to it.
         rest: String,
     },
     /// `\foo`.
@@ -110,7 +110,7 @@ pub enum Fault {
     /// `\mathrm 2`.
     #[error("a word in upright letters stands in braces: write \\mathrm{{max}}, or max")]
     WordWithoutBraces,
-    /// A name before a bracket that is no function.
+    /// A name before a bracket that is not a function.
     #[error(
         "`{name}(` is not a known function: write {name}*( for a product; the functions are {}",
         functions()

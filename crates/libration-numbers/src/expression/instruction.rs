@@ -1,5 +1,4 @@
-//! What the operations of a tape do: how values, and the further coefficients of series, come about in any ring and wherever the
-//! series are kept.
+//! Operations of a tape: computation of values, and of further coefficients of series, in any ring and wherever the series are stored.
 
 use super::tape::Operation;
 use crate::algebra::{Function, Pair, Rational, Ring, Rule, Slope};
@@ -11,7 +10,7 @@ use crate::series::recurrences::{
 /// driven pendulums, with θ′/2 among their terms, take 0.95 of the time. Its rounding is the same at all orders; below, it would be felt.
 const RECIPROCAL_FROM: usize = 8;
 
-/// How a zeroth coefficient comes about from those in the rows P, with exponents X.
+/// Computation of a zeroth coefficient from those in the rows P, with exponents X.
 #[derive(Clone, Copy, Debug)]
 pub enum Value<P, X> {
     Negate(P),
@@ -23,7 +22,7 @@ pub enum Value<P, X> {
     Of(Function, P),
 }
 
-/// How the next coefficient of a row comes about. A weighted row holds n times the coefficients of another.
+/// Computation of the next coefficient of a row. A weighted row holds n times the coefficients of another.
 #[derive(Clone, Copy, Debug)]
 pub enum Instruction<P, X> {
     Weight {
@@ -117,7 +116,7 @@ pub struct Weighted<P> {
     pub weighted: P,
 }
 
-/// Where series are kept, and what is special to it.
+/// Storage of series, with the operations that depend on it.
 pub trait Evaluator<P, X> {
     type Ring: Ring;
 
@@ -129,7 +128,7 @@ pub trait Evaluator<P, X> {
         base: &<Self::Ring as Ring>::Element,
         exponent: &X,
     ) -> Option<<Self::Ring as Ring>::Element>;
-    /// Whether a power of what begins with zero has no coefficient n yet.
+    /// Returns whether a power of a series that begins with zero has no coefficient n yet.
     fn begins_beyond(&self, exponent: &X, n: usize) -> bool;
     /// The last coefficient of the square of a₀ … aₙ.
     #[inline(always)]
@@ -194,12 +193,12 @@ impl<P: Copy, X> Value<P, X> {
         })
     }
 
-    /// Whether it takes more than arithmetic.
+    /// Returns whether the value takes more than arithmetic.
     pub fn is_function(&self) -> bool {
         matches!(self, Self::Power(..) | Self::Of(..))
     }
 
-    /// What it comes from.
+    /// Operands of the value.
     pub fn operands(&self) -> [Option<P>; 2] {
         match *self {
             Self::Negate(a) | Self::Power(a, _) | Self::Of(_, a) => [Some(a), None],

@@ -4,7 +4,7 @@ use super::instruction::{Evaluator, Instruction, Value, Weighted};
 use super::tape::{Operation, Tape};
 use crate::algebra::{Rational, Ring};
 
-/// Why a formula has no series: an operation has no value in the ring, or is not analytic where it is evaluated.
+/// Reason why a formula has no series: an operation has no value in the ring, or is not analytic at the point of evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoSeries {
     /// The operation on the tape.
@@ -94,7 +94,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         }
     }
 
-    /// How the coefficients of all places change with those of one input, from the first on, where they are linear.
+    /// Derivatives of the coefficients of all places with respect to those of one input, from the first on, where they are linear.
     pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, NoSeries> {
         let values = self.values().cloned().collect();
         let mut jet = Self::with_values(self.ring, self.tape, values);

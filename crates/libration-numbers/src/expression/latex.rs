@@ -88,7 +88,7 @@ impl Expression {
         }
     }
 
-    /// What an exponent stands above: a derivative, a fraction or an exponential only in brackets.
+    /// Base of an exponent: a derivative, a fraction or an exponential only in brackets.
     fn write_base(&self, text: &mut String) {
         let bare = match self {
             Self::Symbol(symbol) => symbol.primes < 3,
@@ -131,7 +131,7 @@ fn call(function: Function, a: &Expression, text: &mut String) {
     text.push_str(close);
 }
 
-/// As a decimal, `3 \cdot 10^{-30}` say, or a fraction.
+/// A decimal, such as `3 \cdot 10^{-30}`, or a fraction.
 fn number(value: &Rational) -> String {
     let sign = if value.is_negative() { "-" } else { "" };
     let magnitude = value.magnitude();

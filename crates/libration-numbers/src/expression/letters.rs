@@ -51,7 +51,7 @@ pub(super) fn greek_name(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)
 }
 
-/// Whether a Greek letter has this name.
+/// Returns whether a Greek letter has this name.
 pub(super) fn is_greek(name: &str) -> bool {
     GREEK.iter().any(|(_, greek)| *greek == name)
 }

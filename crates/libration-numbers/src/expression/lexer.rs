@@ -29,7 +29,7 @@ pub(super) enum Token {
         digits: Rational,
         negative: bool,
     },
-    /// What an index goes through, behind a comma.
+    /// The range of an index, after a comma.
     Range(IndexRange),
     End,
 }
@@ -39,14 +39,14 @@ pub(super) enum Token {
 pub(super) struct Lexeme {
     pub(super) token: Token,
     pub(super) start: usize,
-    /// Whether a space stands before it.
+    /// `true` if a space stands before it.
     pub(super) spaced: bool,
 }
 
 /// The lexemes of a text, the end included.
 pub(super) struct Lexemes {
     pub(super) found: Vec<Lexeme>,
-    /// Whether there are forms among them that formulas are not written back in: commands of LaTeX, derivatives as quotients.
+    /// `true` if there are forms among them that formulas are not written back in: commands of LaTeX, derivatives as quotients.
     pub(super) free: bool,
 }
 
@@ -73,9 +73,9 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     free: bool,
-    /// Of each bracket that is open whether it holds the two arguments of max or min.
+    /// For each open bracket, `true` if it holds the two arguments of max or min.
     open: Vec<bool>,
-    /// Whether max or min was read last.
+    /// `true` if max or min was read last.
     after_extremum: bool,
 }
 
@@ -230,7 +230,7 @@ pub(super) fn is_extremum(name: &str) -> bool {
     matches!(name, "max" | "min")
 }
 
-/// What a name begins with, and the dots above it.
+/// Beginning of a name, and the number of dots above it.
 fn beginning(first: char) -> Option<(String, u8)> {
     match first {
         _ if first.is_ascii_alphabetic() => Some((first.to_string(), 0)),

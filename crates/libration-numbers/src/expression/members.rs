@@ -10,14 +10,14 @@ pub(super) struct Member<'a> {
 }
 
 impl<'a> Member<'a> {
-    /// Of the name of a symbol; `None` of names without an index.
+    /// Member with the name of a symbol; `None` for names without an index.
     pub(super) fn of(name: &'a str) -> Option<Self> {
         let (family, index) = name.strip_suffix(']')?.split_once('[')?;
         Some(Self { family, index })
     }
 }
 
-/// What the member of this number is called: x3, and `w1_3` where the family's own name ends with a digit.
+/// Name of the member of this number: x3, and `w1_3` where the family's own name ends with a digit.
 pub(super) fn member_name(family: &str, number: i64) -> String {
     let between = if family.ends_with(|c: char| c.is_ascii_digit()) { "_" } else { "" };
     format!("{family}{between}{number}")

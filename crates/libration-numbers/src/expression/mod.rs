@@ -108,6 +108,6 @@ impl From<i64> for Expression {
 pub struct Symbol {
     /// The name in ASCII: `theta`, `omega0`.
     pub name: String,
-    /// How many times it is differentiated with respect to time.
+    /// Order of the derivative with respect to time.
     pub primes: u8,
 }

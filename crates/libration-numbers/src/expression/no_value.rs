@@ -30,7 +30,7 @@ impl Expression {
         })
     }
 
-    /// Why this operation has no value, its operands having one.
+    /// Reason why this operation has no value, its operands having one.
     fn why_without_value(&self) -> Option<&'static str> {
         match self {
             Self::Divide(_, divisor) if divisor.vanishes() => Some("division by zero"),

@@ -10,7 +10,7 @@ use crate::algebra::{Parity, Polynomial, Rational};
 /// Products of two terms, more for long coefficients, that one formula may cost.
 const MOST_WORK: usize = 1 << 16;
 
-/// What the polynomials are in.
+/// Indeterminate of the polynomials.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Atom {
     Pi,
@@ -38,7 +38,7 @@ struct NormalForm {
 }
 
 impl Expression {
-    /// Whether the formula is proved to be zero everywhere.
+    /// Returns whether the formula is proved to be zero everywhere.
     #[doc(hidden)]
     pub fn vanishes(&self) -> bool {
         NormalForm::from_tree(self).is_some_and(|form| form.upper.is_zero())

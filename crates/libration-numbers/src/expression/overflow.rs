@@ -7,7 +7,7 @@ use crate::algebra::{BigFloat, Doubles, Floats};
 const PRECISION: usize = 128;
 
 impl Tape {
-    /// Whether some part of the formulas is beyond the range of double precision where all of them have values.
+    /// Returns whether some part of the formulas is beyond the range of double precision where all of them have values.
     #[doc(hidden)]
     pub fn overflows_at(&self, inputs: &[f64]) -> bool {
         let doubles = Jet::new(&Doubles, self, inputs);
@@ -15,7 +15,7 @@ impl Tape {
         !is_finite && self.has_values_at(inputs)
     }
 
-    /// Whether the formulas have values in numbers of any size.
+    /// Returns whether the formulas have values in numbers of any size.
     fn has_values_at(&self, inputs: &[f64]) -> bool {
         let inputs: Option<Vec<BigFloat>> =
             inputs.iter().map(|input| BigFloat::from_f64(*input, PRECISION)).collect();

@@ -67,7 +67,7 @@ pub(super) struct Parser<'a> {
     lexemes: Vec<Lexeme>,
     next: usize,
     nesting: usize,
-    /// Whether something was read that formulas are not written back in.
+    /// `true` if something was read that formulas are not written back in.
     free: bool,
 }
 
@@ -77,7 +77,7 @@ impl<'a> Parser<'a> {
         Ok(Self { text, lexemes, next: 0, nesting: 0, free })
     }
 
-    /// Whether what was read so far is written more freely than formulas are written back.
+    /// Returns whether the text read so far is written more freely than formulas are written back.
     pub(super) fn is_free(&self) -> bool {
         self.free
     }
@@ -94,7 +94,7 @@ impl<'a> Parser<'a> {
         &self.lexemes[self.next].token
     }
 
-    /// Whether the sign stands next; then it is taken.
+    /// Takes the sign if it stands next, and returns whether it does.
     pub(super) fn take(&mut self, sign: char) -> bool {
         let found = *self.peek() == Token::Sign(sign);
         self.next += usize::from(found);
@@ -117,7 +117,7 @@ impl<'a> Parser<'a> {
         Some(range)
     }
 
-    /// What is said of a lexeme that cannot follow.
+    /// Error for a lexeme that cannot follow.
     pub(super) fn unexpected(&self) -> ParseError {
         self.fault(Fault::Unexpected { found: self.found() })
     }
@@ -195,7 +195,7 @@ impl<'a> Parser<'a> {
         matches!(self.peek(), Token::Number(_) | Token::Name(_) | Token::Fraction | Token::Sign('(' | '{'))
     }
 
-    /// Whether a factor may stand here without a sign of multiplication.
+    /// Refuses a factor that may not stand here without a sign of multiplication.
     fn refuse_ambiguous_product(&self, divided: bool) -> Result<(), ParseError> {
         let last = &self.lexemes[self.next - 1].token;
         let before = self.next.checked_sub(2).map(|i| &self.lexemes[i].token);
@@ -215,7 +215,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// Whether only signs stand between a `^` and this lexeme.
+    /// Returns whether only signs stand between a `^` and this lexeme.
     fn in_exponent(&self, lexeme: usize) -> bool {
         let before = self.lexemes[..lexeme].iter().rev();
         let mut before = before.skip_while(|it| matches!(it.token, Token::Sign('+' | '-')));
@@ -274,7 +274,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether `deg` stands right behind the number that was read; then it is taken.
+    /// Takes `deg` if it stands directly after the number that was read, and returns whether it does.
     fn take_degrees(&mut self) -> bool {
         let Lexeme { token, spaced, .. } = &self.lexemes[self.next];
         let found = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
@@ -283,7 +283,7 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// So many degrees, in radians.
+    /// A number of degrees, in radians.
     fn degrees(&self, value: &Rational) -> Result<Node, ParseError> {
         let half_turns = value.checked_div(&Rational::from(180)).unwrap_or_else(|| value.clone());
         self.joined(
@@ -293,7 +293,7 @@ impl<'a> Parser<'a> {
         )
     }
 
-    /// What stands up to this closing bracket.
+    /// The formula up to this closing bracket.
     fn bracketed(&mut self, close: char) -> Result<Node, ParseError> {
         let open = self.next;
         self.next += 1;
@@ -343,7 +343,7 @@ impl<'a> Parser<'a> {
         self.grown(levels, join(Box::new(left.tree), Box::new(right.tree)))
     }
 
-    /// A tree above others of so many levels, if it is not too deep.
+    /// A tree above others with a number of levels, if it is not too deep.
     fn grown(&self, levels: usize, tree: Expression) -> Result<Node, ParseError> {
         if levels == DEEPEST_TREE {
             return Err(self.fault(Fault::TooDeep { limit: DEEPEST_TREE }));

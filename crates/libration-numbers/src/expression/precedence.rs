@@ -1,8 +1,8 @@
-//! How tightly a formula holds together when it is written down.
+//! Binding strength of a formula when it is written down.
 
 use super::Expression;
 
-/// From the loosest to the tightest.
+/// Bindings from the loosest to the tightest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Sum,
@@ -14,7 +14,7 @@ pub(super) enum Binding {
 }
 
 impl Binding {
-    /// That of a formula; `fraction` is what a positive number is written as when it is no decimal.
+    /// Binding of a formula; `number` returns that of a positive number.
     pub(super) fn from_tree(tree: &Expression, number: impl Fn(&super::Rational) -> Self) -> Self {
         match tree {
             Expression::Number(value) if value.is_negative() => Self::Sign,

@@ -3,7 +3,7 @@
 use super::{Expression, Function, Jet, Symbol, Tape};
 use crate::algebra::Doubles;
 
-/// What is nearer to zero than this is zero at a state that is known in digits.
+/// Largest magnitude that counts as zero at a state that is known in digits.
 const ZERO: f64 = 1e-12;
 
 /// A state, and how formulas look on one side of it.

@@ -11,7 +11,7 @@ impl Symbol {
         Self { name: name.to_owned(), primes: 0 }
     }
 
-    /// The name with so many primes.
+    /// The name with a number of primes.
     #[must_use]
     pub fn with_primes(&self, primes: u8) -> Self {
         Self { name: self.name.clone(), primes }
@@ -42,7 +42,7 @@ impl Expression {
         }
     }
 
-    /// Whether a symbol occurs.
+    /// Returns whether a symbol occurs.
     #[must_use]
     pub fn contains(&self, symbol: &Symbol) -> bool {
         matches!(self, Self::Symbol(own) if own == symbol) || self.parts().any(|part| part.contains(symbol))

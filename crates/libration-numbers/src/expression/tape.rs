@@ -17,7 +17,7 @@ pub enum Operation {
     Subtract(usize, usize),
     Multiply(usize, usize),
     Divide(usize, usize),
-    /// A power whose exponent is no natural number.
+    /// A power whose exponent is not a natural number.
     Power(usize, Rational),
     Exp(usize),
     /// One of a pair of functions, `of` the first operand, whose derivative is `slope` times the other.
@@ -74,7 +74,7 @@ impl Tape {
         &self.operations
     }
 
-    /// Where the formulas have their values.
+    /// Places of the values of the formulas.
     pub fn results(&self) -> &[usize] {
         &self.results
     }

@@ -35,7 +35,7 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
     found.iter().all(|value| value.is_finite()).then_some(found)
 }
 
-/// How far each eigenvalue may move when the entries of the matrix change by a matrix of this norm, to the first order.
+/// Bounds on the change of each eigenvalue when the entries of the matrix change by a matrix of this norm, to the first order.
 ///
 /// # Method
 /// A changed eigenvalue z solves Π(z − λⱼ) = −tr(adj(z − M)·δM) + …, so that it is within the radius r about λᵢ where

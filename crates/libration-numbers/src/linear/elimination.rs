@@ -59,8 +59,8 @@ pub fn determinant<R: Ring>(
     Some(product)
 }
 
-/// So many independent vectors that a matrix maps to zero, by elimination with the largest pivot of all that is left. The
-/// matrix must have at least so many; of a matrix of `f64`s what is left in the end is taken to be rounding errors.
+/// Independent vectors that a matrix maps to zero, as many as `dimension`, by elimination with the largest pivot of all that is left. The null space
+/// must have at least this dimension; of a matrix of `f64`s the remainder in the end is taken to be rounding errors.
 pub fn null_space<R: Ring>(
     ring: &R,
     size: impl Fn(&R::Element) -> f64,

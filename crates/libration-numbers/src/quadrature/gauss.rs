@@ -19,7 +19,7 @@ pub(super) const NODES: [(f64, f64); 8] = [
 const EARLY: [usize; 4] = [4, 5, 6, 7];
 const LATE: [usize; 4] = [12, 13, 14, 15];
 
-/// Where the coefficients fall by less than this between the two, 16 points do not show the function: they fall so by a jump.
+/// Largest ratio of the late coefficients to the early ones at which 16 points resolve the function; next to a jump it is larger.
 const RESOLVED: f64 = 0.25;
 
 /// Legendre's polynomials up to degree 15 at the nodes.

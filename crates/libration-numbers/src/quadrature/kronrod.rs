@@ -17,16 +17,16 @@ const NODES: [(f64, f64, f64); 8] = [
 
 /// The part of the integral of |f| that two rules may differ by.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
-/// Where halving an interval leaves more than this of the difference of its rules, the rest is rounding or a jump: of smooth
-/// functions it leaves 2⁻¹⁴, of a kink a quarter, of a square root 2^−1.5.
+/// Part of the difference of its rules above which the halving of an interval gains nothing: the rest is rounding or a jump. Of smooth functions 2⁻¹⁴
+/// is left, of a kink a quarter, of a square root 2^−1.5.
 const NO_GAIN: f64 = 0.5;
-/// An interval and its parts may be halved without gain so often: by chance a kink may lie next to the middle. What is gained
-/// by chance gives none of it back, or noise would be halved without end.
+/// Number of times that an interval and its parts may be halved without gain: by chance a kink may lie next to the middle. Gain by chance gives none
+/// of it back, or noise would be halved without end.
 const PATIENCE: u32 = 3;
-/// So many intervals are enough to halve one of them down to the last digit, as a jump asks for.
+/// Maximum number of intervals, enough to halve one of them down to the last digit, as a jump requires.
 const MOST_INTERVALS: usize = 64;
-/// With this part of the integral of |f| in doubt it is no value: of a pole a few per cent are, however small the intervals
-/// next to it; of noise as much only where there is nothing else.
+/// Part of the integral of |f| above which an uncertainty leaves no value: of a pole a few per cent are uncertain, however small the intervals next
+/// to it; of noise as much only where there is nothing else.
 const DOUBTFUL: f64 = 1e-2;
 
 /// ∫₀¹ f(x) dx by Gauss–Kronrod rules of 7 and 15 points on intervals, of which the one whose rules differ most is halved, as long
@@ -84,7 +84,7 @@ fn total(parts: &[Part]) -> f64 {
 struct Part {
     rules: Rules,
     ends: [f64; 2],
-    /// How often it may still be halved without gain.
+    /// Number of times that it may still be halved without gain.
     patience: u32,
 }
 
@@ -103,7 +103,7 @@ impl Part {
     }
 }
 
-/// Both rules on an interval, and the first for |f|.
+/// Results of both rules on an interval, and of the first for |f|.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
 pub struct Rules {
@@ -113,7 +113,7 @@ pub struct Rules {
 }
 
 impl Rules {
-    /// What the rules differ by.
+    /// Magnitude of the difference of the rules.
     fn difference(&self) -> f64 {
         (self.kronrod - self.gauss).abs()
     }

@@ -3,7 +3,7 @@
 use super::gauss::{LEGENDRE, NODES};
 use libration_kernels::elementary::count;
 
-/// How many points there are.
+/// Number of points.
 pub const POINTS: usize = 2 * NODES.len();
 
 /// Gauss' points on (0, 1), in their order.

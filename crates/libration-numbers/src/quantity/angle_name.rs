@@ -3,8 +3,7 @@
 /// Greek letters that are used for angles.
 const LETTERS: [&str; 8] = ["theta", "vartheta", "phi", "varphi", "psi", "alpha", "beta", "gamma"];
 
-/// Whether a coordinate of this name is taken as an angle: a Greek letter that is used for angles, with or without a number
-/// behind it.
+/// Returns whether a coordinate of this name is taken as an angle: a Greek letter that is used for angles, with or without a number after it.
 ///
 /// # Examples
 /// ```

@@ -54,7 +54,7 @@ pub(super) fn exact_angle(text: &str) -> Result<PiCombination, QuantityError> {
     angle.map_err(|fault| fault.about(text))
 }
 
-/// What is wrong, before the text is added to it.
+/// Error before the text is added to it.
 enum Fault {
     Unreadable(&'static str),
     OutOfRange(&'static str),

@@ -16,7 +16,7 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct BareRadians {
-    /// As it is written.
+    /// The number as it is written.
     written: String,
     radians: f64,
 }

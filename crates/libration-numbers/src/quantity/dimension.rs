@@ -1,8 +1,8 @@
-//! What a quantity measures.
+//! Dimensions of quantities.
 
 use std::fmt;
 
-/// What a quantity measures, and with it the SI unit its value is kept in.
+/// Dimension of a quantity, which also determines the SI unit of its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Dimension {

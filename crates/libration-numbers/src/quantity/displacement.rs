@@ -33,10 +33,10 @@ impl Displacement {
         value.is_finite().then(|| Self(PiCombination::radians(value)))
     }
 
-    /// The decimal number that a text says.
+    /// The decimal number that a text gives.
     ///
     /// # Errors
-    /// Text that is no decimal number, or one beyond the range of `f64`.
+    /// Text that is not a decimal number, or one beyond the range of `f64`.
     pub fn from_number_text(text: &str) -> Result<Self, QuantityError> {
         let unsigned = text.trim();
         let number = Decimal::parse(unsigned.strip_prefix('+').unwrap_or(unsigned));
@@ -62,7 +62,7 @@ impl Displacement {
         self.0.nearest().unwrap_or(f64::INFINITY)
     }
 
-    /// How many degrees it is, where it is a multiple of π, as what was written in degrees is.
+    /// Number of degrees, where the angle is a multiple of π, as text in degrees gives it; `None` for others and for zero.
     ///
     /// # Examples
     /// ```
@@ -80,7 +80,7 @@ impl Displacement {
         is_multiple.then(|| (pi_multiple * dashu_ratio::RBig::from(180)).to_f64().value())
     }
 
-    /// As an angle with its complement, each in two words; `None` when its turns cannot be counted.
+    /// The displacement as an angle with its complement, each in two words; `None` when its turns cannot be counted.
     #[must_use]
     pub fn to_angle(&self) -> Option<Angle> {
         Angle::from_radians(self.to_f64()).ok().map(|_| self.0.to_angle())

@@ -1,8 +1,8 @@
-//! What can be wrong with a quantity, as a number or as text.
+//! Errors of quantities, as numbers or as text.
 
 use super::Dimension;
 
-/// Why a text is not the quantity it should be, or a number not an angle.
+/// Reason why a text is not the quantity it should be, or a number not an angle.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
@@ -17,7 +17,7 @@ pub enum QuantityError {
     UnreadableAngle {
         /// The text, shortened.
         text: String,
-        /// What would do.
+        /// The remedy.
         hint: &'static str,
     },
     /// Text of an angle that is too large, or too near zero or the top without being there.
@@ -25,15 +25,15 @@ pub enum QuantityError {
     AngleOutOfRange {
         /// The text, shortened.
         text: String,
-        /// What would do.
+        /// The remedy.
         hint: &'static str,
     },
-    /// Text that is no number with a unit.
+    /// Text that is not a number with a unit.
     #[error("cannot read `{text}` as {dimension}: write {}", .dimension.examples())]
     UnreadableQuantity {
         /// The text, shortened.
         text: String,
-        /// What it should be.
+        /// The expected dimension.
         dimension: Dimension,
     },
     /// A unit that is not known.
@@ -43,7 +43,7 @@ pub enum QuantityError {
         text: String,
         /// The unit, shortened.
         unit: String,
-        /// What it should be.
+        /// The expected dimension.
         dimension: Dimension,
     },
     /// A decimal comma.
@@ -59,9 +59,9 @@ pub enum QuantityError {
     WrongDimension {
         /// The text, shortened.
         text: String,
-        /// What the unit says.
+        /// The dimension of the unit.
         found: Dimension,
-        /// What it should be.
+        /// The expected dimension.
         dimension: Dimension,
     },
     /// A value or an uncertainty beyond the range of `f64`, or an uncertainty below zero.
@@ -69,7 +69,7 @@ pub enum QuantityError {
     QuantityOutOfRange {
         /// The text, shortened.
         text: String,
-        /// What it should be.
+        /// The expected dimension.
         dimension: Dimension,
     },
 }

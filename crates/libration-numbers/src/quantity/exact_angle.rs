@@ -72,7 +72,7 @@ impl PiCombination {
         within.then(|| Angle::from_parts(0, words(numerator), words(complement)))
     }
 
-    /// As text is meant: plain radians are the nearest `f64`, everything else is exact.
+    /// The angle that text means: plain radians are the nearest `f64`, everything else is exact.
     pub(super) fn to_angle_as_text_means(&self) -> Angle {
         if !self.pi_multiple.is_zero() {
             return self.to_angle();

@@ -17,7 +17,8 @@ pub fn excerpt(text: &str) -> String {
     shown
 }
 
-/// Whether a character changes the direction of what follows it, so that a terminal shows another text (Unicode Standard Annex 9, section 2).
+/// Returns whether a character changes the direction of the text after it, so that a terminal shows another text (Unicode Standard Annex 9, section
+/// 2).
 #[must_use]
 pub fn is_bidirectional(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')

@@ -1,4 +1,4 @@
-//! What was probably meant by a word that is not known.
+//! Suggestions for a word that is not known.
 
 /// The three known words nearest to the one asked for.
 pub(crate) fn nearest<'a>(asked: &str, known: impl Iterator<Item = &'a str>) -> Vec<String> {

@@ -26,7 +26,7 @@ pub struct Quantity {
 /// a unit of its own, or as a percentage.
 ///
 /// # Errors
-/// Text that is no number with a unit, a unit of another dimension, or a number beyond the range of `f64`.
+/// Text that is not a number with a unit, a unit of another dimension, or a number beyond the range of `f64`.
 ///
 /// # Examples
 /// ```
@@ -50,9 +50,8 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError
     Ok(Quantity { value, uncertainty })
 }
 
-/// What [`parse`] makes of a number, written with as few digits as read back as it, with a unit behind it: the value in the SI unit of
-/// the dimension, rounded once. What is not finite stays so; `None` where no unit of this name measures this, and beyond the
-/// range of `f64`.
+/// The value of a number with a unit as [`parse`] reads it, written with as few digits as read back as it: in the SI unit of the dimension, rounded
+/// once. A number that is not finite stays so; `None` where no unit of this name measures this, and beyond the range of `f64`.
 ///
 /// # Examples
 /// ```

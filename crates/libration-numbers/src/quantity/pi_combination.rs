@@ -47,7 +47,7 @@ impl PiCombination {
         Some(self.value().to_rational().to_f64().value()).filter(|x| x.is_finite())
     }
 
-    /// Whether the angle is an exact multiple of π, which only one without a rest can be.
+    /// Returns whether the angle is an exact multiple of π, which only one without a rest can be.
     pub(super) fn is_multiple_of_pi(&self) -> bool {
         self.rest.is_zero() && self.pi_multiple.is_int()
     }

@@ -42,13 +42,13 @@ impl AngleRange {
         Ok(Self(Progression::new(text, start, &stop, step)?))
     }
 
-    /// How many angles there are; at least one.
+    /// Number of angles; at least one.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.count
     }
 
-    /// Never: a range has at least its start.
+    /// Always `false`: a range has at least its start.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.count == 0
@@ -81,13 +81,13 @@ impl NumberRange {
         Ok(Self(Progression::new(text, exact(start)?, &exact(stop)?, exact(step)?)?))
     }
 
-    /// How many numbers there are; at least one.
+    /// Number of numbers; at least one.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.count
     }
 
-    /// Never: a range has at least its start.
+    /// Always `false`: a range has at least its start.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.count == 0
@@ -160,7 +160,7 @@ pub fn exact_angles(text: &str) -> Result<Vec<Displacement>, RangeError> {
     parts.into_iter().map(|part| Ok(Displacement::from_angle_text(part)?)).collect()
 }
 
-/// Whether bare numbers (other than zero) stand beside angles with a unit: `60,5deg` was meant otherwise.
+/// Returns whether bare numbers (other than zero) are mixed with angles with a unit: `60,5deg` was meant otherwise.
 fn units_are_mixed(parts: &[&str]) -> bool {
     let has_unit =
         |part: &&str| ["deg", "°", "rad"].iter().any(|unit| part.to_ascii_lowercase().contains(unit));

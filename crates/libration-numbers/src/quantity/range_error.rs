@@ -1,11 +1,11 @@
-//! Why a text is no range.
+//! Errors in the text of a range.
 
 use super::QuantityError;
 
 /// More elements than anybody can look at, and few enough to be held in memory.
 pub(super) const MOST_ELEMENTS: u64 = 10_000_000;
 
-/// Why a text is no range.
+/// Reason why a text is not a range.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RangeError {

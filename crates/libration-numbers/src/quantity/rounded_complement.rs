@@ -1,4 +1,4 @@
-//! What is lost of an angle next to the upright position when it becomes a double.
+//! Loss of the distance from the upright position when an angle is rounded to a double.
 
 use std::fmt;
 
@@ -19,12 +19,12 @@ use super::Angle;
 pub struct RoundedComplement {
     /// The distance of the angle from the upright position, in radians.
     pub wanted: f64,
-    /// That of the nearest double.
+    /// The distance of the nearest double.
     pub rounded: f64,
 }
 
 impl RoundedComplement {
-    /// What rounding does to an angle, the upright position itself included; none where the distance from it keeps twelve digits, as it does below
+    /// Effect of rounding on an angle, the upright position itself included; `None` where the distance from it keeps twelve digits, as it does below
     /// 179.98°. The logarithm of the distance goes into the period, so that its error is smaller still.
     #[must_use]
     pub fn of(angle: &Angle) -> Option<Self> {

@@ -5,7 +5,7 @@ use libration_kernels::double_double::DoubleDouble;
 
 /// The shortest decimal that reads back as an `f64`.
 pub(super) struct Shortest {
-    /// As `-1.25e-3`.
+    /// Text such as `-1.25e-3`.
     text: String,
 }
 
@@ -13,7 +13,7 @@ pub(super) struct Shortest {
 const LARGEST_POWER: u32 = 22;
 
 impl Shortest {
-    /// That of a finite number.
+    /// Shortest decimal of a finite number.
     pub(super) fn new(number: f64) -> Self {
         Self { text: format!("{number:e}") }
     }
@@ -22,7 +22,7 @@ impl Shortest {
         Decimal::parse(&self.text)
     }
 
-    /// Where few digits and a small exponent allow that: to 2⁻¹⁰⁰ of itself.
+    /// The number in two words, to 2⁻¹⁰⁰ of itself, where few digits and a small exponent allow that.
     pub(super) fn in_two_words(&self) -> Option<DoubleDouble> {
         let (mantissa, exponent) = self.text.split_once('e')?;
         let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());

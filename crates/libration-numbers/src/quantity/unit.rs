@@ -39,7 +39,7 @@ impl Unit {
             .expect("the table begins each dimension with its SI unit")
     }
 
-    /// So many of this unit, in the SI unit.
+    /// A number of this unit, in the SI unit.
     pub(super) fn times(&self, number: RBig) -> PiCombination {
         let value = number * RBig::from_parts(self.numerator.into(), self.denominator.into());
         match self.of {
@@ -48,7 +48,7 @@ impl Unit {
         }
     }
 
-    /// So many of this unit in the SI unit, rounded once; `None` beyond the range of `f64`.
+    /// A number of this unit in the SI unit, rounded once; `None` beyond the range of `f64`.
     pub(super) fn to_si(&self, number: f64) -> Option<f64> {
         if number == 0.0 || (self.numerator, self.denominator, &self.of) == (1, 1, &Factor::One) {
             return Some(number);

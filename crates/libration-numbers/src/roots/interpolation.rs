@@ -51,7 +51,7 @@ pub fn zero_between(ends: [Point; 2], tolerance: Tolerance, mut f: impl FnMut(f6
     Some(if low.1.abs() < high.1.abs() { low.0 } else { high.0 })
 }
 
-/// Where to look next in a bracket that is still too wide: a place truly inside, or it would not become narrower.
+/// Next place to evaluate in a bracket that is still too wide: truly inside, or it would not become narrower.
 fn next(low: Point, high: Point, window: f64, tolerance: Tolerance) -> Option<f64> {
     let ends = [low.0.min(high.0), low.0.max(high.0)];
     let inner = [ends[0].next_up(), ends[1].next_down()];

@@ -41,12 +41,12 @@ pub use interpolation::zero_between;
 pub use polynomial::{PolynomialRoot, polynomial_roots};
 pub use sign_changes::polynomial_sign_changes;
 
-/// How wide a bracket may be in the end: the sum of both parts.
+/// Largest width of the final bracket: the sum of both parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// In the units of the places.
+    /// Width in the units of the places.
     pub absolute: f64,
-    /// As a part of the end that is farther from zero.
+    /// Width as a part of the end that is farther from zero.
     pub relative: f64,
 }
 

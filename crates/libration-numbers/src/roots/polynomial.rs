@@ -8,11 +8,11 @@ use libration_kernels::elementary::count;
 /// A root of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolynomialRoot {
-    /// Where it is.
+    /// Position of the root.
     pub value: Complex,
-    /// As many roots as [`multiplicity`](Self::multiplicity) says are not farther from the value than this.
+    /// Distance from the value within which there are [`multiplicity`](Self::multiplicity) roots.
     pub error: f64,
-    /// With how many roots, itself included, it may coincide: more than one where errors overlap.
+    /// Number of roots, itself included, with which it may coincide: more than one where errors overlap.
     pub multiplicity: usize,
 }
 
@@ -114,7 +114,7 @@ impl Balanced {
         circles.collect()
     }
 
-    /// Moves all places until the polynomial is zero there but for rounding errors, or for so many rounds.
+    /// Moves all places until the polynomial is zero there within rounding errors, at most for a fixed number of rounds.
     fn refine(&self, places: &mut [Complex]) {
         /// Some ten are usual; of k roots that coincide each round brings the part 1/k of the way.
         const ENOUGH: usize = 200;
@@ -148,7 +148,7 @@ impl Balanced {
 
     /// Outside the unit circle by way of the reversed polynomial, which does not overflow: p(z) = zⁿ·r(1/z).
     fn at(&self, z: Complex) -> Local {
-        /// Of a complex product, √5 of 2⁻⁵³, and a sum, in each of n steps, with as much to spare.
+        /// Rounding errors of a complex product, √5 of 2⁻⁵³, and a sum, in each of n steps, with as much to spare.
         const ROUNDINGS: f64 = 4.0;
         let n = count(self.degree());
         let inside = z.abs() <= 1.0;
@@ -200,7 +200,7 @@ impl Balanced {
     }
 }
 
-/// What a polynomial is next to a place.
+/// Values of a polynomial at a place.
 struct Local {
     value: Complex,
     /// The rounding error of the value.

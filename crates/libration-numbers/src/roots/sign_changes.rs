@@ -1,4 +1,4 @@
-//! Where a polynomial changes its sign on the real line.
+//! Sign changes of a polynomial on the real line.
 
 use super::{Tolerance, bisect};
 
@@ -55,7 +55,7 @@ fn between(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
     Some(found)
 }
 
-/// Where the sign changes between two places, to the last bit.
+/// The place of the sign change between two places, to the last bit.
 pub fn sign_change(f: impl Fn(f64) -> f64, ends: [f64; 2]) -> f64 {
     let negative = f(ends[0]) < 0.0;
     let [a, b] = bisect(ends, Tolerance::LAST_BIT, |x| (f(x) < 0.0) == negative);

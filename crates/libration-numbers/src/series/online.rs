@@ -8,7 +8,7 @@ use crate::algebra::product;
 /// series, whose coefficients grow like factorials, so that products of small by large ones come cheap.
 pub(super) const BLOCK: usize = 1024;
 
-/// What stands under a coefficient: Σ yₙxⁿ/wₙ.
+/// Divisor of a coefficient: Σ yₙxⁿ/wₙ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
     /// wₙ = 1.

@@ -23,7 +23,7 @@ use crate::algebra::{Divisor, Function, Pair, Rational, Rationals, Ring, Rule, S
 pub struct PowerSeries<R> {
     /// The ring of the coefficients.
     pub coefficients: R,
-    /// How many coefficients are kept.
+    /// Number of coefficients that are kept.
     pub terms: usize,
 }
 
@@ -160,8 +160,7 @@ impl<R: Ring> Ring for PowerSeries<R> {
         a.iter().map(|a| self.coefficients.times_integer(a, factor)).collect()
     }
 
-    /// Both are first divided by the power of the variable that the divisor begins with, which costs that many
-    /// coefficients.
+    /// Divides both first by the power of the variable with which the divisor begins, which costs that many coefficients.
     fn divide(&self, a: &Self::Element, divisor: &Self::Element) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let shift = divisor.iter().position(|coefficient| !ring.is_zero(coefficient))?;
@@ -176,7 +175,7 @@ impl<R: Ring> Ring for PowerSeries<R> {
         a.iter().map(|a| self.coefficients.over_integer(a, divisor)).collect()
     }
 
-    /// Where the function is analytic and its value at the constant term is in the ring of coefficients.
+    /// The series where the function is analytic and its value at the constant term is in the ring of coefficients.
     fn value(&self, function: Function, at: &Self::Element) -> Option<Self::Element> {
         let ring = &self.coefficients;
         let first = at.first()?;

@@ -50,7 +50,7 @@ pub fn composition<R: Ring>(
     Some(spread(ring, halves, 0, length))
 }
 
-/// As many coefficients of 1/a as a has; `None` when a₀ has no inverse.
+/// Coefficients of 1/a, as many as a has; `None` when a₀ has no inverse.
 pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let one = ring.rational(&1.into())?;
     let first = ring.divide(&one, a.first()?)?;
@@ -62,7 +62,7 @@ pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>
     Some(b)
 }
 
-/// As many coefficients of √a as a has, for a₀ = 1 and the root that begins with 1.
+/// Coefficients of √a, as many as a has, for a₀ = 1 and the root that begins with 1.
 pub fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>> {
     let mut b = vec![ring.rational(&1.into())?];
     for a_n in a.iter().skip(1) {

@@ -42,7 +42,7 @@ fn by_complementary_modulus(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, documented!("ellipnome_kp"), |[kp], [q]| nomes(Moduli::ComplementaryModuli(kp), q))
 }
 
-/// What the modulus of each nome says; NaN where there is none.
+/// Property of the modulus of each nome; NaN where there is none.
 fn of_nome(nomes: &[f64], values: &mut [f64], says: fn(&Modulus) -> f64) -> Result<(), LengthMismatch> {
     for (nome, value) in nomes.iter().zip(values) {
         *value = Modulus::from_nome(*nome).map_or(f64::NAN, |modulus| says(&modulus));

@@ -41,7 +41,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     })
 }
 
-/// How a motion begins, which decides by which kernel it is found, so that one element is found as many are.
+/// Start of a motion, which decides by which kernel it is computed, so that one element has the same result as many.
 enum Start {
     /// At rest within a turn.
     Released,
@@ -76,7 +76,7 @@ fn runs<K: PartialEq>(count: usize, key: impl Fn(usize) -> K) -> impl Iterator<I
     })
 }
 
-/// Where angles and velocities are written.
+/// Outputs for angles and velocities.
 type Found<'a> = (&'a mut [f64], &'a mut [f64]);
 
 fn released(

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::source::Source;
 
-/// Those that are still there: each has one idea in several files, or an idea in the wrong one.
+/// Circles that remain: each has one idea in several files, or an idea in the wrong one.
 pub(crate) const REMAINING: &[&str] = &[];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;

@@ -42,7 +42,7 @@ impl Map {
         Self { crates, common }
     }
 
-    /// Whether the crate belongs to the mathematics, whose modules know each other across crates.
+    /// Returns whether the crate belongs to the mathematics, whose modules know each other across crates.
     pub(crate) fn is_mathematics(&self, name: &str) -> bool {
         let place = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
         (place("libration-kernels")..=place("libration-branches")).contains(&place(name))

@@ -9,7 +9,7 @@ pub(crate) struct Item {
     pub(crate) path: Path,
     /// Its name here.
     pub(crate) name: String,
-    /// Whether others may use it from here.
+    /// `true` if others may use it from here.
     pub(crate) handed_on: bool,
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn use_items(code: &str) -> Vec<Item> {
     items
 }
 
-/// Where each `use` stands, and what follows up to its semicolon.
+/// Position of each `use`, and the text after it up to its semicolon.
 fn declarations(code: &str) -> impl Iterator<Item = (usize, &str)> {
     code.match_indices("use ").filter_map(|(start, word)| {
         let alone = code[..start].chars().next_back().is_none_or(char::is_whitespace);

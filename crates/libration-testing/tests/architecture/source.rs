@@ -18,9 +18,9 @@ pub(crate) struct Source {
 struct File {
     /// Files that the compiler is told to read.
     declared: BTreeSet<String>,
-    /// Where the names come from that stand in a `use`.
+    /// Origins of the names that stand in a `use`.
     imported: BTreeMap<String, UsePath>,
-    /// What is used, but for names that are only handed on.
+    /// Paths that are used, except for names that are only re-exported.
     used: Vec<UsePath>,
 }
 
@@ -42,7 +42,7 @@ fn code(text: &str) -> String {
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
-/// What stands behind `mod`, and the names of files that are given as a `path`.
+/// The names after `mod`, and those of files that are given as a `path`.
 fn declared(text: &str) -> BTreeSet<String> {
     let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let modules = words.windows(2).filter(|pair| pair[0] == "mod").map(|pair| pair[1].to_owned());
@@ -100,7 +100,7 @@ impl Source {
         })
     }
 
-    /// Which file uses an item that stands in which other file.
+    /// Pairs of files, the first of which uses an item of the second.
     pub(crate) fn edges(&self) -> BTreeSet<(Module, Module)> {
         let uses =
             self.files.iter().flat_map(|(module, file)| file.used.iter().map(move |path| (module, path)));
@@ -108,7 +108,7 @@ impl Source {
         found.filter(|(from, to)| from != to).collect()
     }
 
-    /// Which file uses an item of which module of another crate of the mathematics.
+    /// Pairs of a file and a module of another crate of the mathematics of which it uses an item.
     pub(crate) fn foreign(&self) -> BTreeSet<(Module, String)> {
         let uses = self.files.iter().flat_map(|(from, file)| file.used.iter().map(move |path| (from, path)));
         uses.filter_map(|(from, path)| Some((from.clone(), foreign_module(path)?.to_owned()))).collect()

@@ -28,7 +28,7 @@ use std::cell::Cell;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 
-/// What a call gives when it is stopped at the n-th question, and how many questions there were.
+/// Result of a call that is cancelled at the n-th time that it consults the watch, and the number of these times.
 fn stopped_at<T>(n: usize, call: &impl Fn(&Watch<'_>) -> T) -> (T, usize) {
     let questions = Cell::new(0);
     let ask = |_: Progress| {

@@ -15,7 +15,7 @@ use super::number::DecimalMark;
 use super::text::{Encoding, decode};
 use std::borrow::Cow;
 
-/// What kind of file it is.
+/// Format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Format {

@@ -13,7 +13,7 @@ use super::part::Part;
 /// More files than any export has.
 const MOST_FILES: usize = 1000;
 
-/// All files, which hold together at most so many bytes. Of files with one name the last one counts.
+/// All files, which together have at most `limit` bytes. Of files with one name the last one counts.
 pub(super) fn parts(bytes: &[u8], limit: usize) -> Result<Vec<Part>, MeasurementError> {
     let archive = ZipArchive::from_slice(bytes).map_err(damaged)?;
     let entries = entries(&archive)?;
@@ -34,7 +34,7 @@ pub(super) fn parts(bytes: &[u8], limit: usize) -> Result<Vec<Part>, Measurement
     Ok(parts)
 }
 
-/// What the directory lists, if it is as much as it says.
+/// Entries of the directory, if their number is as stated and within the limit.
 fn entries<'a>(
     archive: &'a ZipSliceArchive<&[u8]>,
 ) -> Result<Vec<ZipFileHeaderRecord<'a>>, MeasurementError> {
@@ -92,7 +92,7 @@ fn unpacked(
     Ok(bytes)
 }
 
-/// At most so many bytes.
+/// Decompresses data to at most `most` bytes.
 fn inflated(packed: &[u8], most: usize) -> Result<Vec<u8>, MeasurementError> {
     decompress_to_vec_with_limit(packed, most).or_else(|error| match error.status {
         TINFLStatus::HasMoreOutput => Ok(error.output),

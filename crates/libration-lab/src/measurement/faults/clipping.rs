@@ -8,7 +8,7 @@ use crate::statistics::count;
 pub struct Plateau {
     /// Its first row.
     pub first: usize,
-    /// How many rows.
+    /// Number of rows.
     pub rows: usize,
     /// The value.
     pub value: f64,
@@ -18,7 +18,7 @@ pub struct Plateau {
 /// one step of the top of a parabola the next row is (1 + 2/r)² < 3 steps below it.
 const STEPS_BESIDE_A_TURN: f64 = 5.0;
 
-/// The errors of two values make up for so many standard deviations of one once in 6e7 times.
+/// Difference of two values, in standard deviations of one, that their errors exceed once in 6e7 times.
 const BEYOND_CHANCE: f64 = 8.0;
 
 /// Runs that a steady motion from the value before to the value after would have left, by more than steps of the scale and

@@ -1,11 +1,11 @@
-//! How the times follow each other: the usual interval, the grid they are on, gaps, and what rounding did.
+//! Spacing of the times: the usual interval, the grid they are on, gaps, and the effect of rounding.
 
 use super::even_times::EvenTimes;
 use super::grid::Grid;
 use super::significant_digits::SignificantDigits;
 use crate::statistics::{count, lower_median, mean, root_mean_square};
 
-/// How the times of a table follow each other. Units are seconds.
+/// Spacing of the times of a table. Units are seconds.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Clock {
@@ -13,17 +13,16 @@ pub struct Clock {
     pub interval: f64,
     /// The decimal step all times are written in, such as 0.001; none where there is none down to 1e-9.
     pub resolution: Option<f64>,
-    /// How many significant digits all times are written with, where these limit them: the steps of rounding then grow with
-    /// the times.
+    /// Number of significant digits with which all times are written, where these limit them: the steps of rounding then grow with the times.
     pub significant_digits: Option<usize>,
-    /// Whether the times are written so coarsely that rows share them.
+    /// `true` if the times are written so coarsely that rows share them.
     pub shares_times: bool,
     /// Even times which differ from those written by no more than two steps of their rounding, where there are such
     /// and the times are not even already.
     pub grid: Option<Grid>,
     /// The root mean square deviation of the intervals from the usual one, gaps aside.
     pub jitter: f64,
-    /// Where rows are missing.
+    /// Gaps where rows are missing.
     pub gaps: Vec<Gap>,
 }
 
@@ -91,7 +90,7 @@ impl Clock {
         Some(Self { interval, grid, gaps, ..clock })
     }
 
-    /// Whether the intervals vary, and not by rounding.
+    /// Returns whether the intervals vary, and not by rounding.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
         // What a reader is told. A twentieth of the interval is some millimetres of the path of a bob at 30 rows in a second.
@@ -99,7 +98,7 @@ impl Clock {
         self.grid.is_none() && self.significant_digits.is_none() && self.jitter > WORTH_A_WORD * self.interval
     }
 
-    /// What the errors of the rounded times do to values that change as these, of the kept rows.
+    /// Root mean square error that the rounding of the times causes in values that change as these, of the kept rows.
     pub(super) fn rounding_noise(&self, kept: &[usize], values: &[f64]) -> Option<f64> {
         let grid = self.grid.as_ref()?;
         let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
@@ -130,8 +129,8 @@ fn resolution(times: &[f64]) -> Option<f64> {
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
 }
 
-/// The grid of times with so many significant digits: row by row, or with gaps where the early times, which have finer steps
-/// than the rows, show them.
+/// The grid of times with a number of significant digits: row by row, or with gaps where the early times, which have finer steps than the rows, show
+/// them.
 fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Option<Grid> {
     let half_steps: Vec<f64> = times
         .iter()
@@ -158,7 +157,7 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     (grid.rms_deviation > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
 }
 
-/// Where the places of a grid leave out some.
+/// Gaps in the places of a grid.
 fn missing(grid: &Grid) -> Vec<Gap> {
     let steps = grid.numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).enumerate();
     let gap = |(after, steps): (usize, usize)| Gap {

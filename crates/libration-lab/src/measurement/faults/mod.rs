@@ -1,4 +1,4 @@
-//! What instruments do to a column of times and values, found before anything is fitted.
+//! Faults of instruments in a column of times and values, found before anything is fitted.
 //!
 //! Nothing is repaired in silence: each fault is a list of rows, counted from zero, and a sentence for people.
 //! Rows whose time is not after the one before are to be left out ([`Faults::left_out`]), since a trace needs
@@ -38,9 +38,9 @@ pub struct Faults {
     pub out_of_order: Vec<usize>,
     /// Rows at which the times begin anew: several runs in one table. Everything below is of the first run.
     pub restarts: Vec<usize>,
-    /// How the times follow each other; none of fewer than three rows.
+    /// Spacing of the times; `None` for fewer than three rows.
     pub clock: Option<Clock>,
-    /// What the rounding of the times does to the values: their root mean square error, in their unit.
+    /// Root mean square error of the values from the rounding of the times, in their unit.
     pub rounding_noise: Option<f64>,
     /// Values that stay the same while the motion goes on: frames shown twice, a sensor that hangs.
     pub stuck: Vec<Plateau>,
@@ -70,7 +70,7 @@ impl Faults {
         faults
     }
 
-    /// What is inferred from the rows whose times increase.
+    /// Infers further faults from the rows whose times increase.
     fn look_closer(&mut self, times: &[f64], values: &[f64], turn: Option<f64>) {
         let left_out = self.left_out();
         let kept: Vec<usize> = (0..times.len()).filter(|row| left_out.binary_search(row).is_err()).collect();
@@ -97,7 +97,7 @@ impl Faults {
         rows
     }
 
-    /// Whether there is nothing to say.
+    /// Returns whether there is nothing to report.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.sentences(&[], "").is_empty()

@@ -14,8 +14,8 @@ const SURROUNDINGS: usize = 10;
 /// Neighbours spread over this many times the usual intervals between them have a gap among them, and predict nothing. Four intervals of
 /// five with one row missing are 1.25. With 1.6 and 3 nothing changed, with 1.1 that video had one outlier more.
 const WIDEST: f64 = 1.3;
-/// So many outliers may stand side by side. With 3 blocks of four and five rows, 260 standard deviations off, were not seen; with 6 nothing
-/// else was called an outlier in 103 recordings, four of them next to the top. What is longer is a part of the recording.
+/// Maximum number of adjacent outliers. With 3 blocks of four and five rows, 260 standard deviations off, were not seen; with 6 nothing else was
+/// called an outlier in 103 recordings, four of them next to the top. A longer block is a part of the recording.
 pub const LONGEST: usize = 5;
 /// Outliers next to each other are told one after the other. With 2 and 30 nothing changed, with 1 one of four rows was told.
 const PASSES: usize = 10;
@@ -69,7 +69,7 @@ impl<'a> Curve<'a> {
         is_near.then_some([far_left, near_left, near_right, far_right])
     }
 
-    /// How far the value lies off the cubic through its neighbours, over what unit errors of all five make of it.
+    /// Deviation of the value from the cubic through its neighbours, divided by the standard deviation that unit errors of all five cause.
     fn deviation(&self, row: usize) -> Option<f64> {
         let neighbours = self.neighbours(row)?;
         let weights = neighbours.map(|one| self.weight(row, one, &neighbours));
@@ -119,13 +119,13 @@ impl<'a> Curve<'a> {
         found
     }
 
-    /// How many times the threshold a row that is not marked lies off, if it does.
+    /// Deviation of a row that is not marked in multiples of the threshold; `None` up to 1.
     fn excess(&self, row: usize, scales: &[f64]) -> Option<f64> {
         let deviation = self.deviation(row).filter(|_| !self.is_marked[row])?;
         Some(deviation / (THRESHOLD * scales[row])).filter(|excess| *excess > 1.0)
     }
 
-    /// The shortest block of rows with or beside this one that stands alone.
+    /// The shortest block of rows with or next to this one that stands alone.
     fn explanation(&mut self, row: usize, scales: &[f64]) -> Option<Range<usize>> {
         let starts = |length: usize| row.saturating_sub(length)..=row + 1;
         let mut blocks =
@@ -133,7 +133,7 @@ impl<'a> Curve<'a> {
         blocks.find(|block| self.stands_alone(block.clone(), scales))
     }
 
-    /// Whether every row of the block is far off its neighbours outside, and the nearest of these are not.
+    /// Returns whether every row of the block is far off its neighbours outside, and the nearest of these are not.
     fn stands_alone(&mut self, block: Range<usize>, scales: &[f64]) -> bool {
         if block.end > self.is_marked.len() || block.clone().any(|row| self.is_marked[row]) {
             return false;

@@ -1,15 +1,15 @@
-//! Times written with so many significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
+//! Times written with a number of significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
 
 /// More digits than these round no frames of a video away: 99.999 has steps of a thousandth. With 4 and 8 nothing changed in 106 recordings
 /// (`clock.rs`); with 3 times of four digits were not even.
 const MOST: usize = 5;
 
-/// How many significant digits all times have.
+/// Number of significant digits that all times have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SignificantDigits {
-    /// So many.
+    /// Number of digits.
     pub count: usize,
-    /// Where the first digit of the smallest time that is not zero stands: 10 to this power.
+    /// Power of ten of the first digit of the smallest time that is not zero.
     smallest: i32,
 }
 
@@ -36,7 +36,7 @@ fn is_written_with(digits: usize, time: f64) -> bool {
     (rounded - time).abs() <= 1e-12 * time.abs()
 }
 
-/// Where the first digit stands.
+/// Power of ten of the first digit.
 fn exponent(size: f64) -> i32 {
     let text = format!("{size:e}");
     text.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)

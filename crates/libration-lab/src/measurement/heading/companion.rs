@@ -25,7 +25,7 @@ pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
     }
 }
 
-/// What is left of a name without a sign of uncertainty before or after it.
+/// Parts of a name that remain without a sign of uncertainty before or after it.
 fn stems(name: &str) -> Vec<&str> {
     let between = [' ', '_', '-', '.'];
     let before = BEFORE.iter().filter_map(|sign| name.strip_prefix(sign));
@@ -38,7 +38,7 @@ fn stems(name: &str) -> Vec<&str> {
 }
 
 impl Heading {
-    /// Whether its unit is of the same kind as that of another column, or it has none of its own.
+    /// Returns whether the unit is of the same kind as that of another column, or the column has none of its own.
     fn may_measure_as(&self, other: &Self) -> bool {
         match (self.unit, other.unit) {
             (Some(own), Some(other)) => own.measures() == other.measures(),

@@ -10,7 +10,7 @@ pub(super) use unit::Measures;
 pub use unit::{Unit, UnknownUnit};
 use words::Words;
 
-/// What the numbers of a column are.
+/// Quantity of the numbers of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum QuantityKind {
@@ -24,26 +24,26 @@ pub enum QuantityKind {
     X,
     /// A vertical position.
     Y,
-    /// What an accelerometer measures.
+    /// An acceleration, as an accelerometer measures it.
     Acceleration,
-    /// Whether a photogate is blocked.
+    /// The state of a photogate: blocked or not.
     Gate,
-    /// Which run a row belongs to.
+    /// The run to which a row belongs.
     Run,
     /// Something else, or nothing that is known here.
     Other,
 }
 
-/// What the header says of a column.
+/// Heading of a column, as the header gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     /// The header cell as it is written; empty where there is none.
     pub text: String,
     /// The name without unit and run.
     pub name: String,
-    /// What the name and the unit say the numbers are.
+    /// Quantity of the numbers by the name and the unit.
     pub quantity: QuantityKind,
-    /// Whether the numbers are the uncertainties of the quantity.
+    /// `true` if the numbers are the uncertainties of the quantity.
     pub is_uncertainty: bool,
     /// The name of the column of which these are the uncertainties, where that is a part of this name, as in `dT` next to `T`.
     pub uncertainty_of: Option<String>,
@@ -58,7 +58,7 @@ pub struct Heading {
 }
 
 impl Heading {
-    /// What these words say; `unit` is from a line of units below, `group` from a line of titles above.
+    /// Reads a heading from these words; `unit` is from a line of units below, `group` from a line of titles above.
     #[doc(hidden)]
     pub fn read(text: &str, unit: Option<&str>, group: Option<&str>) -> Self {
         let text = printable(text);
@@ -90,19 +90,19 @@ impl Heading {
         self.unit_text = Some(unit.to_string());
     }
 
-    /// Whether the numbers are this quantity itself.
+    /// Returns whether the numbers are this quantity itself.
     #[doc(hidden)]
     pub fn is(&self, quantity: QuantityKind) -> bool {
         self.quantity == quantity && !self.is_uncertainty
     }
 
-    /// Whether it speaks of an uncertainty and does not say of what: `±`, `error (deg)`.
+    /// Returns whether the heading speaks of an uncertainty without naming its quantity: `±`, `error (deg)`.
     #[doc(hidden)]
     pub fn is_bare_uncertainty(&self) -> bool {
         self.is_uncertainty && words::without_uncertainty(&self.name).0.is_empty()
     }
 
-    /// Whether both name the same, uncertainty or not.
+    /// Returns whether both name the same quantity, uncertainty or not.
     pub(super) fn is_of_the_same(&self, other: &Self) -> bool {
         let plain = |heading: &Self| {
             let name = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
@@ -111,7 +111,7 @@ impl Heading {
         !plain(self).is_empty() && plain(self) == plain(other)
     }
 
-    /// Whether it bears this name, with or without the unit.
+    /// Returns whether the heading bears this name, with or without the unit.
     pub(super) fn is_named(&self, asked: &str) -> bool {
         let plain = |text: &str| text.trim().to_lowercase();
         let asked = plain(asked);
@@ -187,7 +187,7 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
     if text.parse().is_ok_and(is_angle) { ("", Some(text), None) } else { (text, None, None) }
 }
 
-/// `t / s` and not `T/2`, whose 2 is no unit: of `T/2 / s` the unit is s.
+/// Splits `t / s` and not `T/2`, whose 2 is not a unit: of `T/2 / s` the unit is s.
 fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
     let (name, rest) = text.split_once('/').filter(|(name, _)| !name.trim().is_empty())?;
     match rest.trim_start().starts_with(|letter: char| letter.is_ascii_digit()) {
@@ -196,7 +196,7 @@ fn split_at_stroke(text: &str) -> Option<(&str, &str)> {
     }
 }
 
-/// What a name and its unit say; a unit that contradicts the name leaves nothing known.
+/// Quantity by a name and its unit; a unit that contradicts the name leaves nothing known.
 fn quantity(named: QuantityKind, unit: Option<Unit>, unit_text: Option<&str>) -> QuantityKind {
     match (unit.map(Unit::measures), named) {
         (Some(Measures::Time), QuantityKind::Time) => QuantityKind::Time,

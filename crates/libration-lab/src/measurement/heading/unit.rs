@@ -49,7 +49,7 @@ pub enum Unit {
     Pixel,
 }
 
-/// What a unit measures.
+/// Quantity that a unit measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::measurement) enum Measures {
     Time,

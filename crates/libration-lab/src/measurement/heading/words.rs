@@ -75,19 +75,19 @@ const NAMES: [(QuantityKind, &[&str]); 7] = [
     (QuantityKind::Run, &["packet", "run", "trial", "run number", "run id", "trial number", "measurement"]),
 ];
 
-/// What the words of a name say.
+/// Meaning of the words of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Words {
     /// The quantity that they name.
     pub quantity: QuantityKind,
-    /// Whether they speak of the uncertainty of it.
+    /// `true` if they name the uncertainty of the quantity.
     pub(super) is_uncertainty: bool,
-    /// The number behind the symbol, as in `t_{1}` or `theta2`.
+    /// The number after the symbol, as in `t_{1}` or `theta2`.
     pub index: Option<String>,
 }
 
 impl Words {
-    /// What is understood of a name.
+    /// Interprets a name.
     pub fn read(name: &str) -> Self {
         let (plain, is_uncertainty) = without_uncertainty(name);
         let (symbol, index) = without_index(&plain);
@@ -102,7 +102,7 @@ impl Words {
     }
 }
 
-/// What is written for the uncertainty of what follows, as one word.
+/// Notations for the uncertainty of the quantity that follows, as one word.
 const UNCERTAINTY: [&str; 23] = [
     "uncertainty",
     "uncertainties",
@@ -181,7 +181,7 @@ fn named_as_acceleration(words: &str) -> bool {
     STEMS.iter().any(|stem| words.contains(stem)) && !ANGULAR.iter().any(|stem| words.contains(stem))
 }
 
-/// Whether it is a unit of accelerations as instruments spell them.
+/// Returns whether a text is a unit of accelerations as instruments spell them.
 pub fn is_of_acceleration(unit: &str) -> bool {
     let plain: String = unit.to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
     ["m/s²", "m/s^2", "m/s2", "m/s/s", "m·s⁻²", "ms⁻²", "ms^-2", "m*s^-2", "cm/s²", "cm/s^2"]

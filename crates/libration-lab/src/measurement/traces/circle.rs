@@ -13,9 +13,9 @@ use nalgebra::{DMatrix, DVector};
 /// A circle fitted to points, in their unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
-    /// Of the centre.
+    /// Horizontal position of the centre.
     pub x: f64,
-    /// Of the centre, likewise.
+    /// Vertical position of the centre.
     pub y: f64,
     /// The length of the pendulum.
     pub radius: f64,
@@ -23,7 +23,7 @@ pub struct Circle {
     pub scatter: f64,
     /// One standard deviation of the radius, if the distances are independent.
     pub radius_uncertainty: f64,
-    /// Of the centre, likewise.
+    /// Covariance of the centre, likewise.
     pub covariance: [[f64; 2]; 2],
 }
 
@@ -66,7 +66,7 @@ impl Circle {
         Self { x, y, radius, scatter, radius_uncertainty: 0.0, covariance: [[0.0; 2]; 2] }
     }
 
-    /// Whether larger y is further down: the bob is fastest at the bottom.
+    /// Returns whether larger y is further down: the bob is fastest at the bottom.
     pub(super) fn y_is_down(&self, points: &[(f64, f64)]) -> bool {
         let weighted = points.windows(2).map(|pair| {
             let (dx, dy) = (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1);
@@ -81,7 +81,7 @@ impl Circle {
         libm::atan2(x - self.x, below)
     }
 
-    /// What that angle changes by with the centre.
+    /// Derivatives of that angle with respect to the centre.
     pub fn derivatives_at(&self, (x, y): (f64, f64), y_is_down: bool) -> [f64; 2] {
         let (dx, dy) = (x - self.x, y - self.y);
         let square = (dx * dx + dy * dy).max(f64::MIN_POSITIVE);

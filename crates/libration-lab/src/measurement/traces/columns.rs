@@ -1,4 +1,4 @@
-//! Which columns hold the time and what was seen, for each run.
+//! Columns of the time and of the measured quantity, for each run.
 
 use super::super::choices::{Choice, Choices, Finding, Suggestion};
 use super::super::heading::Measures;
@@ -11,7 +11,7 @@ use super::value::Value;
 /// The columns of one run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Columns {
-    /// As the header names it.
+    /// Run, as the header names it.
     pub(super) run: Option<String>,
     pub(super) time: usize,
     pub(super) value: Value,
@@ -99,7 +99,7 @@ impl Group<'_> {
         self.increasing(findings)
     }
 
-    /// Where no column is named a time: the only one that increases throughout, which no swing does.
+    /// Column of the time where none is named so: the only one that increases throughout, which no swing does.
     fn increasing(&self, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
         let may = |place: &usize| {
             !self.heading_is(*place, QuantityKind::Run) && self.sheet.channels[*place].increases()
@@ -332,7 +332,7 @@ fn at(choice: Choice, place: usize) -> Suggestion {
     Suggestion::new(choice, (place + 1).to_string())
 }
 
-/// What can be said of a column that nothing is known of.
+/// Suggestions for a column of unknown quantity.
 pub(super) fn what_it_holds() -> Vec<Suggestion> {
     [
         (Choice::Unit, "rad"),

@@ -26,7 +26,7 @@ pub struct Traces {
     pub traces: Vec<Trace>,
     /// For each trace, the line of each of its rows, counted from one.
     pub lines: Vec<Vec<u64>>,
-    /// What was inferred from the file.
+    /// Inferences from the file.
     pub findings: Vec<Finding>,
 }
 

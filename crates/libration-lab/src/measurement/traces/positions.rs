@@ -8,14 +8,14 @@ use super::circle::Circle;
 /// The largest relative uncertainty of the radius, and so of the angles, at which a fitted pivot is used: twice that in R − 1 makes β uncertain
 /// by a tenth.
 const RADIUS_TOLERANCE: f64 = 0.05;
-/// How many times its scatter the height of the arc must be. In 312 synthetic recordings with 5 to 50 times the radius was as certain as
-/// stated and off by at most 0.4 of its uncertainty in the mean; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
+/// Smallest ratio of the height of the arc to its scatter. In 312 synthetic recordings with 5 to 50 times the radius was as certain as stated and off
+/// by at most 0.4 of its uncertainty in the mean; with 2.5 the uncertainty was too small by a fifth, with 1.2 there was none.
 const HEIGHT_OVER_SCATTER: f64 = 5.0;
-/// A pivot that was given contradicts the positions where it is this number of standard deviations from the centre of their circle: distances that hang
-/// together from frame to frame make these too small.
+/// A pivot that was given contradicts the positions where it is this number of standard deviations from the centre of their circle: distances that
+/// hang together from frame to frame make these too small.
 const CONTRADICTS: f64 = 5.0;
 
-/// Both columns must be in the same unit, whatever it is.
+/// Returns an error unless both columns are in the same unit, whatever it is.
 pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), MeasurementError> {
     let unit = |place: usize| sheet.channels[place].heading.unit_text.clone().unwrap_or_default();
     if unit(x).eq_ignore_ascii_case(&unit(y)) {
@@ -109,7 +109,7 @@ fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {
     Ok(circle)
 }
 
-/// How far the arc departs from its chord.
+/// Height of the arc above its chord.
 fn height(circle: &Circle, points: &[(f64, f64)]) -> f64 {
     let y_is_down = circle.y_is_down(points);
     let angles = points.iter().map(|&point| circle.angle_at(point, y_is_down));

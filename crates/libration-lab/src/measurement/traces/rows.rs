@@ -22,10 +22,10 @@ pub(super) struct Rows {
     times: Vec<f64>,
     /// One for each column that the values are made of.
     columns: Vec<Vec<f64>>,
-    /// What the columns make, once they are scaled.
+    /// Values made from the columns, after scaling.
     values: Vec<f64>,
     uncertainties: Vec<f64>,
-    /// About which the values are angles, where it was fitted.
+    /// Pivot about which the values are angles, where it was fitted.
     pivot: Option<FittedPivot>,
     incomplete: usize,
 }
@@ -329,7 +329,7 @@ fn numbered(sheet: &Sheet, numbering: usize) -> Result<Vec<(f64, Vec<usize>)>, M
     Ok(runs)
 }
 
-/// What became of a row.
+/// Completeness of a row.
 enum Taken {
     Whole,
     Part,

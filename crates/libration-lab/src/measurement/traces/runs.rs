@@ -1,4 +1,4 @@
-//! Which columns belong to which run.
+//! Assignment of columns to runs.
 
 use super::super::choices::Choices;
 use super::super::sheet::Sheet;

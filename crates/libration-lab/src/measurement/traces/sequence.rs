@@ -4,8 +4,8 @@ use super::super::choices::Finding;
 use super::super::faults::order;
 use crate::statistics::lower_median;
 
-/// A clock that goes back more often than once in so many rows is none: an angle, which goes back in half of them, or a sorted column. With 15
-/// one more of 99 recordings (`faults/clock.rs`) was put in order, with 30 one less.
+/// Smallest number of rows for each step back of a clock: a column that goes back more often is an angle, which goes back in half of them, or a
+/// sorted column. With 15 one more of 99 recordings (`faults/clock.rs`) was put in order, with 30 one less.
 const ROWS_PER_STEP_BACK: usize = 20;
 /// A row belongs between two others if they are further apart than usual, by this many usual intervals or more on either side.
 /// With 0.2 and 0.45 nothing changed; with 0.1 a time that belongs nowhere had a place, with 0.6 that of a late row had none.
@@ -25,7 +25,7 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// The order of these times; or the first row that goes back, where so many do that they are no times.
+    /// The order of these times; or the first row that goes back, where too many do for a clock.
     pub fn new(times: &[f64]) -> Result<Self, usize> {
         let back: Vec<usize> = (1..times.len()).filter(|&row| times[row] < times[row - 1]).collect();
         let Some(&first) = back.first() else {
@@ -66,7 +66,7 @@ impl Sequence {
         rows
     }
 
-    /// What was done, as findings; `lines` are those of the rows.
+    /// The changes made, as findings; `lines` are those of the rows.
     pub(super) fn findings(&self, run: &str, lines: &[u64]) -> Vec<Finding> {
         let told = |rows: &[usize], what: &str| {
             let (first, more) = (lines[*rows.first()?], rows.len() - 1);

@@ -1,4 +1,4 @@
-//! Which times are taken where those of the file are rounded: as they are written, or the even ones of which they are roundings.
+//! Choice of the times where those of the file are rounded: as they are written, or the even ones of which they are roundings.
 
 use super::super::choices::{Choice, Finding, TimeStamps};
 use super::super::faults::Clock;

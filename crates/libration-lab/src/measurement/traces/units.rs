@@ -8,7 +8,7 @@ use super::super::sheet::Sheet;
 use super::super::{MeasurementError, Observable, Unit};
 use super::columns::what_it_holds;
 
-/// What turns a number of the file into radians or radians per second.
+/// Conversion of a number of the file into radians or radians per second.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Scale {
     Unit(Unit),
@@ -69,7 +69,7 @@ fn can_be_seconds(times: &[f64]) -> bool {
     times.len() < 2 || (1e-5..=0.5).contains(&median_step(times))
 }
 
-/// Of the steps forward: others are no steps of a clock.
+/// Median of the steps forward: others are not steps of a clock.
 fn median_step(times: &[f64]) -> f64 {
     let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
     let mut steps: Vec<f64> = steps.filter(|step| *step > 0.0).collect();
@@ -119,7 +119,7 @@ pub(super) fn of_value(
     Err(MeasurementError::Undecided { question, choices: what_it_holds().into_iter().filter(fits).collect() })
 }
 
-/// What to think of an angle whose header says radians, and which swings as only degrees do.
+/// Finding about an angle whose header says radians, and which swings as only degrees do.
 fn doubt(values: &[f64], sheet: &Sheet, place: usize, unit: Unit) -> Option<Finding> {
     (unit == Unit::Radian && only_degrees_fit(values)).then(|| {
         let ends = |end: fn(f64, f64) -> f64| values.iter().copied().reduce(end).unwrap_or(f64::NAN);

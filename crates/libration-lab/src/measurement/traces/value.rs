@@ -1,8 +1,8 @@
-//! What was seen, and in which columns it stands.
+//! Measured quantity, and the columns that hold it.
 
 use super::super::Observable;
 
-/// What was seen.
+/// Measured quantity, with its columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Value {
     Column(usize, Observable),

@@ -3,8 +3,7 @@
 use libration_lab::fit::{Enlargement, Scatter, ScatterVerdict};
 use libration_lab::internals::fit::scatter::degrees_of_freedom;
 
-/// Of ten degrees of freedom one table in a hundred has a χ² above 23.209, and one below 2.558 (Abramowitz and Stegun, table
-/// 26.8).
+/// Critical values for ten degrees of freedom: one table in a hundred has a χ² above 23.209, and one below 2.558 (Abramowitz and Stegun, table 26.8).
 #[test]
 fn chance_decides_at_one_table_in_a_hundred() {
     let verdict = |chi2: f64| Scatter::new(Some(chi2), 10).unwrap().verdict();

@@ -38,7 +38,7 @@ fn table_size() -> usize {
     archive(&[table()]).len()
 }
 
-/// The table in an archive as those of more than four gigabytes are, which says that it has so many files.
+/// The table in an archive of the form for more than four gigabytes, which states a number of files.
 fn large(count: u64) -> Vec<u8> {
     let table = table();
     let sizes = [u64::from(table.size), table.bytes.len() as u64, 0];

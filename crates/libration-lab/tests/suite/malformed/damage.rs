@@ -1,4 +1,4 @@
-//! What happens to text files on their way, done to the table in every style.
+//! Damage to text files on their way, done to the table in every style.
 
 use super::Case;
 use super::style::{ROWS, STYLES, Style};
@@ -168,7 +168,7 @@ impl Workbench {
         }
     }
 
-    /// What is missing, and what may stand between.
+    /// Missing values, and the texts that may stand in their place.
     fn blanks(&mut self) {
         for (what, cell) in [("not a number", "NaN"), ("a dash", "-"), ("not available", "n/a")] {
             let (text, truth) = (self.with_cell(1, cell), self.truth_without(&[ROW]));

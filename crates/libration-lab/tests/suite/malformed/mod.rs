@@ -8,7 +8,7 @@ mod style;
 
 use libration_lab::measurement::{Choices, MeasurementError, ReadOptions, Recording, Traces};
 
-/// What must become of a file.
+/// Expected result of reading a file.
 pub(crate) enum Expected {
     /// Read, with just these times and angles.
     Read(Vec<(f64, f64)>),
@@ -35,7 +35,7 @@ impl Case {
         Self { name: name.into(), bytes: bytes.into(), expected: Expected::Read(rows) }
     }
 
-    /// What is wrong, if not what is expected.
+    /// Description of the result, if it is not the expected one.
     fn complaint(&self) -> Option<String> {
         let found = traces(&self.bytes);
         let is_fine = match (&self.expected, &found) {

@@ -175,7 +175,7 @@ fn workbooks() -> Vec<Case> {
     .collect()
 }
 
-/// What other programs write: strings beside the cells, prefixes, cells that do not say where they are, formulas.
+/// Workbooks as other programs write them: strings next to the cells, prefixes, cells without their position, formulas.
 fn other_writers() -> Vec<Case> {
     // The count is wrong, and a string is in two letterings, with an entity and how to pronounce it.
     let strings = "<sst uniqueCount=\"99999999999999\"><si><r><t>Angle (</t></r><rPh sb=\"0\" eb=\"1\"><t>m</t></rPh>\

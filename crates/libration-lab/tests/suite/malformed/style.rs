@@ -2,7 +2,7 @@
 
 use super::Case;
 
-/// How a table is written.
+/// Style in which a table is written.
 #[derive(Clone, Copy)]
 pub(crate) struct Style {
     pub(crate) name: &'static str,
@@ -10,7 +10,7 @@ pub(crate) struct Style {
     pub(crate) decimal_comma: bool,
     /// Quotes around every cell.
     pub(crate) quoted: bool,
-    /// What stands above the header, line ends included.
+    /// Text above the header, line ends included.
     pub(crate) before: &'static str,
     pub(crate) header: [&'static str; 2],
     pub(crate) line_end: &'static str,
@@ -88,11 +88,11 @@ pub(crate) const STYLES: [Style; 13] = [
     Style { name: "comma, quoted decimal commas", decimal_comma: true, quoted: true, ..PLAIN },
 ];
 
-/// How many rows there are.
+/// Number of rows.
 pub(crate) const ROWS: usize = 40;
 
 impl Style {
-    /// Whether nothing but blanks stand between cells, so that no cell can be empty.
+    /// Returns whether only blanks stand between cells, so that no cell can be empty.
     pub(crate) fn is_spaced(&self) -> bool {
         self.delimiter.chars().all(|letter| letter == ' ')
     }
@@ -118,7 +118,7 @@ impl Style {
         (0..ROWS).map(row).collect()
     }
 
-    /// What must be read: the decimals as they are written, degrees in radians.
+    /// Expected rows: the decimals as they are written, degrees in radians.
     pub(crate) fn truth(&self) -> Vec<(f64, f64)> {
         let written = |number: f64| format!("{number:.4}").parse::<f64>().unwrap();
         let radians = |angle: f64| if self.degrees { degrees_of_command_line(angle) } else { angle };
@@ -155,7 +155,7 @@ pub(crate) fn whole_files() -> Vec<Case> {
     STYLES.iter().map(whole).collect()
 }
 
-/// What the command line takes so many degrees for.
+/// The angle in radians that the command line reads from a number of degrees.
 fn degrees_of_command_line(angle: f64) -> f64 {
     format!("{angle}deg").parse::<libration::quantity::Angle>().unwrap().radians()
 }

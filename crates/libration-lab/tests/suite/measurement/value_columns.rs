@@ -63,7 +63,7 @@ fn a_table_is_the_first_sheet_with_two_columns_of_numbers() {
     assert!(table.chosen_sheet().unwrap().contains("data"), "{:?}", table.chosen_sheet());
 }
 
-/// As cells between blanks these headers have more numbers than between tabs.
+/// Headers that have more numbers as cells between blanks than between tabs.
 #[test]
 fn names_with_numbers_do_not_make_blanks_the_delimiter() {
     for names in ["t (s)\tangle 1 (rad)", "Length 1 (m)\tT (s)", "angle 1 (deg)\tangle 2 (deg)"] {

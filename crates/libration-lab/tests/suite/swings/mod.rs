@@ -1,5 +1,4 @@
-//! What is doubtful about swings and what would make them better: each warning and each advice by data that ask for it, and by data
-//! that just do not.
+//! Warnings and advice about swings: each with data that ask for it, and with data that just do not.
 
 mod advice;
 mod contradiction;

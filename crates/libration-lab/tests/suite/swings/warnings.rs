@@ -43,7 +43,7 @@ fn a_length_that_contradicts_gravity_is_told_and_one_without_an_uncertainty() {
     assert!(named(&said(1.09, None), "budget").is_some());
 }
 
-/// Of a swing of 0.65 rad as a root mean square.
+/// A swing of 0.65 rad as a root mean square.
 #[test]
 fn residuals_above_a_tenth_of_the_swing_are_a_poor_fit() {
     let part = |noise: f64| match named(&warnings(&Synthetic { noise, ..SWING }, &linear()), "poor_fit") {
@@ -69,7 +69,7 @@ fn drag_that_pushes_is_told() {
     assert!(named(&steady, "feeds_energy").is_none() && named(&steady, "negative_damping").is_none());
 }
 
-/// What pushes at high speed and brakes at low speed is described by a negative coefficient alone.
+/// A force that pushes at high speed and brakes at low speed is described by a negative coefficient alone.
 #[test]
 fn a_better_model_with_a_negative_coefficient_is_not_believed() {
     let slippery = Synthetic { dry: 0.05, linear: 0.0, quadratic: -0.03, noise: 0.006, ..SWING };

@@ -1,4 +1,4 @@
-//! What there is to know of an elementary function f, u being its argument.
+//! Properties of an elementary function f, u being its argument.
 
 use super::Function;
 use crate::algebra::{BigFloat, Rational};
@@ -13,7 +13,7 @@ pub(super) struct Entry {
     pub(super) domain: Option<Domain>,
     pub(super) rule: Rule,
     pub(super) double: fn(f64) -> f64,
-    /// Of a number of this precision.
+    /// Value for a number of this precision.
     pub(super) float: fn(&BigFloat, usize) -> Option<BigFloat>,
     pub(super) rational: fn(&Rational) -> Option<Rational>,
 }
@@ -24,10 +24,10 @@ pub enum Parity {
     Odd,
 }
 
-/// How fast it grows.
+/// Growth of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// As a power at most, with digits that cost the same for arguments of any size.
+    /// At most as a power, with digits that cost the same for arguments of any size.
     Power,
     /// The same, but large arguments have to be reduced.
     Bounded,
@@ -37,7 +37,7 @@ pub enum Growth {
     Hyperbolic,
 }
 
-/// Where a function has real values.
+/// Interval in which a function has real values.
 #[derive(Clone, Copy, Debug)]
 pub struct Domain {
     pub low: Option<i64>,
@@ -45,7 +45,7 @@ pub struct Domain {
     pub(crate) why: &'static str,
 }
 
-/// What f′ is, by which derivatives, operations on tapes and power series follow.
+/// Rule for f′, from which derivatives, operations on tapes and power series follow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rule {
     /// u′/(2f): the power 1/2.
@@ -54,7 +54,7 @@ pub(crate) enum Rule {
     Itself,
     /// One of a pair.
     Paired(Pair),
-    /// Of the first of a pair by the second.
+    /// Quotient of the first of a pair and the second.
     Quotient(Pair),
     /// u′ over the divisor, with the sign.
     Inverse(Slope, Divisor),
@@ -103,7 +103,7 @@ pub(super) fn zero_at_one(x: &Rational) -> Option<Rational> {
     (*x == Rational::from(1)).then(|| Rational::from(0))
 }
 
-/// Of sines and cosines.
+/// Domain of the inverses of sine and cosine.
 pub(super) const BETWEEN_ONES: Domain =
     Domain { low: Some(-1), high: Some(1), why: "sines and cosines lie between -1 and 1" };
 

@@ -119,12 +119,12 @@ impl Function {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
 
-    /// What stands before and behind the argument in LaTeX.
+    /// LaTeX before and after the argument.
     pub(crate) const fn latex(self) -> [&'static str; 2] {
         self.entry().latex
     }
 
-    /// `None` for what is neither even nor odd.
+    /// `None` for functions that are neither even nor odd.
     pub const fn parity(self) -> Option<Parity> {
         self.entry().parity
     }
@@ -133,12 +133,12 @@ impl Function {
         self.entry().growth
     }
 
-    /// Whether it is zero anywhere.
+    /// Returns whether the function has a zero.
     pub const fn has_zeros(self) -> bool {
         self.entry().has_zeros
     }
 
-    /// Where it has values; `None` for everywhere, but at poles.
+    /// Domain of the function; `None` where it has values everywhere but at poles.
     pub const fn domain(self) -> Option<Domain> {
         self.entry().domain
     }

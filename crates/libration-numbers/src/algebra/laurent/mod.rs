@@ -49,7 +49,7 @@ impl LaurentPolynomial {
         &self.letters
     }
 
-    /// Whether it has no terms.
+    /// Returns whether the polynomial has no terms.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.as_ref().is_some_and(BTreeMap::is_empty)
@@ -85,13 +85,13 @@ impl LaurentPolynomial {
         (0..self.letters.len()).filter(present).map(|place| self.letters[place].as_str()).collect()
     }
 
-    /// Whether a letter stands under a root.
+    /// Returns whether a letter stands under a root.
     #[must_use]
     pub fn has_roots(&self) -> bool {
         self.half_powers().any(|(powers, _)| powers.iter().any(|power| power % 2 != 0))
     }
 
-    /// Whether it has grown beyond the limit of the ring, so that its terms are not known.
+    /// Returns whether the polynomial has grown beyond the limit of the ring, so that its terms are not known.
     #[must_use]
     pub fn is_beyond_limit(&self) -> bool {
         self.terms.is_none()

@@ -17,7 +17,7 @@ pub struct LaurentPolynomials {
     letters: Arc<[String]>,
 }
 
-/// So many products of terms in one product of sums, which take a tenth of a second; an order has hundreds of such products.
+/// Maximum number of products of terms in one product of sums, which take a tenth of a second; an order has hundreds of such products.
 const MOST_PRODUCTS: usize = 100_000;
 const MOST_TERMS: usize = 10_000;
 const LARGEST_HALF_POWER: i64 = 2_000_000;
@@ -131,8 +131,8 @@ impl LaurentPolynomials {
         None
     }
 
-    /// Whether a term of a quotient has no power that numerator and divisor together exclude: in each letter the extreme powers of a product are
-    /// the sums of those of its factors.
+    /// Returns whether a term of a quotient has no power that numerator and divisor together exclude: in each letter the extreme powers of a product
+    /// are the sums of those of its factors.
     fn may_divide(
         &self,
         term: &LaurentPolynomial,
@@ -218,7 +218,7 @@ impl Ring for LaurentPolynomials {
         Some(self.map(a, |factor| Rationals.multiply(factor, &inverse)))
     }
 
-    /// Of numbers only, where the value is a fraction; of single terms the square root.
+    /// Values at numbers only, where the value is a fraction; of single terms the square root.
     fn value(&self, function: Function, at: &LaurentPolynomial) -> Option<LaurentPolynomial> {
         if function == Function::Sqrt {
             return self.power(at, &Rational::new(1, 2)?);

@@ -5,7 +5,7 @@ use std::fmt;
 use super::{LaurentPolynomial, LetterPower};
 use crate::algebra::Rational;
 
-/// As `3*b/(8*w^2) - 5*a^2/(12*w^4)`, readable as a formula.
+/// Writes `3*b/(8*w^2) - 5*a^2/(12*w^4)`, for example, readable as a formula.
 impl fmt::Display for LaurentPolynomial {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_beyond_limit() {

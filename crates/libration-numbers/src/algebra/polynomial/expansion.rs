@@ -1,10 +1,10 @@
-//! What the expansion of formulas asks of polynomials, beside arithmetic.
+//! Operations on polynomials that the expansion of formulas needs besides arithmetic.
 
 use super::{Monomial, Polynomial};
 use crate::algebra::{Rational, Rationals, Ring};
 
 impl<V: Ord + Clone> Polynomial<V> {
-    /// What a product or a sum with this costs for each of the other's terms: one, and more for long coefficients.
+    /// Cost of a product or a sum with this polynomial for each term of the other: one, and more for long coefficients.
     pub(crate) fn cost(&self) -> usize {
         const BITS: usize = 256;
         self.terms.values().map(|coefficient| 1 + coefficient.bits() / BITS).sum()
@@ -49,7 +49,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         Some(monomial.power(times).map(|monomial| Self::term(monomial, sign)))
     }
 
-    /// Whether a variable of this kind occurs.
+    /// Returns whether a variable of this kind occurs.
     pub(crate) fn has(&self, kind: impl Fn(&V) -> bool) -> bool {
         self.terms.keys().flat_map(Monomial::factors).any(|(variable, _)| kind(variable))
     }

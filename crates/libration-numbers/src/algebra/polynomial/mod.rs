@@ -93,7 +93,7 @@ impl<V: Ord + Clone> Polynomial<V> {
         Self::term(Monomial::variable(variable), Rational::from(1))
     }
 
-    /// Whether it has no terms.
+    /// Returns whether the polynomial has no terms.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()

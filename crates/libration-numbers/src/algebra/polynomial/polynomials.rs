@@ -51,7 +51,7 @@ impl Ring for Polynomials {
         Some(a.scaled(&inverse))
     }
 
-    /// Of numbers only, where the value is a fraction.
+    /// Values at numbers only, where the value is a fraction.
     fn value(&self, function: Function, at: &Polynomial) -> Option<Polynomial> {
         Rationals.value(function, &at.to_constant()?).map(Polynomial::constant)
     }

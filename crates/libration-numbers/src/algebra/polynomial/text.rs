@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Monomial, Polynomial, Rational};
 
-/// As `-8 + a1^2 + a1*a3/2`, lower degrees first, readable by every algebra system.
+/// Writes `-8 + a1^2 + a1*a3/2`, for example, lower degrees first, readable by every algebra system.
 impl fmt::Display for Polynomial {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&signed_sum(self, plain_term))
@@ -12,7 +12,7 @@ impl fmt::Display for Polynomial {
 }
 
 impl Polynomial {
-    /// As `-8 + a_1^2 + \frac{1}{2} a_1 a_3`.
+    /// The polynomial in LaTeX, such as `-8 + a_1^2 + \frac{1}{2} a_1 a_3`.
     #[must_use]
     pub fn to_latex(&self) -> String {
         signed_sum(self, latex_term)

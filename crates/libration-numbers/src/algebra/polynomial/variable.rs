@@ -59,7 +59,7 @@ impl From<&str> for Variable {
     }
 }
 
-/// As `a1`.
+/// Writes `a1`, for example.
 impl fmt::Display for Variable {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.letters)?;

@@ -1,4 +1,4 @@
-//! What can be wrong with equations of motion.
+//! Errors in equations of motion.
 
 use std::collections::BTreeSet;
 
@@ -6,11 +6,11 @@ use super::{Expression, Symbol};
 use crate::expression::{NoValue, ParseError};
 use crate::quantity::excerpt;
 
-/// Why a text is not a set of equations of motion, or why values do not fit it.
+/// Reason why a text is not a set of equations of motion, or why values do not fit it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EquationError {
-    /// A side of an equation that is no formula.
+    /// A side of an equation that is not a formula.
     #[error(transparent)]
     Formula(#[from] ParseError),
     /// A formula alone.
@@ -18,7 +18,7 @@ pub enum EquationError {
     WithoutEqualsSign {
         /// The formula, shortened.
         formula: String,
-        /// What was probably meant.
+        /// The equation probably meant.
         example: String,
     },
     /// a = b = c.
@@ -88,7 +88,7 @@ pub enum EquationError {
         name: String,
         /// Its index.
         value: String,
-        /// Where.
+        /// The position.
         place: String,
     },
     /// `x[-1]''` = 0.
@@ -99,15 +99,15 @@ pub enum EquationError {
     EmptyRange {
         /// The letter of the index.
         letter: String,
-        /// Where it begins.
+        /// The first number.
         first: u32,
-        /// Where it ends.
+        /// The last number.
         last: u32,
     },
     /// i = 1..100000.
     #[error("the ranges stand for more than {limit} equations: give at most so many")]
     TooManyEquations {
-        /// How many there may be.
+        /// The maximum number.
         limit: usize,
     },
     /// `x[3]` = 0 beside an equation for `x[3]''`.
@@ -125,7 +125,7 @@ pub enum EquationError {
     EndByEnd {
         /// The member.
         name: String,
-        /// What it is given by.
+        /// The other source of the member.
         other: String,
     },
     /// `x[0]'` where `x[0]` = `2*x[1]`.
@@ -135,7 +135,7 @@ pub enum EquationError {
     RateOfEnd {
         /// The velocity.
         rate: Symbol,
-        /// What the end is.
+        /// The kind of the end.
         end: String,
     },
     /// x0 beside `x[i]`.
@@ -168,12 +168,12 @@ pub enum EquationError {
         /// The part without a value.
         why: NoValue,
     },
-    /// A value for what is no parameter.
+    /// A value for a name that is not a parameter.
     #[error("the equation has no parameter `{name}`: {known}")]
     UnknownParameter {
         /// The name that was given, shortened.
         name: String,
-        /// What there is.
+        /// The known parameters.
         known: String,
     },
     /// Two values for one parameter.

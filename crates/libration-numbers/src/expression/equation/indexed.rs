@@ -9,7 +9,7 @@ use crate::expression::lexer::IndexRange;
 use crate::expression::members::{Member, member_name, with_names};
 use crate::quantity::excerpt;
 
-/// The most equations that ranges may stand for: the state of so many coordinates and its series take some megabytes.
+/// Maximum number of equations that ranges may stand for: the state of so large a system and its series take some megabytes.
 const MOST_EQUATIONS: usize = 1000;
 
 /// An equation as it is written, with the range of its index.
@@ -41,7 +41,7 @@ fn symbols((left, right): &Sides) -> impl Iterator<Item = Symbol> {
 }
 
 impl Written {
-    /// Of every number of the range, with indices that are numbers.
+    /// The equations for every number of the range, with indices that are numbers.
     fn equations(self) -> Result<Vec<Sides>, EquationError> {
         let Some(IndexRange { letter, first, last }) = self.range else {
             return Ok(vec![at(&self.sides, None)?]);
@@ -156,7 +156,7 @@ impl Chain {
         Ok(found)
     }
 
-    /// What stands for a member outside the ranges, or for its velocity.
+    /// Expression that stands for a member outside the ranges, or for its velocity.
     fn end(&self, symbol: &Symbol) -> Result<Expression, EquationError> {
         let Some(end) = self.ends.get(&symbol.name) else { return Ok(Expression::from(0)) };
         if let Expression::Symbol(other) = end

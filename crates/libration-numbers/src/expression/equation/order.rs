@@ -1,25 +1,25 @@
-//! Which derivative each equation is for.
+//! Choice of the derivative for which each equation is solved.
 
 use std::collections::BTreeSet;
 
 use super::{EquationError, Sides, Symbol, TIME};
 
-/// Of which order an equation of motion is.
+/// Order of an equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// It tells the rate of change of its variable.
+    /// It gives the rate of change of its variable.
     First,
-    /// It tells the acceleration.
+    /// It gives the acceleration.
     Second,
 }
 
 impl Order {
-    /// Of an equation that is solved for this derivative.
+    /// Order of an equation that is solved for this derivative.
     pub(super) fn of(derivative: &Symbol) -> Self {
         if derivative.primes == 1 { Self::First } else { Self::Second }
     }
 
-    /// What an equation of this order is solved for.
+    /// Derivative for which an equation of this order is solved.
     pub(super) fn derivative_of(self, variable: &str) -> Symbol {
         let primes = match self {
             Self::First => 1,
@@ -29,8 +29,8 @@ impl Order {
     }
 }
 
-/// What each equation is to be solved for: its second derivative if it has one, and else the first derivative of what has no second one
-/// anywhere.
+/// Derivative for which each equation is to be solved: its second derivative if it has one, and else the first derivative of a variable that has no
+/// second one anywhere.
 pub(super) fn own_derivatives(written: &[Sides]) -> Result<Vec<Symbol>, EquationError> {
     let symbols: Vec<BTreeSet<Symbol>> = written.iter().map(symbols).collect();
     let accelerations = symbols.iter().map(own_acceleration).collect::<Result<Vec<_>, _>>()?;

@@ -3,7 +3,7 @@
 use super::{Fault, Lexer, Symbol, Token};
 use crate::expression::letters::superscript;
 
-/// How a fraction is written.
+/// Notation of a fraction.
 pub(super) enum Fraction<'a> {
     Slash,
     /// `\frac` or one of its like, followed by two groups in braces.
@@ -68,7 +68,7 @@ impl Lexer<'_> {
         self.literal("\\mathrm{d}").or_else(|| self.literal("d"))
     }
 
-    /// How often it is differentiated, once where nothing is said.
+    /// Order of the derivative, 1 where none is given.
     fn order(&mut self) -> Option<u8> {
         if let Some(digit) = self.take_if(|c| superscript(c).is_some()).and_then(superscript) {
             return order(digit);

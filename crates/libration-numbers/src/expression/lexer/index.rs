@@ -12,7 +12,7 @@ pub(in crate::expression) struct IndexRange {
 }
 
 impl Lexer<'_> {
-    /// What stands in square brackets right behind a name, without spaces and with the brackets; `None` where that is no index.
+    /// Text in square brackets directly after a name, without spaces and with the brackets; `None` where that is not an index.
     pub(super) fn index_in_brackets(&mut self, name: &str) -> Option<String> {
         let inside = self.rest().strip_prefix('[')?.split_once(']')?.0;
         let belongs = |c: char| c.is_ascii_alphanumeric() || matches!(c, ' ' | '+' | '-' | '*' | '/');

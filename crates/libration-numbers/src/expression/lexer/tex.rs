@@ -40,7 +40,7 @@ impl Lexer<'_> {
         found.is_some()
     }
 
-    /// What the command at this place stands for.
+    /// Token for which the command at this position stands.
     pub(super) fn command(&mut self) -> Result<Token, Fault> {
         self.free = true;
         let word = word(&self.rest()[1..]);

@@ -1,4 +1,4 @@
-//! What a name stands for: a function, with brackets or without, the larger or the smaller of two formulas, π, or a symbol.
+//! Meaning of a name: a function, with brackets or without, the larger or the smaller of two formulas, π, or a symbol.
 
 use super::super::error::{Fault, ParseError};
 use super::super::lexer::{Lexeme, Token, is_extremum};
@@ -78,14 +78,14 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Whether a name has primes anywhere in the text.
+    /// Returns whether a name has primes anywhere in the text.
     fn is_variable(&self, name: &str) -> bool {
         let primed =
             |it: &Lexeme| matches!(&it.token, Token::Name(other) if other.primes > 0 && other.name == name);
         self.lexemes.iter().any(primed)
     }
 
-    /// Whether t stands in the bracket that opens next, or nothing but a number or a parameter.
+    /// Returns whether the bracket that opens next contains t, or nothing but a number or a parameter.
     fn may_be_another_time(&self) -> bool {
         if let Some([_, inside, close, ..]) = self.lexemes.get(self.next..)
             && close.token == Token::Sign(')')
@@ -140,7 +140,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the next name is part of the argument: right behind the last, or behind the number it begins with.
+    /// Returns whether the next name is part of the argument: directly after the last, or after the number it begins with.
     fn continues_bare_argument(&self, after_number: bool) -> bool {
         let lexeme = &self.lexemes[self.next];
         let is_name = matches!(&lexeme.token, Token::Name(symbol) if function_of(symbol).is_none());

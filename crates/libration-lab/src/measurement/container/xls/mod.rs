@@ -19,7 +19,7 @@ struct Worksheet {
     name: String,
 }
 
-/// What the worksheets have in common.
+/// Data that the worksheets have in common.
 #[derive(Default)]
 struct Workbook {
     worksheets: Vec<Worksheet>,

@@ -9,7 +9,7 @@ pub struct Record<'a> {
     pub kind: u16,
     /// Its own data.
     pub data: &'a [u8],
-    /// Those of each record that continues it.
+    /// Data of each record that continues it.
     pub continued: Vec<&'a [u8]>,
 }
 

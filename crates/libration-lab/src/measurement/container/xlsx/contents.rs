@@ -1,4 +1,4 @@
-//! What the worksheets of a workbook have in common: their names and parts, shared strings, formats of dates.
+//! Data that the worksheets of a workbook have in common: their names and parts, shared strings, formats of dates.
 
 use std::collections::BTreeMap;
 

@@ -10,7 +10,7 @@ use super::super::super::text::decode;
 use super::super::part::Part;
 use super::damaged;
 
-/// What follows in a part.
+/// Next piece of a part.
 pub(super) enum Piece<'a> {
     Start(Element<'a>),
     /// The end of an element of this name.
@@ -77,14 +77,14 @@ pub(super) fn walk(
     }
 }
 
-/// Whether more of a part is wanted.
+/// Decision whether to read more of a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Onward {
     More,
     Enough,
 }
 
-/// What `&amp;` or `&#181;` stands for.
+/// Character for which `&amp;` or `&#181;` stands.
 fn letter(reference: &BytesRef<'_>) -> Result<Cow<'static, str>, MeasurementError> {
     let number = reference.resolve_char_ref().map_err(|error| damaged(error.to_string()))?;
     if let Some(letter) = number {

@@ -19,7 +19,7 @@ pub(super) fn text(part: &Part, contents: &Contents<'_>, limit: usize) -> Result
     cells.grid.into_text()
 }
 
-/// What has been read of a worksheet.
+/// Cells of a worksheet that have been read so far.
 struct Cells<'a> {
     contents: &'a Contents<'a>,
     grid: Grid,

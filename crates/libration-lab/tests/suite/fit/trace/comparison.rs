@@ -100,7 +100,7 @@ fn a_negative_coefficient_is_believed_beyond_twenty_only_and_else_told() {
     assert_eq!((believed.preferred, believed.better().count()), (1, 0));
 }
 
-/// Burnham and Anderson, section 2.6: a criterion that differs by less than two is no evidence.
+/// Burnham and Anderson, section 2.6: a criterion that differs by less than two is not evidence.
 #[test]
 fn a_criterion_that_is_hardly_lower_makes_no_model_better() {
     for (excess, better) in [(0.2, 0), (1.9, 0), (2.1, 1)] {

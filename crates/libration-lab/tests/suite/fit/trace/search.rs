@@ -16,7 +16,7 @@ use libration_lab::measurement::{Observable, Trace};
 /// A pendulum with ω0 = 4 and a little linear and quadratic damping.
 const TRUTH: &str = "theta'' = -16*sin(theta) - 0.02*theta' - 0.01*theta'*abs(theta')";
 
-/// A release of it, seen so often for so long with noise of 3 mrad, and with an outlier in so many rows.
+/// A release, recorded in a number of rows over a span in seconds with noise of 3 mrad, and with one outlier in every `outliers` rows.
 fn trace(name: &str, amplitude: f64, rows: usize, span: f64, outliers: Option<usize>, seed: u64) -> Trace {
     let mut random = Random::new(seed);
     let mut uniform = || count(random.below(1 << 30)) / count(1 << 30) - 0.5;
@@ -129,7 +129,7 @@ fn few_rows_have_the_sums_of_all() {
     assert!((few.residuals.norm() / whole.residuals.norm() - 1.0).abs() < 1e-13);
 }
 
-/// By a linear model next to the minimum, and by going down: at one deviation, and at so many that the model bends.
+/// Sums by a linear model next to the minimum, and by minimisation: at one deviation, and at as many as make the model bend.
 #[test]
 fn sums_beside_a_minimum_are_those_of_the_way_down() {
     let traces = [trace("short", 2.5, 120, 6.0, None, 4)];

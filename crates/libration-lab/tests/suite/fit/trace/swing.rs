@@ -5,7 +5,7 @@ use libration_lab::fit::DampingModel;
 use libration_lab::internals::fit::trace::swing::{Course, EXACT, Seen, Swing};
 use libration_lab::measurement::Observable;
 
-/// What is seen at the times with parameters ω0, coefficients, first angle and velocity.
+/// Predicted measurements at the times with parameters ω0, coefficients, first angle and velocity.
 fn seen(swing: &Swing, observable: Observable, all: &[f64], times: &[f64]) -> Seen {
     let (coefficients, start) = all[1..].split_at(all.len() - 3);
     let course = Course { omega0: all[0], coefficients, start: [start[0], start[1]], times, observable };
@@ -30,8 +30,8 @@ fn derivatives_are_the_limit_of_differences() {
     }
 }
 
-/// What a step says behind a turn is said again by the next leg, whose deviations have jumped: of angles alone, since there
-/// the differences of velocities are those of two branches.
+/// The states that a step gives after a turn are given again by the next leg, whose deviations have jumped: tested with angles alone, since there the
+/// differences of velocities are those of two branches.
 #[test]
 fn derivatives_jump_where_dry_friction_turns_the_motion() {
     let swing = Swing::new(DampingModel::only(DampingKind::Dry));

@@ -2,7 +2,7 @@
 
 use libration_lab::internals::measurement::faults::clipping::clipped;
 
-/// Up to a top of so many rows and down again, in steps of 0.1, and far below.
+/// Values that rise to a top of a number of rows and fall again, in steps of 0.1, and far below.
 fn top(rows: usize, beside: f64) -> Vec<f64> {
     [vec![-1.0, 0.0, 0.1, 1.0 - beside], vec![1.0; rows], vec![1.0 - beside, 0.1, 0.0, -0.9]].concat()
 }

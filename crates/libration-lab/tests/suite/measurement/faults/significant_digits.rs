@@ -1,4 +1,4 @@
-//! Times written with so many significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
+//! Times written with a number of significant digits, as tables on a screen show them: 0.0333, 0.0667, …, 10.0, 10.1.
 
 use libration_lab::internals::measurement::faults::significant_digits::SignificantDigits;
 

@@ -29,7 +29,7 @@ fn fractions_of_any_size_come_back() {
     assert!(known.1 >= 80 && known.1 <= 104, "{}", known.1);
 }
 
-/// The powers of 22/7 with the exponent for their order, broken off after so many primes.
+/// The powers of 22/7 with the exponent for their order, broken off after a number of primes.
 struct BrokenOff(Vec<Rational>, usize);
 
 impl Images for BrokenOff {

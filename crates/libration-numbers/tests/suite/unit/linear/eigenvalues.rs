@@ -56,7 +56,7 @@ fn triangular_and_zero_matrices_show_their_diagonal() {
     assert_eq!(eigenvalues(&[vec![f64::NAN]]), None);
 }
 
-/// Of simple eigenvalues, of a pair that no vectors tell apart, and of a multiple of the identity.
+/// Matrices with simple eigenvalues, with a pair that has one eigenvector, and a multiple of the identity.
 #[test]
 fn changed_matrices_have_their_eigenvalues_within_the_errors() {
     let mut random = Random::seeded(6);

@@ -40,7 +40,7 @@ fn kinked() -> Vec<Case> {
     cases
 }
 
-/// What is missed is no more than estimated, beside roundings; of what has no value it is a good part.
+/// Asserts that the error is at most the estimate and rounding; of an integral without a value the estimate is a good part.
 fn assert_told(integral: Integral, exact: f64, case: usize) {
     if integral.value.is_nan() {
         return assert!(integral.error > 0.01 * exact.abs(), "{case}: {integral:?}");
