@@ -23,7 +23,7 @@ use libration_numbers::{internals::roots::value_and_slope, roots::polynomial_roo
 pub struct Pade {
     numerator: Vec<Rational>,
     denominator: Vec<Rational>,
-    /// What it was made from, and its degrees.
+    /// The series from which the approximant was computed, and its degrees.
     series: Vec<Rational>,
     degrees: (usize, usize),
 }
@@ -31,11 +31,11 @@ pub struct Pade {
 /// A pole of an approximant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pole {
-    /// Where it is.
+    /// Position in the complex plane.
     pub position: Complex,
-    /// What stands before 1/(z − position).
+    /// Residue: the coefficient of 1/(z − position).
     pub residue: Complex,
-    /// Whether it is likely an artefact of this approximant: the next lower one has no pole in that direction, or a zero
+    /// `true` if it is likely an artefact of this approximant: the next lower one has no pole in that direction, or a zero
     /// all but cancels it.
     pub spurious: bool,
 }
@@ -135,7 +135,7 @@ impl Pade {
     }
 }
 
-/// Whether two points are seen from 0 within a twentieth of a turn.
+/// Returns `true` if two points are seen from 0 within a twentieth of a turn.
 fn same_direction(a: Complex, b: Complex) -> bool {
     let quotient = a / b;
     libm::atan2(quotient.im, quotient.re).abs() < 0.05 * TAU

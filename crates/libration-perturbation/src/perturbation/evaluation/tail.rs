@@ -7,7 +7,7 @@ use libration_numbers::algebra::BigFloat;
 
 /// The fewest terms beyond the first that tell how a series goes on. With one or two, one estimate in eight was too small.
 const FEWEST: usize = 3;
-/// With so many of them [`Convergence`] is certain enough: with eight to twelve it made one estimate in thirty too small.
+/// Number of terms from which on [`Convergence`] is used: with eight to twelve it made one estimate in thirty too small.
 const MANY: usize = 13;
 /// An estimated radius may be less certain than it says: by itself it made one estimate in a hundred too small, so none.
 const CAUTION: f64 = 1.05;
