@@ -40,10 +40,10 @@ pub fn limit_cycle(
     limit_cycle_watched(equation, parameter, order, &Watch::none())
 }
 
-/// As [`limit_cycle`]; `watch` is asked before each power.
+/// Derives the same as [`limit_cycle`]; `watch` is checked before each power.
 ///
 /// # Errors
-/// As [`limit_cycle`], and [`DerivationError::Interrupted`] where it is told to stop.
+/// As [`limit_cycle`], and [`DerivationError::Interrupted`] when it is cancelled.
 pub fn limit_cycle_watched(
     equation: &Equation,
     parameter: Option<&str>,

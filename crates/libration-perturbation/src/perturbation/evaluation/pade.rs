@@ -42,8 +42,8 @@ pub struct Pole {
 
 impl Pade {
     /// The approximant with a numerator of degree at most m and a denominator of degree at most n that agrees with
-    /// the series Σ cₖzᵏ up to z^(m + n). `None` when fewer than m + n + 1 coefficients are given, or when there
-    /// is no such quotient.
+    /// the series Σ cₖzᵏ up to z^(m + n). `None` when fewer than m + n + 1 coefficients are given, or when such a
+    /// quotient does not exist.
     ///
     /// Reference: G. A. Baker and P. Graves-Morris, *Padé Approximants* (1996), section 2.4.
     #[must_use]
