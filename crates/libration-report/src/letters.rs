@@ -1,4 +1,4 @@
-//! How wide text is, and where long text is broken.
+//! Width of text, and positions at which long text is broken.
 
 use super::advances::RUNS;
 

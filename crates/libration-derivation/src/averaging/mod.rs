@@ -1,4 +1,5 @@
-//! The road to the decay of weakly damped oscillations, and to the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's averaging, power by power.
+//! Derivation of the decay of weakly damped oscillations, and of the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's
+//! averaging, power by power.
 
 mod ansatz;
 mod cycle;

@@ -19,7 +19,8 @@ pub const HIGHEST_CYCLE_ORDER: usize = 9;
 /// The highest power of displacement and velocity that the force may have.
 const HIGHEST_DEGREE: usize = 9;
 
-/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. That is the letter without a value, or the one that is named.
+/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. The strength is the
+/// letter without a value, or the one that is named.
 ///
 /// # Errors
 /// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without limit cycle, or of which the amplitude or other numbers are no
