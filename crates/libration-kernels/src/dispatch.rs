@@ -73,7 +73,7 @@ fn run_widest<K: Kernel>(kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 const AHEAD: usize = 1024;
 
-/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before is no matter.
+/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before does no harm.
 #[inline(always)]
 pub fn fetch_ahead(block: &[f64]) {
     #[cfg(not(target_arch = "x86_64"))]

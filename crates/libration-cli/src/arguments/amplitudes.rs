@@ -59,7 +59,7 @@ impl Amplitudes {
         None
     }
 
-    /// How many there are.
+    /// Number of amplitudes.
     pub(crate) fn len(&self) -> usize {
         self.0.iter().map(AngleSet::len).sum()
     }
