@@ -1,4 +1,4 @@
-//! What is said of a swing, and of each formula for its period.
+//! Fields of a swing, and of each formula for its period.
 
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
@@ -21,7 +21,7 @@ impl Swing {
         Self { amplitude, small_angle_period, exact: pendulum.swing_period(&amplitude) }
     }
 
-    /// Of many amplitudes.
+    /// The swings of many amplitudes.
     pub(super) fn all(amplitudes: &[Amplitude], pendulum: &Pendulum) -> Vec<Self> {
         let small_angle_period = pendulum.small_angle_period();
         let mut exact = vec![SwingPeriod::default(); amplitudes.len()];
@@ -31,7 +31,7 @@ impl Swing {
     }
 }
 
-/// What one formula says of it.
+/// The period of a swing by one formula.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Estimate<'a> {
     pub(super) formula: &'a PeriodFormula,
