@@ -86,7 +86,7 @@ impl Drop for Before {
     }
 }
 
-/// The call that this thread works for; threads without a call work for [`Nobody`].
+/// The call that this thread works for; threads without a call work for `Nobody`.
 pub fn current() -> Arc<Call> {
     CURRENT.with_borrow(Option::clone).unwrap_or_else(|| Call::new(vec![], Arc::new(Nobody)))
 }

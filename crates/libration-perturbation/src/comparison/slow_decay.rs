@@ -124,7 +124,7 @@ impl SlowDecay {
         SlowState { time: 0.0, amplitude: self.start, phase: 0.0 }
     }
 
-    /// Finds the state of this phase; steps that no longer approach the phase end the search.
+    /// Finds the state of this phase by Newton's method; gives the last iterate if it does not converge.
     fn next_turn(&self, mut place: SlowState, phase: f64) -> SlowState {
         for _ in 0..MOST_STEPS {
             let left = (phase - place.phase) / self.rate(1, place.amplitude);

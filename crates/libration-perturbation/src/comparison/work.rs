@@ -112,8 +112,8 @@ impl<'a> WorkOverOrbits<'a> {
     }
 }
 
-/// Most error, relative to the integral of magnitudes, that an orbit in double precision causes in a work that is zero: at most a quarter
-/// of a unit in 624 orbits (`forces_without_work_have_none_within_what_is_stated`), with room for orbits near a separatrix.
+/// Error bound of a work, relative to the integral of magnitudes and in units of the orbit's relative error: works that are zero were at most
+/// a quarter of one in 624 orbits (`forces_without_work_have_none_within_what_is_stated`), with room for orbits near a separatrix.
 const ROUNDINGS: f64 = 8.0;
 
 /// Integrates over each half of an orbit, on which the velocity has one sign.

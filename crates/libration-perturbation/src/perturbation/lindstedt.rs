@@ -117,7 +117,7 @@ struct Expansion<'a, R: PhaseRing> {
     solved: usize,
 }
 
-/// Changes of the acceleration with the coefficients of x and of x′.
+/// Changes of all coefficients of the jet with those of x and of x′.
 struct Gains<E> {
     position: Vec<E>,
     velocity: Option<Vec<E>>,

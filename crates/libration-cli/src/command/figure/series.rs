@@ -48,7 +48,7 @@ pub(super) struct Series {
 const UNKNOWN_RADIUS: f64 = 2.0;
 /// Largest amplitude of the picture, in radii of convergence.
 const BEYOND: f64 = 1.2;
-/// Largest amplitude of the picture, in units of the last motion's.
+/// Largest amplitude of the picture, in units of the last motion's or of the radius of convergence, whichever is larger.
 const END: f64 = 1.02;
 /// The error at the top.
 const HIGHEST: f64 = 10.0;

@@ -217,7 +217,7 @@ impl Question<'_> {
     }
 }
 
-/// The reason why there is no expansion in letters.
+/// The reason why there is no symbolic expansion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SymbolicExpansionError {

@@ -204,7 +204,7 @@ fn period_ratio<R: Ring>(ring: &R, [above, below]: [&[R::Element]; 2]) -> Option
     Some(ratio)
 }
 
-/// Returns `true` if series with π are those in digits, to 30 digits of a magnitude above one.
+/// Returns `true` if the series with π equal those in digits, to 30 digits, relative for numbers above one and absolute for others.
 pub(crate) fn agree(with_pi: &SeriesSet<LaurentPolynomial>, in_digits: &SeriesSet<Rational>) -> bool {
     const BITS: usize = 400;
     const AGREEING_BITS: isize = 100;
