@@ -582,8 +582,8 @@ fn slow_flows_that_cannot_be_are_refused() {
     }
 }
 
-/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π; for the last see the
-/// test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
+/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π;
+/// for the last see the test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
 #[test]
 fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_answer() {
     for (equation, expected) in [
