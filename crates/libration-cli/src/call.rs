@@ -14,7 +14,7 @@ thread_local! {
 /// A question while it is answered.
 pub struct Call {
     host: Arc<dyn Host>,
-    /// As they were given.
+    /// Arguments as they were given.
     arguments: Vec<OsString>,
     is_output_taken: AtomicBool,
     is_ended_early: AtomicBool,
@@ -61,7 +61,7 @@ impl Call {
         self.is_output_taken.store(true, Ordering::Relaxed);
     }
 
-    /// Whether somebody has asked for an early end, once and for all.
+    /// Returns `true` once the run is cancelled, and then forever.
     pub(crate) fn is_ended_early(&self) -> bool {
         let is_ended = self.is_ended_early.load(Ordering::Relaxed) || !self.host.goes_on();
         if is_ended {
@@ -77,7 +77,7 @@ pub fn within<R>(call: &Arc<Call>, work: impl FnOnce() -> R) -> R {
     work()
 }
 
-/// What the thread has worked for before, and goes on with then, also after a panic.
+/// The call that the thread has worked for before, restored when this one ends, also after a panic.
 struct Before(Option<Arc<Call>>);
 
 impl Drop for Before {
@@ -86,12 +86,12 @@ impl Drop for Before {
     }
 }
 
-/// What this thread works for; threads that nobody has told work for nobody.
+/// The call that this thread works for; threads without a call work for `Nobody`.
 pub fn current() -> Arc<Call> {
     CURRENT.with_borrow(Option::clone).unwrap_or_else(|| Call::new(vec![], Arc::new(Nobody)))
 }
 
-/// Whether somebody has asked this thread's question to end early.
+/// Returns `true` if this thread's run is cancelled.
 pub(crate) fn is_ended_early() -> bool {
     CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_ended_early()))
 }
@@ -106,7 +106,7 @@ impl Host for Nobody {
     }
 }
 
-/// What goes to the output of the question of this thread.
+/// The output of this thread's run.
 pub(crate) struct Output(Arc<Call>);
 
 impl Output {
@@ -114,7 +114,7 @@ impl Output {
         Self(current())
     }
 
-    /// Whether a file stands there in place of the answer.
+    /// Returns `true` if a file is written there in place of the result.
     pub(crate) fn is_taken(&self) -> bool {
         self.0.is_output_taken.load(Ordering::Relaxed)
     }

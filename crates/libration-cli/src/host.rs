@@ -1,14 +1,14 @@
-//! What a question is asked in.
+//! Environment of a run.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// Whoever asks a question: where its answer goes, what stands for the standard input and for the disk, and whether a long answer may go on.
+/// The environment of a run: receives its result, provides its standard input and files, and may cancel it.
 ///
-/// Its methods are called on the thread that asks and on those that work for it. What is not written here does nothing: no input, no
-/// notes, no progress, and an answer that is never ended early; files and the time are those of the system.
+/// Its methods are called on the thread that starts the run and on those that work for it. The default methods do nothing: no input, no
+/// notes, no progress, and no cancellation; files and the time are those of the system.
 ///
 /// # Examples
 /// ```
@@ -39,7 +39,7 @@ pub trait Host: Send + Sync {
     /// Where no more can be taken, which ends the answer.
     fn write(&self, bytes: &[u8]) -> io::Result<()>;
 
-    /// What a file called `-` holds.
+    /// The content of a file called `-`.
     fn read(&self) -> Box<dyn Read + '_> {
         Box::new(io::empty())
     }
@@ -53,7 +53,7 @@ pub trait Host: Send + Sync {
         Ok(InputFile { size: file.metadata()?.len(), bytes: Box::new(file) })
     }
 
-    /// Whether files go to [`keep`](Self::keep) and not to the disk.
+    /// Returns `true` if files go to [`keep`](Self::keep) and not to the disk.
     fn keeps_files(&self) -> bool {
         false
     }
@@ -77,7 +77,7 @@ pub trait Host: Send + Sync {
         let _ = sentence;
     }
 
-    /// How far long work is, from time to time; `None` when that work has ended.
+    /// Receives the progress of long work from time to time; `None` when that work has ended.
     fn progress(&self, how_far: Option<&str>) {
         let _ = how_far;
     }
@@ -90,12 +90,12 @@ pub trait Host: Send + Sync {
         Ok(())
     }
 
-    /// Whether a long answer may go on. Asked often, also by the thread that has asked the question.
+    /// Returns `true` while a long run may go on. Called often, also by the thread that has started the run.
     fn goes_on(&self) -> bool {
         true
     }
 
-    /// How many columns an answer to read may have.
+    /// The number of columns that a table to read may have.
     fn columns(&self) -> usize {
         80
     }
@@ -104,8 +104,8 @@ pub trait Host: Send + Sync {
 /// A file that is read.
 #[expect(missing_debug_implementations, reason = "what reads has none")]
 pub struct InputFile<'a> {
-    /// How many bytes it says it has; pipes and devices say 0.
+    /// Stated size in bytes; pipes and devices state 0.
     pub size: u64,
-    /// What it holds.
+    /// Content of the file.
     pub bytes: Box<dyn Read + 'a>,
 }

@@ -12,17 +12,17 @@ pub(crate) fn listen() -> Result<(), QueryError> {
         .map_err(|error| QueryError::failed(format!("cannot listen for Ctrl-C: {error}")))
 }
 
-/// Whether somebody has asked.
+/// Returns `true` if the run is cancelled.
 pub(crate) fn asked() -> bool {
     call::is_ended_early()
 }
 
-/// Whether long work shall go on.
+/// Continues long work unless the run is cancelled.
 pub(crate) fn go_on() -> ControlFlow<()> {
     if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// What is left to be said when an answer was ended early and `what` there was of it is written.
+/// The error of a cancelled run of which `what` was computed is written; success if it is not cancelled.
 pub(crate) fn ended_early(what: &str) -> Result<(), QueryError> {
     match asked() {
         true => Err(QueryError::cancelled(format!("interrupted: {what} up to then are written"))),

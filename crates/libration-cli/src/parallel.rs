@@ -36,8 +36,8 @@ fn locked<R>(done: &Mutex<R>) -> MutexGuard<'_, R> {
     done.lock().expect("no piece of work panics")
 }
 
-/// Hands the results for so many places on in their order, while the next ones are made on all cores; until it fails, or somebody asks
-/// for an early end. No core is more than a few places ahead.
+/// Passes the results for `places` indices on in their order, while the next ones are computed on all cores; until passing one on fails, or
+/// the run is cancelled. No core is more than a few indices ahead.
 pub fn in_order<R: Send, E>(
     places: usize,
     work: impl Fn(usize) -> R + Sync,
@@ -62,7 +62,7 @@ pub fn in_order<R: Send, E>(
     failure.map_or(Ok(()), Err)
 }
 
-/// Makes so many places on all cores and tells of each in its order, until that is no longer wanted or somebody asks for an early end.
+/// Computes `places` indices on all cores and reports each in its order, until `hand_on` returns `false` or the run is cancelled.
 fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
     if !HAS_THREADS {
         for place in 0..places {
@@ -117,7 +117,7 @@ fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn
     });
 }
 
-/// How many places each core has before it.
+/// Number of indices that each core has before it.
 const AHEAD: usize = 4;
 
 fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
@@ -151,7 +151,7 @@ pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Sen
     with_progress(how_far, || unless_asked(&how_far, work))
 }
 
-/// The same, which tells how often the work has asked: so many steps, values or orders, as `unit` has it, that it has done.
+/// Does the same, and shows as progress how often the work has checked for cancellation: the number of steps, values or orders done, in `unit`.
 pub(crate) fn until_asked_counted<R: Send>(
     what: &str,
     unit: &str,
@@ -177,7 +177,7 @@ fn unless_stopped<R>(watch: &Watch<'_>, work: impl FnOnce(&Watch<'_>) -> R) -> O
     (!watch.is_stopped()).then_some(result)
 }
 
-/// Does so many pieces of work on all cores.
+/// Does `pieces` pieces of work on all cores.
 fn on_all_cores(pieces: usize, work: &(dyn Fn(usize) + Sync)) {
     let cores = available_parallelism().map_or(1, usize::from).min(pieces);
     let (next, call) = (AtomicUsize::new(0), call::current());
@@ -205,7 +205,7 @@ thread_local! {
     static ALONE: RefCell<Option<ProgressLine>> = const { RefCell::new(None) };
 }
 
-/// Whether work may go on that is so far. Where no other thread shows a line of progress, it is shown here.
+/// Continues work at this progress unless the run is cancelled. Where no other thread shows a line of progress, it is shown here.
 pub(crate) fn go_on(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
     if !HAS_THREADS {
         ALONE.with_borrow_mut(|line| line.iter_mut().for_each(|line| line.show(how_far)));

@@ -1,4 +1,4 @@
-//! The command as a program: the standard streams, Ctrl-C, a sign of life of long work, the exit status.
+//! Command as a program: the standard streams, Ctrl-C, the progress of long work, the exit status.
 
 use crate::call::{self, Call};
 use crate::host::Host;
@@ -61,7 +61,7 @@ struct Terminal {
 
 /// The line of progress, which is written over and over.
 struct Line {
-    /// Whether the answer has begun on the terminal, where progress would stand among its lines.
+    /// `true` if the result has begun on the terminal, where progress would stand among its lines.
     is_over: bool,
     shown: Option<Instant>,
 }
@@ -83,7 +83,7 @@ impl Terminal {
         }
     }
 
-    /// Whether no progress was shown for so long.
+    /// Returns `true` if no progress was shown for this time.
     fn is_silent(&self, since: Duration) -> bool {
         let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
         !line.is_over && line.shown.is_none_or(|shown| shown.elapsed() >= since)
@@ -91,7 +91,7 @@ impl Terminal {
 }
 
 impl Line {
-    /// One that cannot be written is no reason to stop.
+    /// Writes the line; a failure is ignored.
     fn write(&mut self, text: Option<&str>) {
         let _ = write!(stderr(), "\r{}\x1b[K", text.unwrap_or_default());
         self.shown = text.map(|_| Instant::now());
@@ -117,7 +117,7 @@ impl Host for Terminal {
     }
 
     fn note(&self, sentence: &str) {
-        // A note that cannot be written is no reason to stop.
+        // A note that cannot be written does not end the run.
         let _ = writeln!(stderr(), "note: {sentence}");
     }
 
@@ -147,7 +147,7 @@ impl Host for Terminal {
     }
 }
 
-/// A sign of life of commands that are long at work and show no progress of their own.
+/// The progress of commands that are long at work and show no progress of their own.
 struct Heartbeat {
     /// Hangs up when the work has ended.
     at_work: std::sync::mpsc::Sender<()>,
@@ -169,7 +169,7 @@ impl Heartbeat {
         let Self { at_work, beating } = self;
         drop(at_work);
         if let Some(beating) = beating {
-            // A sign of life that failed is no reason to fail.
+            // A failed display of progress does not fail the run.
             let _ = beating.join();
         }
     }

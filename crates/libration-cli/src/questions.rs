@@ -1,4 +1,4 @@
-//! What can be asked, for those who put the words of a command line together themselves.
+//! Commands with their parameters, for programs that put the words of a command line together themselves.
 
 use crate::command::Libration;
 use clap::{Arg, ArgAction, Command, CommandFactory};
@@ -9,9 +9,9 @@ use std::ffi::OsString;
 pub struct Question {
     /// The words behind the name of the program: `decay`, `fit trace`.
     pub words: String,
-    /// What is asked, in a line.
+    /// Purpose of the command, in a line.
     pub about: String,
-    /// What there is to say beside, empty where there is nothing.
+    /// Remarks, empty where there are none.
     pub remarks: String,
     /// In the order of the help.
     pub parameters: Vec<Parameter>,
@@ -20,30 +20,30 @@ pub struct Question {
 /// Something that a question is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
-    /// Of an option without its dashes: `damping-order`; of an argument in small letters: `amplitude`.
+    /// Name of an option without its dashes: `damping-order`; name of an argument in small letters: `amplitude`.
     pub name: String,
-    /// How it is given.
+    /// Kind of the parameter.
     pub kind: ParameterKind,
-    /// What stands for its value in the help: `NAME=VALUE`, `FILE`; empty for a flag.
+    /// Placeholder of its value in the help: `NAME=VALUE`, `FILE`; empty for a flag.
     pub value: String,
-    /// Whether there is no answer without it.
+    /// `true` if the command fails without it.
     pub is_required: bool,
-    /// Whether it may be given several times.
+    /// `true` if it may be given several times.
     pub is_repeated: bool,
     /// All that it may be, where that is a list.
     pub choices: Vec<String>,
-    /// What it is and does, with its default.
+    /// Meaning of the parameter, with its default.
     pub meaning: String,
 }
 
-/// How a parameter is given.
+/// The way in which a parameter is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParameterKind {
-    /// As a word of its own, in the order of the arguments.
+    /// A word of its own, in the order of the arguments.
     Argument,
-    /// As `--name=value`.
+    /// An option `--name=value`.
     Option,
-    /// As `--name`.
+    /// A flag `--name`.
     Flag,
 }
 

@@ -7,7 +7,7 @@ use crate::query_error::{QueryError, option};
 use std::fmt::Display;
 use std::sync::Arc;
 
-/// What a sweep asks and keeps, as data, enough to answer any of its chunks anywhere.
+/// The command and the kept fields of a sweep as data, enough to compute any of its chunks anywhere.
 ///
 /// # Examples
 /// ```
@@ -36,20 +36,20 @@ pub struct SweepPlan(SweepPlanned);
 /// The values of an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AxisValues {
-    /// As `--over` takes them behind the name: `1:1.5:0.01` or `60deg,90deg`.
+    /// Text as `--over` takes it after the name: `1:1.5:0.01` or `60deg,90deg`.
     Text(String),
     /// Each as the question is given it.
     List(Vec<String>),
 }
 
-/// What is kept of the answers at the points of a chunk, which are in the order of the grid: the last axis varies fastest.
+/// The kept fields at the points of a chunk, which are in the order of the grid: the last axis varies fastest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweepChunk {
     /// The numbers of the first point, then of the next; NaN where there is none.
     pub numbers: Vec<f64>,
-    /// Of each point: 0 with an answer, or the exit status without.
+    /// Status of each point: 0 with a result, or the exit status without.
     pub status: Vec<u8>,
-    /// Of each point: why there is no answer; empty where there is one.
+    /// Error message of each point; empty where there is a result.
     pub messages: Vec<String>,
 }
 
@@ -84,13 +84,13 @@ impl SweepPlan {
         SweepPlanned::read(&json).map(Self).map_err(|reason| refused(&reason))
     }
 
-    /// As text, the same for the same plan: format, version of the program, question, axes, what is kept, shape of the grid and of a chunk.
+    /// The plan as text, the same for the same plan: format, version of the program, command, axes, kept fields, shape of the grid and of a chunk.
     #[must_use]
     pub fn to_json(&self) -> String {
         serde_json::Value::from(self.0.to_json()).to_string()
     }
 
-    /// What is kept of the answers at the points of a chunk, one after the other on this thread.
+    /// The kept fields at the points of a chunk, one after the other on this thread.
     ///
     /// # Errors
     /// Where there is no such chunk, and an error that is cancelled where the host has ended the work early.

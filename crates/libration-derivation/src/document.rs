@@ -7,13 +7,13 @@ use super::prose::Prose;
 /// A worked derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivation {
-    /// What is derived.
+    /// Title: the subject of the derivation.
     pub title: String,
-    /// Where it begins and where it leads.
+    /// Starting point and aim of the derivation.
     pub introduction: Vec<Block>,
     /// The steps in order.
     pub steps: Vec<DerivationStep>,
-    /// What [`exercises`](Self::exercises) leave out, each in its step; empty for a derivation that leaves out nothing.
+    /// Formulas that [`exercises`](Self::exercises) leave out, each in its step; empty for a derivation that leaves out nothing.
     pub answers: Vec<DerivationStep>,
 }
 
@@ -30,11 +30,11 @@ impl Derivation {
 /// A step of a derivation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivationStep {
-    /// What it is linked by. It stays the same when other steps come and go.
+    /// Identifier for links. It stays the same when other steps are added or removed.
     pub id: String,
-    /// What it does.
+    /// Heading: the purpose of the step.
     pub heading: String,
-    /// How.
+    /// Content of the step.
     pub blocks: Vec<Block>,
 }
 
@@ -61,16 +61,16 @@ pub enum Block {
     },
     /// Numbers or formulas in rows.
     Table(DerivationTable),
-    /// What folds away until a reader wants it.
+    /// Blocks that are folded away until a reader opens them.
     Details {
-        /// What is found there.
+        /// The summary of the content.
         summary: String,
         /// The parts.
         blocks: Vec<Self>,
     },
 }
 
-/// What a reader wants to see.
+/// The detail that a reader wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     /// The steps.
@@ -82,22 +82,22 @@ pub(super) enum Wanted {
 /// Numbers or formulas in rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivationTable {
-    /// What its cells are.
+    /// Kind of the cells.
     pub cells: Cells,
     /// The titles of the columns.
     pub head: Vec<Prose>,
     /// The cells, row by row.
     pub rows: Vec<Vec<Prose>>,
-    /// How the numbers were made and checked.
+    /// Computation and check of the numbers.
     pub note: Prose,
 }
 
-/// What the cells of a table are.
+/// The kind of the cells of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cells {
     /// Numbers that were computed.
     Numbers,
-    /// What each row stands for, and formulas that a reader can find, of any length.
+    /// The subject of each row, and formulas that a reader can find, of any length.
     Formulas,
 }
 
@@ -156,7 +156,7 @@ impl DerivationStep {
         self.with(Block::Table(table))
     }
 
-    /// What is added folds away.
+    /// Folds away the blocks that `add` adds.
     pub(super) fn fold(mut self, summary: &str, add: impl FnOnce(Self) -> Self) -> Self {
         let before = self.blocks.len();
         self = add(self);
@@ -170,7 +170,7 @@ impl DerivationStep {
     }
 }
 
-/// How many formulas have a number.
+/// Number of formulas that have a number.
 fn formulas_in(blocks: &[Block]) -> usize {
     let formulas = |block: &Block| match block {
         Block::Equation { .. } | Block::Exercise { .. } => 1,

@@ -7,7 +7,7 @@ use libration::algebra::{Function, Rational, Ring};
 
 /// A ring in which there are also sums without end, integrals, derivatives and means.
 pub trait Analysis: Ring {
-    /// Whether an infinite sum may end at this term.
+    /// Returns `true` if an infinite sum may end at this term.
     fn is_negligible(&self, term: &Self::Element, sum: &Self::Element) -> bool;
     /// The terms after which an infinite sum is given up.
     fn most_terms(&self) -> usize;
@@ -29,7 +29,7 @@ pub trait Analysis: Ring {
     fn left_out(&self, order: &Self::Element) -> Result<Self::Element, NoEvaluation>;
 }
 
-/// Why a formula has no value.
+/// The reason why a formula has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoEvaluation {
@@ -44,13 +44,13 @@ pub enum NoEvaluation {
     Divergent(&'static str),
 }
 
-/// What the letters stand for.
+/// The values of letters and functions.
 #[derive(Clone, Debug)]
 pub struct Values<E> {
     numbers: BTreeMap<String, E>,
     indices: BTreeMap<String, i64>,
     functions: BTreeMap<String, (Vec<Name>, Formula)>,
-    /// For the letter of time: what changes with it, and how fast.
+    /// Names that change with the letter of time, and their rates.
     rates: Vec<(Name, Formula)>,
 }
 
@@ -95,7 +95,7 @@ impl<E: Clone> Values<E> {
         self.rates.push((name.clone(), rate));
     }
 
-    /// What the names in formulas stand for, and the functions they apply, with all that is needed for these.
+    /// The values of the names in formulas, and the functions they apply, with all that is needed for these.
     pub(super) fn used_in(&self, formulas: &[&Formula]) -> (Vec<(Name, E)>, Vec<FunctionOf>) {
         let (mut numbers, mut functions) = (BTreeMap::new(), BTreeMap::new());
         let mut open: Vec<Formula> = formulas.iter().map(|formula| (*formula).clone()).collect();
@@ -124,7 +124,7 @@ impl<E: Clone> Values<E> {
         (numbers.into_values().collect(), functions.into_values().collect())
     }
 
-    /// What tells names apart, with the values of indices in them.
+    /// The key of a name, with the values of indices in it.
     fn key(&self, name: &Name) -> String {
         let primes = "'".repeat(usize::from(name.primes));
         let below = match &name.subscript {

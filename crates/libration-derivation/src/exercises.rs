@@ -57,7 +57,7 @@ fn exercise_of(block: &Block) -> Vec<Block> {
     }]
 }
 
-/// What was left out of the block.
+/// The formulas left out of the block.
 fn answers_of(block: &Block) -> Vec<Block> {
     match block {
         Block::Equation { equation, .. } if question(equation).is_some() => vec![block.clone()],

@@ -11,9 +11,9 @@ use libration::algebra::{BigFloat, Rational, Ring};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::{Angle, STANDARD_GRAVITY};
 
-/// What sides in these digits may differ by, a singular integral's lost half included.
+/// Largest difference of sides in these digits, a singular integral's lost half included.
 const CLOSE: f64 = 1e-30;
-/// What sides may differ by of which one is in double precision.
+/// Largest difference of sides of which one is in double precision.
 const CLOSE_IN_DOUBLE: f64 = 2e-14;
 /// Digits of a value that is shown.
 const SHOWN: usize = 11;
@@ -32,7 +32,7 @@ pub struct Swing {
 pub struct Trials {
     trials: Vec<Trial>,
     shown: usize,
-    /// Whether the one shown is the reader's, whose numbers each step gives.
+    /// `Numbers` if the swing shown is the reader's, whose numbers each step gives.
     wanted: Wanted,
 }
 
@@ -41,7 +41,7 @@ pub struct Trials {
 struct Trial {
     angle: Angle,
     amplitude: Decimal,
-    /// What describes the pendulum and the swing.
+    /// Parameters of the pendulum and the swing.
     given: Vec<(Name, Decimal)>,
     values: Values<BigFloat>,
 }
@@ -217,12 +217,12 @@ impl Trials {
         shown.iter().flat_map(|trial| trial.given.iter().map(equation)).collect()
     }
 
-    /// Whether numbers are given.
+    /// The detail wanted: formulas, or numbers too.
     pub(super) fn wanted(&self) -> Wanted {
         self.wanted
     }
 
-    /// Whether a formula agrees with a function of the amplitude in double precision.
+    /// Checks that a formula agrees with a function of the amplitude in double precision.
     pub(super) fn agrees_with(
         &self,
         statement: &Statement,
@@ -250,7 +250,7 @@ impl Trials {
     }
 }
 
-/// Whether a statement's last formula, a decimal, is its first one rounded.
+/// Checks that a statement's last formula, a decimal, is its first one rounded.
 fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<(), DerivationError> {
     let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return Ok(()) };
     let place = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
@@ -342,7 +342,7 @@ impl Trial {
         ))
     }
 
-    /// What the names in a statement stand for, to the digits of a double.
+    /// The values of the names in a statement, to the digits of a double.
     fn letters(&self, statement: &Statement) -> Letters {
         const DIGITS_OF_DOUBLE: usize = 17;
         let sides: Vec<&Formula> =

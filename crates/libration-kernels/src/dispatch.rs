@@ -6,7 +6,7 @@
 /// A computation that can be compiled once per instruction set. `run` must be `#[inline(always)]`, as must
 /// all that it calls.
 pub trait Kernel {
-    /// What the computation returns.
+    /// The result of the computation.
     type Output;
     /// Does the computation.
     fn run(self) -> Self::Output;
@@ -36,7 +36,7 @@ pub fn dispatch_slices<K: Kernel>(kernel: K) -> K::Output {
     dispatch(kernel)
 }
 
-/// Runs a kernel in so many lanes: eight fill a register of AVX-512.
+/// Runs a kernel in `N` lanes: eight fill a register of AVX-512.
 #[inline]
 pub fn dispatch_lanes<const N: usize, K: Kernel>(kernel: K) -> K::Output {
     if N.is_multiple_of(8) { dispatch_slices(kernel) } else { dispatch(kernel) }
@@ -68,12 +68,12 @@ fn run_widest<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
 
-/// How many elements ahead: two pages of memory, beyond which the processor does not look by itself. With 512, 1024, 2048 and 4096 a
-/// million periods out of memory took 0.88 to 0.93 of the time without, prepared states 0.85 to 0.91.
+/// Number of elements to fetch ahead: two pages of memory, beyond which the processor does not look by itself. With 512, 1024, 2048 and
+/// 4096 a million periods out of memory took 0.88 to 0.93 of the time without, prepared states 0.85 to 0.91.
 #[cfg(target_arch = "x86_64")]
 const AHEAD: usize = 1024;
 
-/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before is no matter.
+/// Asks for the memory that a batch comes to soon, given the block it is at. A slice that ends before does no harm.
 #[inline(always)]
 pub fn fetch_ahead(block: &[f64]) {
     #[cfg(not(target_arch = "x86_64"))]

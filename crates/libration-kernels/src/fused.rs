@@ -29,7 +29,7 @@ impl FusedMultiplyAdd for f64 {
     }
 }
 
-/// Whether sums of products are rounded once here, as all accuracies promise.
+/// Returns `true` if sums of products are rounded once here, as all accuracies promise.
 ///
 /// True but for modules of WebAssembly that were compiled for relaxed vector instructions, on processors without a fused multiply-add: there
 /// a host takes a module that was compiled without.

@@ -1,4 +1,4 @@
-//! What moves: bodies on their square beside the axes or above them, and dots on the curves in them.
+//! Moving parts: bodies on their square beside the axes or above them, and dots on the curves in them.
 
 use crate::chart::{Hanging, Mechanism, MovingDot, Picture};
 use crate::frame::Frame;
@@ -97,7 +97,7 @@ impl Extent {
         Self { middle: 0.5 * (ends.0 + ends.1), half: 0.5 * (ends.1 - ends.0) }
     }
 
-    /// What makes it as long as this.
+    /// The factor that gives its half this length.
     fn scale_to(&self, half: f64) -> f64 {
         if self.half > 0.0 { half / self.half } else { f64::MAX.sqrt() }
     }

@@ -1,28 +1,28 @@
-//! What a picture shows, before anything is drawn: panels, axes, curves and points.
+//! Content of a picture, before anything is drawn: panels, axes, curves and points.
 
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Over the whole picture; broken into lines where it is long.
     pub title: String,
-    /// What the picture was made with, such as `g = 9.80665 m/s²`; a line under the title.
+    /// Parameters of the picture, such as `g = 9.80665 m/s²`; a line under the title.
     pub parameters: Vec<String>,
     /// The panels from the top.
     pub panels: Vec<Panel>,
     /// The height of all axes as a part of their width, where no height is asked for.
     pub aspect: f64,
-    /// What moves beside the axes, for pictures that can move.
+    /// Animation beside the axes, for pictures that can move.
     pub animation: Option<Animation>,
 }
 
 /// Bodies that move beside the axes, and dots that follow curves in them, again and again.
 #[derive(Clone, Debug)]
 pub struct Animation {
-    /// How long once takes, in seconds.
+    /// Duration of one cycle, in seconds.
     pub seconds: f64,
-    /// What moves beside the axes.
+    /// Mechanism that moves beside the axes.
     pub mechanism: Mechanism,
-    /// What moves in them.
+    /// Dots that move in the axes.
     pub dots: Vec<MovingDot>,
 }
 
@@ -38,9 +38,9 @@ pub enum Mechanism {
 /// A body on a rod.
 #[derive(Clone, Debug)]
 pub struct Hanging {
-    /// Where it is.
+    /// Positions of the body.
     pub places: Vec<(f64, f64)>,
-    /// Where the other end of the rod is.
+    /// Positions of the other end of the rod.
     pub held: Vec<(f64, f64)>,
 }
 
@@ -51,7 +51,7 @@ pub struct MovingDot {
     pub panel: usize,
     /// The colour of what it follows.
     pub colour: &'static str,
-    /// Where it is at evenly spaced times.
+    /// Positions at evenly spaced times.
     pub places: Vec<(f64, f64)>,
 }
 
@@ -77,13 +77,13 @@ pub struct Axis {
     pub from: f64,
     /// The value at the right or upper end.
     pub to: f64,
-    /// How values are spread.
+    /// Scale of the values.
     pub scale: Scale,
-    /// What ticks are multiples of.
+    /// Units of the ticks.
     pub units: Units,
 }
 
-/// How values are spread over an axis.
+/// The spacing of values along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
     /// Evenly.
@@ -92,7 +92,7 @@ pub enum Scale {
     Logarithmic,
 }
 
-/// What the ticks of an axis are multiples of.
+/// The units of which the ticks of an axis are multiples.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Units {
     /// 1, 2 or 5 times a power of ten.
@@ -112,9 +112,9 @@ pub enum Units {
 pub struct Series {
     /// The name.
     pub label: String,
-    /// What is shown.
+    /// Points of the series.
     pub points: Vec<Point>,
-    /// How it looks.
+    /// Look of the series.
     pub look: Look,
 }
 
@@ -131,10 +131,10 @@ pub struct Point {
     pub y_uncertainty: Option<f64>,
 }
 
-/// How a series is drawn. Lengths are in units of which a letter is 16 high.
+/// The look of a series. Lengths are in units of which a letter is 16 high.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
-    /// As `#RRGGBB`, one of [`style`](crate::style).
+    /// Colour as `#RRGGBB`, one of [`style`](crate::style).
     pub colour: &'static str,
     /// The width of a line, or half of a marker.
     pub width: f64,
@@ -144,14 +144,14 @@ pub struct Look {
     pub mark: Mark,
 }
 
-/// What is drawn at or between points.
+/// The marks at or between points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A line with these lengths of dashes and gaps by turns; solid without any.
     Line(&'static [f64]),
     /// A marker at each point, by its number: circle, square, triangle, diamond; with bars for uncertainties.
     Markers(usize),
-    /// What lies within the uncertainty of the points is filled.
+    /// A filled area within the uncertainty of the points.
     Band,
 }
 
@@ -219,7 +219,7 @@ impl Axis {
         (self.coordinate(value) - from) / (to - from)
     }
 
-    /// Whether ticks and their labels of one serve the other too.
+    /// Returns `true` if ticks and their labels of one serve the other too.
     pub(crate) fn is_in_line_with(&self, other: &Self) -> bool {
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
         same(self.from, other.from) && same(self.to, other.to) && self.scale == other.scale

@@ -17,12 +17,12 @@ pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
     pieces
 }
 
-/// Where a point is drawn, in parts of the axes.
+/// The position of a point, in parts of the axes.
 pub(crate) fn place(point: &Point, panel: &Panel) -> Place {
     (panel.x.part(point.x), panel.y.part(point.y))
 }
 
-/// Whether a point lies within the frame.
+/// Returns `true` if a point lies within the frame.
 pub(crate) fn is_visible(point: &Point, panel: &Panel) -> bool {
     (panel.x.from..=panel.x.to).contains(&point.x) && (panel.y.from..=panel.y.to).contains(&point.y)
 }

@@ -1,4 +1,4 @@
-//! What a picture shows, in sentences.
+//! Description of a picture in sentences.
 
 use crate::chart::{Axis, Mark, Panel, Picture, Scale, Series};
 use crate::numbers::short;

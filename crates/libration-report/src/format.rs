@@ -1,4 +1,4 @@
-//! How large a picture is and how large its letters: for a column, a page or a slide.
+//! Size of a picture and of its letters: for a column, a page or a slide.
 
 use thiserror::Error;
 
@@ -22,9 +22,9 @@ pub struct PictureFormat {
 }
 
 impl PictureFormat {
-    /// As wide as the text of a page, with letters of 12 points.
+    /// A picture as wide as the text of a page, with letters of 12 points.
     pub const PAGE: Self = Self { width: PAGE, height: None, text: TWELVE_POINTS };
-    /// As wide as a column of a journal, 80 mm, with letters of 12 points.
+    /// A picture as wide as a column of a journal, 80 mm, with letters of 12 points.
     pub const COLUMN: Self = Self { width: 80.0 * UNITS_PER_MM, height: None, text: TWELVE_POINTS };
     /// A slide, 16 to 9, with letters of 20 points.
     pub const SLIDE: Self = Self { width: 1280.0, height: Some(720.0), text: 80.0 / 3.0 };

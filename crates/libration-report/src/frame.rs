@@ -1,4 +1,4 @@
-//! Where the parts of a picture stand: title, parameters, legends, axes and their labels. All heights follow from the
+//! Layout of a picture: title, parameters, legends, axes and their labels. All heights follow from the
 //! width, since text is broken into lines; what is left of the height is shared by the axes.
 
 use crate::chart::{Axis, Panel, Picture};
@@ -54,7 +54,7 @@ pub(crate) struct Frame {
     pub(crate) left: f64,
     pub(crate) right: f64,
     pub(crate) cells: Vec<Cell>,
-    /// Where something moves.
+    /// Stage of the animation.
     pub(crate) stage: Option<Stage>,
 }
 
@@ -80,7 +80,7 @@ pub(crate) struct Cell {
 }
 
 impl Frame {
-    /// Where parts of the axes are on the canvas.
+    /// The position on the canvas of a position in parts of the axes.
     pub(crate) fn place(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
         let across = self.left + x * (self.right - self.left);
         (em * across, em * (cell.top + (1.0 - y) * cell.height))
@@ -89,7 +89,7 @@ impl Frame {
     /// The frame of the picture in the format, if that holds it.
     pub(crate) fn new(picture: &Picture, format: &PictureFormat) -> Result<Self, TooSmall> {
         let em = format.text;
-        // Sizes are compared with whole units: what rounding leaves is no reason to refuse one.
+        // Sizes are compared with whole units: what rounding leaves does not make a size too small.
         const SLACK: f64 = 1e-9;
         let least_width = least_width(picture);
         let wide = format.width / em;
@@ -143,12 +143,12 @@ impl Room {
         }
     }
 
-    /// What it takes from the width of the axes.
+    /// The part that it takes from the width of the axes.
     fn beside(self) -> f64 {
         if let Self::Beside(side) = self { side } else { 0.0 }
     }
 
-    /// What it takes from their height.
+    /// The part that it takes from the height of the axes.
     fn above(self) -> f64 {
         if let Self::Above(side) = self { side } else { 0.0 }
     }
@@ -194,7 +194,7 @@ struct Words {
     room: Room,
 }
 
-/// What stands above and below the axes of a panel.
+/// Texts above and below the axes of a panel.
 struct Beside {
     legend: Legend,
     x_name: Vec<String>,
@@ -292,7 +292,7 @@ impl Words {
     }
 }
 
-/// Whether the ticks across are named here, and not below the next panel.
+/// Returns `true` if the ticks across are named here, and not below the next panel.
 fn has_x_labels(panel: &Panel, next: Option<&Panel>) -> bool {
     !(panel.x.label.is_empty() && next.is_some_and(|next| panel.x.is_in_line_with(&next.x)))
 }

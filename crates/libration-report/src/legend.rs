@@ -14,7 +14,7 @@ const GAP: f64 = 0.4;
 /// Between an entry and the next beside it.
 const APART: f64 = 1.2;
 
-/// Where the entries of a panel's legend stand, in sizes of a letter.
+/// The layout of the entries of a panel's legend, in sizes of a letter.
 #[derive(Clone, Debug)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,

@@ -1,4 +1,4 @@
-//! How wide text is, and where long text is broken.
+//! Width of text, and positions at which long text is broken.
 
 use super::advances::RUNS;
 
@@ -20,7 +20,8 @@ fn advance(letter: char) -> f64 {
     1e-3 * f64::from(found.copied().unwrap_or(1000))
 }
 
-/// The text in lines that are no wider than this: broken at spaces, but not at those that keep words together, and within words only where one is too wide alone.
+/// The text in lines that are no wider than this: broken at spaces, but not at those that keep words together, and within words only where one
+/// is too wide alone.
 pub fn wrapped(text: &str, size: f64, widest: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in text.split(' ').filter(|word| !word.is_empty()).flat_map(|word| pieces(word, size, widest)) {

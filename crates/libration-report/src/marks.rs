@@ -36,7 +36,7 @@ pub(crate) fn of_series(
     }
 }
 
-/// What stands for a series in a legend, from here to the right.
+/// The sample of a series in a legend, from here to the right.
 pub(crate) fn sample(series: &Series, (left, middle): Place, length: f64, em: f64) -> Vec<Shape> {
     let unit = em / USUAL_LETTER;
     match series.look.mark {

@@ -1,6 +1,6 @@
 //! Numbers as axes and descriptions show them.
 
-/// As many digits as tell multiples of the step apart, in powers of ten if the largest of them is very large or small.
+/// Formats with the digits that tell multiples of the step apart, in powers of ten if the largest of them is very large or small.
 pub fn of_steps(value: f64, step: f64, largest: f64) -> String {
     if value.abs() < 1e-6 * step {
         return "0".to_owned();

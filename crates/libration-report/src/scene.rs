@@ -1,4 +1,4 @@
-//! What a renderer draws: lines, dots, areas and text at places on a canvas.
+//! Input of a renderer: lines, dots, areas and text at places on a canvas.
 
 /// A place on the canvas: from the left and from the top.
 pub type Place = (f64, f64);
@@ -10,17 +10,17 @@ pub struct Scene {
     pub width: f64,
     /// From the top to the bottom.
     pub height: f64,
-    /// What it is.
+    /// Title of the drawing.
     pub title: String,
-    /// What is shown, in sentences.
+    /// Description in sentences.
     pub description: String,
     /// Title, parameters and legends.
     pub words: Vec<Shape>,
     /// The axes, each with what stands in and around them.
     pub panels: Vec<Vec<Shape>>,
-    /// What moves, in front of everything.
+    /// Moving shapes, in front of everything.
     pub moving: Vec<Moving>,
-    /// How long each movement takes once, in seconds.
+    /// Duration of one cycle of the movement, in seconds.
     pub seconds: f64,
 }
 
@@ -29,13 +29,13 @@ pub struct Scene {
 pub struct Moving {
     /// A line or a dot.
     pub form: MovingForm,
-    /// As `#RRGGBB`.
+    /// Colour as `#RRGGBB`.
     pub colour: &'static str,
     /// The corners of the line, or the middle of the dot, at evenly spaced times from the first to the last.
     pub frames: Vec<Vec<Place>>,
 }
 
-/// How a moving shape looks.
+/// The look of a moving shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MovingForm {
     /// An open line.
@@ -53,17 +53,17 @@ pub enum MovingForm {
 /// A thing to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// What it stands for.
+    /// Role of the shape.
     pub role: ShapeRole,
     /// Lines, areas, dots or text.
     pub form: Form,
-    /// As `#RRGGBB`.
+    /// Colour as `#RRGGBB`.
     pub colour: &'static str,
     /// From 0 to 1.
     pub opacity: f64,
 }
 
-/// What a shape stands for.
+/// The role of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShapeRole {
     /// The box of the axes.
@@ -94,7 +94,7 @@ pub enum ShapeRole {
     Parameters,
 }
 
-/// How a shape looks.
+/// The look of a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     /// Open lines; dashes and gaps by turns, solid without any.
@@ -124,17 +124,17 @@ pub enum Form {
 pub struct Text {
     /// The letters.
     pub content: String,
-    /// Where its base line begins, has its middle or ends.
+    /// Position of the beginning, the middle or the end of its base line.
     pub at: Place,
-    /// Which of these.
+    /// Part of the text at that position.
     pub anchor: Anchor,
     /// The size of the letters.
     pub size: f64,
-    /// Whether it reads upwards.
+    /// `true` if it reads upwards.
     pub is_turned: bool,
 }
 
-/// Which part of a text its place is.
+/// The part of a text that is at its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// The beginning.

@@ -5,7 +5,7 @@ use crate::chart::{Look, Mark};
 
 /// Axes and letters.
 pub const INK: &str = "#000000";
-/// What the picture is drawn on.
+/// The colour of the background.
 pub const PAPER: &str = "#FFFFFF";
 /// Grey, for what is there for comparison only.
 const GREY: &str = "#767676";
@@ -52,7 +52,7 @@ pub fn swept(rising: bool) -> Look {
     Look { colour, width, ..markers(0) }
 }
 
-/// The look of one of several clouds of points, which have so many together: smaller where there are many, but never so
+/// The look of one of several clouds of points; `all` is the number of points of all clouds: smaller where there are many, but never so
 /// small that a projector would not show them.
 pub fn dots(number: usize, all: usize) -> Look {
     let width = if all > 20_000 {

@@ -41,7 +41,7 @@ fn element(scene: &Scene, size: &str) -> String {
     svg + "</svg>"
 }
 
-/// What moves; still, as it begins, for those who want to see nothing move.
+/// The moving shapes; still, as they begin, for readers who prefer reduced motion.
 fn animation(scene: &Scene) -> String {
     if scene.moving.is_empty() {
         return String::new();

@@ -132,7 +132,7 @@ impl Amplitudes {
         None
     }
 
-    /// The number of amplitudes.
+    /// Number of amplitudes.
     pub(crate) fn len(&self) -> usize {
         self.sets.iter().map(AngleSet::len).sum()
     }

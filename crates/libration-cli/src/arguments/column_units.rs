@@ -3,15 +3,15 @@
 use super::{ChosenColumns, CountedOptions};
 use libration_lab::measurement::{Column, MeasurementError, Role, Table, Unit, WrittenUnit};
 
-/// What a column is to hold, and what an option says of it.
+/// The quantity expected in a column, and the options given for it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {
     role: Role,
     /// The option of the unit, and the unit where it is said.
     option: Option<(&'static str, Option<Unit>)>,
-    /// The place of what these are the uncertainties of.
+    /// Index of the column of which these are the uncertainties.
     uncertainties_of: Option<usize>,
-    /// Of times that may last several periods.
+    /// Options for times that may last several periods.
     counted: Option<CountedOptions>,
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct Wanted {
 #[derive(Clone, Debug)]
 struct ColumnUnits<const N: usize> {
     units: [Unit; N],
-    /// How many periods each time lasts; one of what is no time.
+    /// Number of periods that each time lasts; one for columns that do not hold times.
     counts: [f64; N],
     inferences: Vec<String>,
 }
@@ -30,13 +30,13 @@ pub(crate) struct ColumnsInSi<const N: usize> {
     pub(crate) columns: [Option<Vec<f64>>; N],
     /// The line each row came from, counted from one.
     pub(crate) lines: Vec<u64>,
-    /// How many rows are incomplete.
+    /// Number of incomplete rows.
     pub(crate) dropped: usize,
-    /// How many periods the times of each column lasted.
+    /// Number of periods that the times of each column lasted.
     pub(crate) counts: [f64; N],
-    /// What was inferred from the header.
+    /// Settings inferred from the header.
     pub(crate) inferences: Vec<String>,
-    /// What the columns were read in.
+    /// Units in which the columns were read.
     pub(crate) units: [Unit; N],
 }
 

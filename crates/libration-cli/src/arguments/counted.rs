@@ -1,4 +1,4 @@
-//! How many periods a row of a table holds: said by an option, else written in the header, else one.
+//! Number of periods in a row of a table: given by an option, else written in the header, else one.
 
 use libration_lab::measurement::{Column, CountedPeriods, Table};
 
@@ -14,7 +14,7 @@ pub(crate) struct CountedOptions {
 }
 
 impl CountedOptions {
-    /// What is said, with the option that says it.
+    /// The number that was given, with its option.
     fn said(self) -> Option<(&'static str, f64)> {
         match (self.half_periods, self.periods_per_row) {
             (true, _) => Some(("--half-periods", 0.5)),
@@ -22,7 +22,7 @@ impl CountedOptions {
         }
     }
 
-    /// How many periods the times of a column last, with a sentence where that is not one; `usual` where nothing says it.
+    /// The number of periods that the times of a column last, with a sentence where it is not one; `usual` where nothing states it.
     pub(super) fn count(
         self,
         table: &Table,

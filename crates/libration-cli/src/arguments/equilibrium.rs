@@ -1,4 +1,4 @@
-//! Which equilibrium is meant: `theta=180deg`.
+//! Choice of an equilibrium: `theta=180deg`.
 
 use super::commas::at_commas;
 use super::{coordinate, say_radians};

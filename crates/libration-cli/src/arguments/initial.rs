@@ -15,12 +15,12 @@ pub(crate) struct InitialOptions {
     initial: Option<String>,
 }
 
-/// What a state is given for.
+/// The purpose for which a state is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Meant {
-    /// Perhaps a state of rest, which is asked about.
+    /// Possibly a state at rest, whose equilibrium is analysed.
     Rest,
-    /// Where a motion begins.
+    /// Initial state of a motion.
     Motion,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Initial {
 }
 
 impl InitialOptions {
-    /// Whether it was given at all.
+    /// Returns `true` if the state was given.
     pub(crate) fn is_given(&self) -> bool {
         self.initial.is_some()
     }

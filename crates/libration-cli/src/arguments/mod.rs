@@ -1,4 +1,4 @@
-//! What the commands ask for in common: angles, amplitudes, times, the pendulum, the formulas.
+//! Arguments that the commands have in common: angles, amplitudes, times, the pendulum, the formulas.
 
 mod amplitudes;
 mod angle_list;

@@ -10,7 +10,7 @@ use std::path::Path;
 /// More motions than this are never asked for.
 const MOST_MOTIONS: usize = 1_000_000;
 
-/// Where columns of names, such as `light`, have their title.
+/// Title of columns of names, such as `light`.
 const NAME: &str = "name";
 
 /// A table whose rows have a cell in each column.
@@ -20,7 +20,7 @@ pub(crate) struct MotionTable {
     pub(crate) rows: Vec<MotionRow>,
 }
 
-/// What stands in a column, and what it is called.
+/// The title and the meaning of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MotionColumn {
     pub(crate) title: String,
@@ -29,7 +29,7 @@ pub(crate) struct MotionColumn {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Meaning {
-    /// What the motion is called.
+    /// The name of the motion.
     Name,
     Parameter,
     /// A number of the state at the start, or all of a family, `x[i]`.
@@ -41,7 +41,7 @@ pub(crate) enum Meaning {
 pub(crate) struct MotionRow {
     /// The number of its line in the file.
     pub(crate) line: usize,
-    /// As they are written.
+    /// Cells as they are written.
     pub(crate) cells: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! Which oscillator is meant: a key of the catalogue or an equation, with values for its parameters.
+//! Choice of an oscillator: a key of the catalogue or an equation, with values for its parameters.
 
 use super::reading;
 use super::values::{borrowed, values};
@@ -31,11 +31,11 @@ pub(crate) struct Chosen<O = Oscillator> {
     pub(crate) oscillator: O,
     /// Its key in the catalogue.
     pub(crate) key: Option<&'static str>,
-    /// What it is called.
+    /// Title of the oscillator.
     pub(crate) title: String,
     /// The parameters that have got a value.
     pub(crate) values: Vec<(String, String)>,
-    /// How the equation was read, where it is written more freely than it is written back.
+    /// Equation as it was read, where it is written more freely than it is written back.
     pub(crate) read_as: Option<String>,
 }
 
@@ -59,7 +59,7 @@ pub(crate) struct Asked {
 }
 
 impl Chosen {
-    /// Whether the variable is an angle, by its name.
+    /// Returns `true` if the variable is an angle, by its name.
     pub(crate) fn is_angle(&self) -> bool {
         is_angle_name(self.oscillator.variable())
     }
@@ -209,7 +209,7 @@ impl OscillatorOptions {
     }
 }
 
-/// What the strength of a damping is called in the systems that have one.
+/// The name of the damping strength in the systems that have one.
 const DAMPING: &str = "c";
 
 impl Asked {

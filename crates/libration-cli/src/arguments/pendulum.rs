@@ -29,7 +29,7 @@ impl PendulumOptions {
         self.gravity.unwrap_or(STANDARD_GRAVITY)
     }
 
-    /// Whether neither was given.
+    /// Returns `true` if neither was given.
     pub(crate) fn is_default(self) -> bool {
         self.length.is_none() && self.gravity.is_none()
     }
@@ -38,7 +38,7 @@ impl PendulumOptions {
         Pendulum::new(self.length(), self.gravity()).map_err(|error| QueryError::no_result("pendulum", error))
     }
 
-    /// Which pendulum was meant, in JSON and in lines of a sheet.
+    /// The fields of the pendulum, in JSON and in lines of a sheet.
     pub(crate) fn fields() -> Fields<Self> {
         type Of = Field<PendulumOptions>;
         const GRAVITY: &str = "acceleration of free fall";

@@ -1,4 +1,4 @@
-//! How equations were read that are written more freely than they are written back.
+//! Notes on how equations were read that are written more freely than they are written back.
 
 use crate::call;
 use libration::expression::Equation;

@@ -1,4 +1,4 @@
-//! Where the points of a section are taken, and how many.
+//! Section on which points are taken, and the number of points.
 
 use super::values::plain_name;
 use super::{count, positive};
@@ -64,8 +64,8 @@ impl From<Side> for Direction {
 }
 
 impl SectionOptions {
-    /// Where the points are taken: at each period given, or of the drive that the model is known to have, or at a formula's
-    /// zeros.
+    /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at a
+    /// formula's zeros.
     pub(crate) fn section(&self, model: &Model) -> Section {
         match &self.at {
             Some(formula) => Section::Crossing { formula: formula.clone(), direction: self.direction.into() },
@@ -87,7 +87,7 @@ impl SectionOptions {
         Ok(section)
     }
 
-    /// How many points pass and are kept.
+    /// The numbers of points that are skipped and kept.
     pub(crate) fn points(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;
         let skipped = self.skip.unwrap_or(if self.at.is_none() { TRANSIENT } else { 0 });
@@ -103,12 +103,12 @@ impl SectionOptions {
         if self.fold { folded_state(state, angles) } else { state.to_vec() }
     }
 
-    /// Whether the points are taken where this number of the state is zero.
+    /// Returns `true` if the points are taken where this state component is zero.
     pub(crate) fn is_at(&self, name: &str) -> bool {
         self.at.as_ref().is_some_and(|formula| formula.to_string() == name)
     }
 
-    /// What there is to say about the place of the points.
+    /// A description of the section.
     pub(crate) fn description(&self, section: &Section, equation: &Equation) -> String {
         match section {
             Section::Crossing { formula, direction } => format!(
@@ -135,7 +135,7 @@ fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
     state.iter().zip(is_angle).map(|(value, angle)| if angle { folded(*value) } else { *value }).collect()
 }
 
-/// Where the number with this name stands in the state.
+/// The index of the state component with this name.
 pub(crate) fn place_in_state(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
     let names = model.state_names();
     let place = names.iter().position(|known| *known == plain_name(name));
@@ -156,7 +156,7 @@ pub(crate) fn coordinate(model: &Model, argument: &Parameter, name: &str) -> Res
     })
 }
 
-/// Where two numbers stand in the state, by their names.
+/// The indices of two state components, by their names.
 pub(crate) fn places_in_state(
     model: &Model,
     argument: &Parameter,

@@ -1,4 +1,4 @@
-//! By what a motion is differentiated: names of parameters and of initial values.
+//! Variables by which a motion is differentiated: names of parameters and of initial values.
 
 use super::system::GivenSystem;
 use super::values::plain_name;
@@ -7,7 +7,7 @@ use libration::expression::Expression;
 use libration::systems::Model;
 use libration::taylor::Sensitivities;
 
-/// How motions of the model change with what is named; `None` where nothing is.
+/// The sensitivities of the model's motions to the variables named; `None` where none is named.
 pub(crate) fn sensitivities(
     names: &[String],
     system: &GivenSystem<'_>,

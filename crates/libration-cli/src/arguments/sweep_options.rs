@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 
-/// Those that take a value.
+/// The options of a sweep that take a value.
 const OPTIONS: [&str; 6] = ["--over", "--output", "-o", "--keep", "--shard", "--chunk"];
 
 /// Brings the options of a sweep before its question, which begins behind `--` then; all that stands behind a `--` is the question's.
@@ -28,7 +28,7 @@ pub fn sweep_options_first(arguments: Vec<OsString>) -> Vec<OsString> {
     std::iter::once("sweep".into()).chain(options).chain(separator).chain(question).collect()
 }
 
-/// Whether a word is the option with its value, `--output=DIR`.
+/// Returns `true` if a word is the option with its value, `--output=DIR`.
 fn is_given_by(word: &str, option: &str) -> bool {
     word.strip_prefix(option).is_some_and(|rest| rest.starts_with('='))
 }

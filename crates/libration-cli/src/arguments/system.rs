@@ -1,4 +1,4 @@
-//! Which system is meant: a key of a catalogue or equations of motion, with values for their parameters.
+//! Choice of a system: a key of a catalogue or equations of motion, with values for their parameters.
 
 use super::reading;
 use super::text::{gravity, length};
@@ -102,7 +102,7 @@ impl PendulumSystemOptions {
         self.system.model_with(&self.values(parameter)?, &[], varied)
     }
 
-    /// What the options say of a system that gets values from elsewhere, too.
+    /// The options of a system that gets values from elsewhere, too.
     pub(crate) fn given(&self) -> Result<GivenSystem<'_>, QueryError> {
         let model = self.system.incomplete_model(&self.values(None)?, &[]);
         let model = model.map_err(|error| failure(error, Varied { names: &[], giver: &option("set") }))?;
@@ -129,7 +129,7 @@ impl PendulumSystemOptions {
         Ok(values)
     }
 
-    /// What length and gravity, where they are given, say of the parameters; `argument` is the option to blame.
+    /// The values of parameters that follow from length and gravity, where these are given; `argument` is the option for errors.
     fn apparatus(&self, argument: &Parameter) -> Result<Vec<(&'static str, Expression)>, QueryError> {
         if self.length.is_none() && self.gravity.is_none() {
             return Ok(vec![]);
@@ -151,13 +151,13 @@ impl GivenSystem<'_> {
         self.model.state_names()
     }
 
-    /// Those of them that are angles.
+    /// The state components that are angles.
     pub(crate) fn angles(&self) -> Vec<String> {
         let names = self.model.state_names().into_iter().zip(self.model.state_units());
         names.filter(|(_, unit)| unit == "rad").map(|(name, _)| name).collect()
     }
 
-    /// Whether a parameter is the number of coordinates.
+    /// Returns `true` if a parameter is the number of coordinates.
     pub(crate) fn counts(&self, parameter: &str) -> bool {
         let named = NamedSystem::by_key(self.options.system.trim());
         named.is_ok_and(|named| named.count == Some(parameter))
@@ -170,7 +170,7 @@ impl GivenSystem<'_> {
         free.chain(self.model.open_parameters()).collect()
     }
 
-    /// Whether an option gives the parameter a value.
+    /// Returns `true` if an option gives the parameter a value.
     pub(crate) fn gives(&self, parameter: &str) -> bool {
         self.values.iter().any(|(name, _)| name == parameter)
     }
@@ -212,7 +212,7 @@ fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     QueryError::usage(about, &error).with_item(parameter)
 }
 
-/// Behind a reason why there is no motion: that the drive of the system is off, if it is.
+/// Adds to a reason why there is no motion that the drive of the system is off, if it is.
 pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
     match &model.idle_drives()[..] {
         [] => reason.to_string(),

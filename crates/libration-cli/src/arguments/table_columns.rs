@@ -1,4 +1,4 @@
-//! Which columns of a table are meant: said by `--columns`, else inferred from the header, else the first ones.
+//! Choice of the columns of a table: given by `--columns`, else inferred from the header, else the first ones.
 
 use super::optional_column;
 use crate::query_error::{QueryError, option};
@@ -16,7 +16,7 @@ pub(crate) struct ColumnsOption {
 #[derive(Clone, Debug)]
 pub(crate) struct ChosenColumns<const N: usize> {
     pub(super) columns: [Option<Column>; N],
-    /// Which columns are not used, where that was not said.
+    /// Columns that are not used, where they were not chosen by an option.
     pub(super) note: Option<String>,
     /// `true` if an option names them, which wins over the names in the header.
     pub(super) is_said: bool,
@@ -61,7 +61,7 @@ impl ColumnsOption {
     }
 }
 
-/// Of three quantities and their uncertainties.
+/// Number of columns of three quantities and their uncertainties.
 const WITH_THIRD: usize = 6;
 
 fn holds_phases(table: &Table, column: &Column) -> bool {

@@ -53,7 +53,7 @@ impl Times {
         }
     }
 
-    /// How many there are.
+    /// Number of times.
     pub(crate) fn len(&self) -> usize {
         match self {
             Self::List(times) => times.len(),

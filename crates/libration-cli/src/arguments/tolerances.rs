@@ -1,4 +1,4 @@
-//! How exact an integration shall be: one tolerance for all coordinates, or some of their own.
+//! Tolerance of an integration: one for all coordinates, or some of their own.
 
 use super::values::plain_name;
 use crate::query_error::{QueryError, option};
@@ -8,7 +8,7 @@ use std::fmt;
 /// A tolerance for each coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tolerances {
-    /// Of those that are not named.
+    /// Tolerance of the coordinates that are not named.
     pub(crate) usual: f64,
     pub(crate) own: Vec<(String, f64)>,
 }

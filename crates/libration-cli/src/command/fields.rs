@@ -31,7 +31,7 @@ pub(crate) struct FieldsQuestion {
     form: FormOptions,
 }
 
-/// What the JSON of every command has.
+/// The fields that the JSON of every command has.
 const FIRST: &[Row] = &[("schema", "1", "version of the names of the fields")];
 const LAST: &[Row] = &[(
     "note",
@@ -76,13 +76,13 @@ fn catalogue() -> Vec<Answers> {
     .concat()
 }
 
-/// What the JSON of the answers to a question has, whatever its options.
+/// The fields of JSON of a command, for all of its options.
 pub(crate) fn of_question(words: &[String]) -> Vec<Description> {
     let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
     catalogue().into_iter().filter(is_asked).flat_map(|it| it.json).collect()
 }
 
-/// Those of `libration fields` itself.
+/// The fields of `libration fields` itself.
 fn answers() -> Vec<Answers> {
     let json = [
         descriptions("commands[].", &[COMMAND, OPTION]),

@@ -97,7 +97,7 @@ fn write_csv(out: &mut dyn Write, harmonics: &FourierSeries) -> Result<(), Query
     Ok(harmonics.terms.iter().try_for_each(|term| csv::line(out, &of_term.csv_cells(term)))?)
 }
 
-/// So many digits are shown.
+/// Number of digits shown.
 const DIGITS: usize = 13;
 
 fn of_motion<'a>() -> Fields<(Motion, &'a FourierSeries)> {

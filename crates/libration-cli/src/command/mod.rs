@@ -229,7 +229,7 @@ enum Fit {
 }
 
 impl Libration {
-    /// What `simulate --each` asks for, to be followed further and further.
+    /// The ensemble of `simulate --each`, to be followed further and further.
     pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
         match &self.question {
             Question::Simulate(question) => question.ensemble(),

@@ -79,7 +79,7 @@ fn document(text: &str) -> Result<Document, String> {
     found.ok_or_else(|| format!("unknown document `{text}`: give black-vel or cote"))
 }
 
-/// Where a claim about numbers holds.
+/// Meaning of the field with the amplitudes at which a claim holds.
 const HOLDS: &str = "amplitudes, from and to, at which a claim about numbers holds";
 const PARAPHRASE: &str = "whether the formula is ours, for a statement that the document makes in words";
 
@@ -163,7 +163,7 @@ fn write_row(out: &mut dyn Write, row: &Row) -> io::Result<()> {
 const INDENT: usize = 4;
 const WIDTH: usize = 100;
 
-/// The text in lines after so many blanks.
+/// The text in lines after `indent` blanks.
 fn wrapped(text: &str, indent: usize) -> String {
     paragraph(&" ".repeat(indent), text, WIDTH)
 }

@@ -102,7 +102,7 @@ fn of_parameter() -> Fields<NamedParameter> {
     ])
 }
 
-/// What is not empty.
+/// The text, if it is not empty.
 fn known(text: &'static str) -> Option<&'static str> {
     Some(text).filter(|text| !text.is_empty())
 }
@@ -132,7 +132,7 @@ fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> 
     Ok(())
 }
 
-/// Where the lines of a sheet are broken.
+/// Width at which the lines of a sheet are broken, in columns.
 const COLUMNS: usize = 120;
 
 fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {

@@ -66,7 +66,7 @@ for (const bar of document.querySelectorAll('.copy')) {
 }
 ";
 
-/// What the page may load: nothing; its style, its script and its icon are inside.
+/// The content security policy of the page, which loads nothing: its style, its script and its icon are inside.
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 

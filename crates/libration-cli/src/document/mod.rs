@@ -34,14 +34,14 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
-/// What a section is made of.
+/// A part of a section.
 #[derive(Clone, Debug)]
 pub enum Block {
     /// A paragraph.
     Paragraph(String),
     /// A list of sentences.
     List(Vec<String>),
-    /// What must not be missed, under a title.
+    /// A list that must not be missed, under a title.
     Aside(&'static str, Vec<String>),
     /// A table.
     Table(DocumentTable),
@@ -65,7 +65,7 @@ pub struct DocumentTable {
 pub struct DocumentFigure {
     /// Part of the name of its file, where it has one of its own.
     pub name: String,
-    /// What it shows, for those who cannot see it too.
+    /// Caption, which describes the figure also for readers who cannot see it.
     pub caption: String,
     /// The picture.
     pub picture: Picture,

@@ -1,4 +1,4 @@
-//! Where a document comes from: program, version, command line and date.
+//! Provenance of a document: program, version, command line and date.
 
 use super::{Block, DocumentTable};
 use crate::call;
@@ -44,7 +44,7 @@ pub fn date(seconds: u64) -> String {
     format!("{year:04}-{month:02}-{day:02} {hours:02}:{minutes:02} UTC")
 }
 
-/// As a shell takes it for one word.
+/// The word as a shell takes it for one word.
 pub fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "_-./=+:,@%±^".contains(letter);
     match !word.is_empty() && word.chars().all(plain) {

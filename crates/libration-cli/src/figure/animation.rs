@@ -6,13 +6,13 @@ use libration::pendulum::Motion;
 use libration::systems::{Bodies, Model};
 use libration::taylor::Moment;
 
-/// As screens need it for a movement without jerks.
+/// Frame rate that screens need for a movement without jerks.
 const FRAMES_PER_SECOND: f64 = 30.0;
 /// Longer ones run faster than they are, so that files stay below a few hundred kilobytes.
 const LONGEST: f64 = 30.0;
 const SHORTEST: f64 = 1.0;
 
-/// How a stretch of time is played: as it is, or so many times as fast.
+/// The speed at which a stretch of time is played: true to time, or a number of times as fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Playing {
     from: f64,
@@ -48,7 +48,7 @@ impl Playing {
         (0..=frames).map(|frame| self.from + self.span * f64::from(frame) / f64::from(frames)).collect()
     }
 
-    /// What is said of the speed, if it is not the true one.
+    /// A statement of the speed, if it is not the true one.
     fn said(&self) -> Option<String> {
         let said = |factor: f64, how: &str| format!("shown {} times as {how}", number::short(factor, 3));
         match self.speed {

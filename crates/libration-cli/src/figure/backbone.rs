@@ -5,7 +5,7 @@ use super::range::around;
 use super::style;
 use libration::comparison::{Backbone, BackbonePoint};
 
-/// What the picture is of.
+/// The setting of the picture.
 pub(crate) struct BackboneSetting {
     pub(crate) title: String,
     pub(crate) order: usize,

@@ -7,7 +7,7 @@ use super::response::look;
 use super::style;
 use libration_lab::fit::response::{FittedCurve, FittedCurvePoint, ResponseFit, ResponseTable};
 
-/// What was measured, in rad/s, the unit of the amplitudes, and rad.
+/// The measurements, in rad/s, the unit of the amplitudes, and rad.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     pub(crate) frequencies: Vec<f64>,

@@ -8,7 +8,7 @@ use libration_lab::fit::{LengthFit, LengthTable};
 
 const SAMPLES: u32 = 400;
 
-/// What was measured, in m and s.
+/// The measurements, in m and s.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     pub(crate) lengths: Vec<f64>,

@@ -1,4 +1,4 @@
-//! How the estimate of a Lyapunov exponent settles with the time measured.
+//! Convergence of the estimate of a Lyapunov exponent with the time measured.
 
 use super::chart::{Axis, Panel, Picture, Series};
 use super::names::name;
@@ -9,7 +9,7 @@ use libration::chaos::LyapunovExponent;
 use libration::quantity::Quantity;
 use libration::systems::Model;
 
-/// What is left free before the first time and after the last, as a ratio.
+/// The space left free before the first time and after the last, as a ratio.
 const ROOM: f64 = 1.1;
 
 /// The estimate against the time, on a logarithmic axis.

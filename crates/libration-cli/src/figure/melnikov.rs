@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 /// Points of a curve.
 const PLACES: usize = 240;
 
-/// What the picture is of.
+/// The content of the picture.
 pub(crate) struct Perturbed<'a> {
     pub(crate) model: &'a Model,
     /// A parameter with the value that is shown.

@@ -2,7 +2,7 @@
 
 use libration::systems::Model;
 
-/// What a system is called in a title: equations that were typed are themselves, or their coordinates if they are long.
+/// The name of a system in a title: equations that were typed are themselves, or their coordinates if they are long.
 pub(crate) fn name(model: &Model) -> String {
     const SHORT: usize = 70;
     let equation = model.equation().to_string();
@@ -47,13 +47,13 @@ pub(crate) fn symbol(name: &str) -> String {
     }
 }
 
-/// A formula as an axis shows it: `θ₁` for theta1, and what is no name as it is written.
+/// A formula as an axis shows it: `θ₁` for theta1; a text that is not a name stays as it is written.
 pub(crate) fn formula(written: &str) -> String {
     let is_name = written.chars().all(|letter| letter.is_alphanumeric() || letter == '\'');
     if is_name { symbol(written) } else { written.replace('\'', "′") }
 }
 
-/// What an axis shows, with its unit if it is known: `θ′ / (rad/s)`.
+/// The label of an axis, with its unit if it is known: `θ′ / (rad/s)`.
 pub(crate) fn axis_label(name: &str, unit: &str) -> String {
     match unit {
         "" => symbol(name),

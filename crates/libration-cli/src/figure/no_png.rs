@@ -2,7 +2,7 @@
 
 use libration_report::scene::Scene;
 
-/// Why there is none.
+/// The reason why there is none.
 pub(super) fn file(_: &Scene) -> Result<Vec<u8>, String> {
     Err("a page has no PNG of its own: give a file name ending in .svg".to_owned())
 }

@@ -11,7 +11,7 @@ use libration::systems::Model;
 
 /// Points of a curve where nothing is steep.
 const SAMPLES: u32 = 400;
-/// So often an interval is halved at most, in which the curve leaves its chord by more than this part of its whole extent: relaxation
+/// Largest number of halvings of an interval in which the curve leaves its chord by more than `SEEN` of its whole extent: relaxation
 /// oscillations jump in a thousandth of their period.
 const HALVINGS: u32 = 6;
 const SEEN: f64 = 5e-4;
@@ -79,7 +79,7 @@ fn states(orbit: &Orbit) -> Vec<(f64, Vec<f64>)> {
     states
 }
 
-/// What the axes show: the names where there is one coordinate, else what they have in common.
+/// The labels of the axes: the names where there is one coordinate, else those that the coordinates have in common.
 fn labels(model: &Model) -> (String, String) {
     let (names, units) = (model.state_names(), model.state_units());
     match (model.coordinates().len(), model.layout().velocity(0)) {

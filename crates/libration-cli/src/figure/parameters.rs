@@ -1,4 +1,4 @@
-//! What a picture was made with, as a line under its title: `l = 1 m`, `g = 9.80665 m/s²`, `θ₀ = 60°`.
+//! Parameters of a picture, as a line under its title: `l = 1 m`, `g = 9.80665 m/s²`, `θ₀ = 60°`.
 
 use super::names::symbol;
 use crate::output::number::{self, short};

@@ -137,6 +137,6 @@ fn single(value: f64) -> f32 {
     reason = "sides are above 0 and below 10000"
 )]
 fn whole(value: f64) -> u32 {
-    // What rounding leaves is no pixel.
+    // What rounding leaves does not count as a pixel.
     (value - 1e-6).ceil().max(1.0) as u32
 }

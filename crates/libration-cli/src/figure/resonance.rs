@@ -8,7 +8,7 @@ use crate::output::number::count;
 use libration::algebra::Complex;
 use libration::systems::Model;
 
-/// What the picture is of.
+/// The content of the picture.
 pub(crate) struct Amplitudes<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: &'a [f64],
@@ -20,7 +20,7 @@ pub(crate) struct Amplitudes<'a> {
     pub(crate) seen: Vec<Vec<Complex>>,
 }
 
-/// Every so many places a dot.
+/// Number of places from one dot to the next.
 const DOTS: usize = 4;
 
 /// One line and one row of dots for each mode.

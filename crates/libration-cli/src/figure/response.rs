@@ -19,7 +19,7 @@ const KINDS: [SpecialKind; 7] = [
     SpecialKind::Hopf,
 ];
 
-/// What the picture is of.
+/// The content of the picture.
 pub(crate) struct ResponseCurve<'a> {
     pub(crate) model: &'a Model,
     pub(crate) parameter: &'a str,
@@ -29,7 +29,7 @@ pub(crate) struct ResponseCurve<'a> {
     pub(crate) branches: &'a [Branch],
     /// Frequency and amplitude of free oscillations, where the parameter is the frequency of the drive.
     pub(crate) backbone: Vec<(f64, f64)>,
-    /// Where slow sweeps lead.
+    /// Slow sweeps of the parameter.
     pub(crate) sweeps: &'a [Sweep],
 }
 
@@ -51,7 +51,7 @@ impl ResponseCurve<'_> {
         if self.is_angle() { amplitude.to_degrees() } else { amplitude }
     }
 
-    /// Where a sweep leads; oscillations beside oscillations, rotations beside rotations.
+    /// The points of a sweep; oscillations are shown with oscillations, rotations with rotations.
     fn swept(&self, sweep: &Sweep) -> Vec<(f64, f64)> {
         let alike = sweep.points.iter().filter(|point| point.rotation.is_some() == self.rotates());
         let place = |point: &SweepPoint| {

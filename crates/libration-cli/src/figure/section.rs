@@ -83,12 +83,12 @@ impl StateAxis {
         if self.is_angle { folded(value) } else { value }
     }
 
-    /// What it is called, with its unit.
+    /// The name of the axis, with its unit.
     pub(super) fn label(&self) -> &str {
         &self.label
     }
 
-    /// What it is called, without its unit.
+    /// The name of the axis, without its unit.
     pub(crate) fn name(&self) -> &str {
         self.label.split(" / ").next().unwrap_or_default()
     }

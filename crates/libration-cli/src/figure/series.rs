@@ -11,7 +11,7 @@ pub(crate) struct Line {
     pub(crate) errors: Vec<(f64, f64)>,
 }
 
-/// What the picture is of.
+/// The setting of the picture.
 pub(crate) struct SeriesSetting {
     pub(crate) title: String,
     pub(crate) quantity: String,
@@ -20,7 +20,7 @@ pub(crate) struct SeriesSetting {
     pub(crate) highest: f64,
 }
 
-/// What the series is in.
+/// The variable of the series.
 pub(crate) struct Abscissa {
     pub(crate) symbol: String,
     pub(crate) name: &'static str,

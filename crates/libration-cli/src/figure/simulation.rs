@@ -67,7 +67,7 @@ impl<'a> Trace<'a> {
         self.values.iter_mut().chain(&mut self.columns).for_each(|values| values.truncate(kept));
     }
 
-    /// What the formulas are called.
+    /// The names of the formulas.
     pub(super) fn column_names(&self) -> &'a [String] {
         self.observables.map_or(&[], |observables| observables.names())
     }

@@ -1,4 +1,4 @@
-//! How large a picture shall be: as a page, a column or a slide, or with sides of its own.
+//! Size of a picture: that of a page, a column or a slide, or sides of its own.
 
 use super::chart::Picture;
 use crate::query_error::{Parameter, QueryError, option};
@@ -44,7 +44,7 @@ struct Unit {
 
 const PIXEL: Unit = Unit { name: "", size: 1.0 };
 const MILLIMETRE: Unit = Unit { name: "mm", size: UNITS_PER_MM };
-/// By their endings, of which the last one that fits counts.
+/// Units by the endings of lengths, of which the last one that fits counts.
 const UNITS: [Unit; 3] =
     [Unit { name: "px", size: 1.0 }, MILLIMETRE, Unit { name: "cm", size: 10.0 * UNITS_PER_MM }];
 

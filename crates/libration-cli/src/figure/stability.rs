@@ -7,7 +7,7 @@ use super::style;
 use libration::continuation::{CurvePoint, SpecialCurve, SpecialKind, StabilityChart};
 use libration::systems::Model;
 
-/// What the picture is of.
+/// The content of the picture.
 pub(crate) struct Chart<'a> {
     pub(crate) model: &'a Model,
     pub(crate) parameters: &'a [String; 2],

@@ -31,7 +31,7 @@ pub(crate) fn lines(budget: &Budget, length: Quantity) -> Vec<(&'static str, Str
     lines
 }
 
-/// What is doubtful about g and its uncertainty, with names that stay.
+/// The warnings about g and its uncertainty, with stable names.
 pub(crate) fn warnings(budget: &Budget) -> Vec<Named> {
     budget.warnings().iter().map(|warning| (warning.name(), warning.to_string())).collect()
 }
@@ -106,7 +106,7 @@ pub(crate) fn rows(budget: &Budget) -> Vec<Vec<String>> {
     budget.rows.iter().map(|row| fields.cells(row)).chain([total]).collect()
 }
 
-/// As text for people; what is not corrected is in brackets.
+/// Formats a correction as text; one that is not applied is in brackets.
 fn correction(correction: Correction) -> String {
     let percent =
         |part: f64| format!("{}{} %", if part < 0.0 { "" } else { "+" }, number::rounded(100.0 * part, 2));

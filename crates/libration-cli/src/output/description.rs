@@ -1,11 +1,11 @@
-//! What users are told about the fields of answers: name, unit, meaning.
+//! Descriptions of the fields of results: name, unit, meaning.
 
 /// A field of an answer. Parts of a name in capitals stand for names that the question decides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Description {
     /// With the way to it in JSON: `results[].formulas[].ratio`.
     pub name: String,
-    /// `1` for ratios, empty for what is no number or has the unit of what it describes.
+    /// `1` for ratios, empty for a field that is not a number or has the unit of what it describes.
     pub(crate) unit: &'static str,
     pub(crate) meaning: &'static str,
 }

@@ -1,18 +1,18 @@
-//! What a path given for output leads to: a file that is replaced as a whole, or a stream that is written into.
+//! Destination of an output path: a file that is replaced as a whole, or a stream that is written into.
 
 use crate::call::{self, Output};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Where an answer goes.
+/// The destination of an output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Destination {
     /// A file, or none yet, at the end of all symbolic links.
     File(PathBuf),
-    /// A file that whoever asks the question keeps.
+    /// A file that the host of the run keeps.
     Kept,
-    /// What takes bytes as they come: the standard output, a FIFO, a device.
+    /// A stream that takes bytes as they come: the standard output, a FIFO, a device.
     Stream(Stream),
 }
 
@@ -27,7 +27,7 @@ pub(crate) enum Stream {
 /// More links than this lead in a circle.
 const MOST_LINKS: usize = 40;
 
-/// Where the path leads; `-` is the output of the question.
+/// The destination of the path; `-` is the output of the run.
 pub(crate) fn resolved(path: &Path) -> io::Result<Destination> {
     if path == Path::new("-") {
         return Ok(Destination::Stream(Stream::Output));
@@ -60,7 +60,7 @@ pub(crate) fn resolved(path: &Path) -> io::Result<Destination> {
     Err(io::Error::other("its symbolic links lead in a circle"))
 }
 
-/// What the process has open, under the names that systems give it.
+/// The open stream of the process that has this name on the system.
 fn open_already(path: &Path) -> Option<Stream> {
     const OUTPUT: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
     const ERROR: [&str; 3] = ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"];

@@ -24,11 +24,11 @@ pub(crate) struct NewFile {
     path: PathBuf,
 }
 
-/// Where the bytes go.
+/// The target of the bytes.
 enum Target {
     Stream(Box<dyn Write>),
     Disk(io::BufWriter<fs::File>, Unfinished),
-    /// Until whoever asks the question gets them.
+    /// Bytes that are kept until the host of the run gets them.
     Kept(Vec<u8>),
 }
 

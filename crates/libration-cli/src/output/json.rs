@@ -137,7 +137,7 @@ pub(crate) fn write_item(text: &mut Vec<u8>, item: Record) {
     serde_json::to_writer(text, &Value::from(item)).expect("a record can be written to memory");
 }
 
-/// What stands between two items.
+/// The separator of two items.
 pub(crate) const BETWEEN_ITEMS: &[u8] = b",\n";
 
 /// A list in an answer that is written part by part, one item a line.

@@ -15,7 +15,7 @@ pub(super) fn name(name: &OsStr, process: u32) -> std::ffi::OsString {
     hidden
 }
 
-/// The unfinished files beside a place, whoever writes them.
+/// The unfinished files next to a file, of any process.
 fn unfinished(path: &Path) -> Vec<PathBuf> {
     let Some(name) = path.file_name().and_then(OsStr::to_str) else { return vec![] };
     let is_one = |other: &OsStr| {
@@ -37,7 +37,7 @@ pub(crate) struct Leftover {
     _locked: File,
 }
 
-/// What ended runs have left beside a place.
+/// The files that ended runs have left next to a file.
 pub(crate) fn beside(path: &Path) -> Vec<Leftover> {
     unfinished(path).into_iter().filter_map(taken).collect()
 }

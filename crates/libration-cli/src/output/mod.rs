@@ -1,4 +1,4 @@
-//! How answers are written: as a table to read, as JSON, as CSV, or as a file.
+//! Output of results: as a table to read, as JSON, as CSV, or as a file.
 
 pub(crate) mod budget;
 pub(crate) mod combined;

@@ -1,9 +1,9 @@
-//! How rows scatter beside their stated uncertainties.
+//! Scatter of rows compared with their stated uncertainties.
 
 use super::field::Field;
 use libration_lab::fit::Scatter;
 
-/// What stands behind an uncertainty that was enlarged: `  (± is enlarged 1.52 times: …)`; empty for others.
+/// The remark after an uncertainty that was enlarged: `  (± is enlarged 1.52 times: …)`; empty for others.
 pub(crate) fn remark(scatter: Option<Scatter>) -> String {
     scatter.and_then(Scatter::enlarged).map_or(String::new(), |enlarged| format!("  ({enlarged})"))
 }

@@ -1,4 +1,4 @@
-//! How wide an answer to read may be, and how much of that width a text takes.
+//! Width of a text output, and the part of that width that a text takes.
 
 use crate::call;
 
@@ -37,7 +37,7 @@ pub fn padded(text: &str, columns: usize) -> String {
     format!("{text}{:1$}", "", columns.saturating_sub(columns_of(text)))
 }
 
-/// The text in lines of at most so many columns, broken at blanks; a longer word stands alone.
+/// The text in lines of at most `columns` columns, broken at blanks; a longer word stands alone.
 pub fn folded(text: &str, columns: usize) -> Vec<String> {
     if columns_of(text) <= columns {
         return vec![text.to_owned()];

@@ -6,7 +6,7 @@ use libration::comparison::Radius;
 use libration::expression::{Expression, Symbol};
 use libration::perturbation::{Certainty, Precision};
 
-/// How coefficients are written.
+/// The notation of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Notation {
     /// The precision of coefficients.
@@ -22,7 +22,7 @@ pub enum Style {
     Text,
     /// LaTeX.
     Latex,
-    /// As text, with fewer digits of what is no fraction.
+    /// Text with fewer digits of coefficients that are not fractions.
     Sentence,
     /// MathML.
     MathMl,
@@ -31,14 +31,14 @@ pub enum Style {
 /// Digits of a number that stands in a sentence.
 const SHORT: usize = 12;
 
-/// What stands before the powers of a series: a fraction, a number in digits, or a formula of letters.
+/// The coefficients of a series: a fraction, a number in digits, or a formula of letters.
 pub trait Coefficient: Sized {
     fn is_zero(&self) -> bool;
-    /// As JSON and CSV have it.
+    /// The coefficient as in JSON and CSV.
     fn written(&self, precision: Precision) -> String;
-    /// Whether a minus stands before it, and what follows that; of a product with a power, brackets included.
+    /// The sign (`true` for minus) and the text after it; of a product with a power, brackets included.
     fn split(&self, notation: Notation, in_product: bool) -> (bool, String);
-    /// Whether they add up to nothing.
+    /// Returns `true` if their sum is zero.
     fn is_opposite_of(&self, other: &Self) -> bool;
     /// The numbers it is the sum of, each with the powers of letters that follow it.
     fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)>;

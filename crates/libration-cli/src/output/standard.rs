@@ -8,7 +8,7 @@ pub(crate) fn keep_for_files() {
     call::current().take_output();
 }
 
-/// What of the answer goes to the output: all, or nothing when a file goes there.
+/// The standard output of a result: all of it, or nothing when a file goes there.
 pub(crate) struct StandardOutput(BufWriter<Output>);
 
 impl StandardOutput {

@@ -1,4 +1,4 @@
-//! What is doubtful about an answer: the warnings as people read them, and what each is about in a name that stays.
+//! Warnings about a result: their texts, and stable names of their kinds.
 
 use super::field::Field;
 use super::json;

@@ -1,4 +1,4 @@
-//! What a message repeats of what was typed, shortened.
+//! Parts of the command line that a message repeats, shortened.
 
 /// Longer words and quotations are cut in the middle. Names of files are shorter.
 const LONGEST_QUOTATION: usize = 300;
@@ -34,7 +34,7 @@ fn words(text: &str) -> String {
     text.split(' ').map(|word| cut(word, LONGEST_QUOTATION)).collect::<Vec<_>>().join(" ")
 }
 
-/// The beginning and the end of what is longer than so many characters.
+/// The beginning and the end of a text that is longer than this number of characters.
 fn cut(text: &str, longest: usize) -> String {
     let letters = text.chars().count();
     if letters <= longest {

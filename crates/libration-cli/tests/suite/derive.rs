@@ -288,7 +288,7 @@ fn complaints(name: &str, programs: &[String]) -> Vec<Option<String>> {
     found
 }
 
-/// What holds whatever the function is that the cell takes as an example, so that a number in it may change.
+/// Returns `true` for a cell that holds for any function, so that a number in its example may change.
 fn is_for_any_function(cell: &str) -> bool {
     cell.contains("r = lambda") || cell.contains("y = lambda")
 }

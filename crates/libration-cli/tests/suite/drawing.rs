@@ -15,7 +15,7 @@ pub(crate) struct Drawing {
     pub(crate) shapes: Vec<Shape>,
     /// The corners of lines and the middles of dots that move, at one time after the other.
     pub(crate) moving: Vec<Vec<Vec<Place>>>,
-    /// How long that takes once, in seconds.
+    /// Duration of the movement, in seconds.
     pub(crate) seconds: f64,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct Shape {
     pub(crate) points: Vec<Place>,
 }
 
-/// What an element of the SVG is called, and its attributes.
+/// The name of an element of the SVG, its attributes, and the text after it.
 type Element<'a> = (&'a str, BTreeMap<&'a str, &'a str>, &'a str);
 
 /// The elements in order, each with the text behind it; those that end have a name that begins with a slash.
@@ -283,7 +283,7 @@ impl Panel {
         (self.x.value_at(x), self.y.value_at(y))
     }
 
-    /// How much of the data a hundredth of a unit of the canvas is, to which shapes are rounded.
+    /// The size in the data of a hundredth of a unit of the canvas, to which shapes are rounded.
     pub(crate) fn resolution(&self) -> Place {
         (0.01 * self.x.slope.abs(), 0.01 * self.y.slope.abs())
     }

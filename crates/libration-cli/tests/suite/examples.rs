@@ -155,7 +155,7 @@ pub(crate) fn shown_in(text: &str) -> Vec<Shown> {
     shown
 }
 
-/// Whether the lines are those that are shown, of which … stands for any number. Blank lines at the end do not count.
+/// Returns `true` if the lines are those that are shown, of which … stands for any number. Blank lines at the end do not count.
 fn is_shown(lines: &[&str], shown: &[String]) -> bool {
     match shown.split_first() {
         None => lines.iter().all(|line| line.is_empty()),

@@ -374,7 +374,7 @@ fn an_unknown_name_is_answered_with_the_nearest_ones() {
     let message = refusal(&["expand", "pendulem"], 2);
     assert!(message.contains("`pendulem`; the nearest are pendulum"), "{message}");
     assert!(refusal(&["oscillators", "dufing"], 2).contains("duffing"));
-    // What is no name is read as an equation.
+    // A text that is not a name is read as an equation.
     let message = refusal(&["expand", "x'' + x"], 2);
     assert!(message.contains("= 0") && !message.contains("the keys are"), "{message}");
 }
@@ -532,7 +532,7 @@ fn slow_flows_tell_their_limit_cycles() {
     assert_eq!(json("expand damped_pendulum --set n=2")["limit_cycles"], serde_json::json!([]));
 }
 
-/// Where the cubic term is not small the amplitude is not 2; the number is that of integrations of the whole equation.
+/// The amplitude is not 2 if the cubic term is not small; the number is that of integrations of the whole equation.
 #[test]
 fn limit_cycles_over_exact_orbits_stand_below_the_slow_flow() {
     let question = "x''+x+x^3=e*(1-x^2)*x'";
@@ -582,8 +582,8 @@ fn slow_flows_that_cannot_be_are_refused() {
     }
 }
 
-/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π; for the last see the
-/// test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
+/// Sources: dry friction takes 4cA in a swing, of which the energy is A²/2, so that A′ = −2c/π, and of −c·x′|x′| it is A′ = −4cA²/3π;
+/// for the last see the test of the derivation, A = 2 and Ω = 1 + 3·A²/8·eps/5 of the force x³/5.
 #[test]
 fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_answer() {
     for (equation, expected) in [
@@ -598,7 +598,7 @@ fn strengths_without_an_expansion_as_a_limit_cycle_have_their_slow_flow_for_an_a
     }
 }
 
-/// What is missing from the period of a force that is an odd polynomial is bounded, not guessed; far outside there is nothing to count.
+/// The remainder of the period of a force that is an odd polynomial is bounded, not estimated; far outside there is nothing to count.
 #[test]
 fn remainders_of_odd_polynomials_are_proven() {
     let answer = json("expand x''=-x+x^3 --order 5 --evaluate 0.999");

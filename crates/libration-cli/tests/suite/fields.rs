@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// What `libration fields` says of one kind of answer.
+/// The fields in `libration fields` of one kind of result.
 pub(crate) struct Kind {
     command: String,
     option: String,
@@ -82,10 +82,10 @@ fn strings(value: &Value) -> BTreeSet<String> {
     }
 }
 
-/// What capitals may stand for.
+/// Returns `true` for a text that capitals may stand for.
 type Known<'a> = &'a dyn Fn(&str) -> bool;
 
-/// Whether a name of an answer is the one described, whose capitals stand for words of the answer or for numbers.
+/// Returns `true` if a name of a result is the one described, whose capitals stand for words of the result or for numbers.
 fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
     let stands_for = |placeholder: &str, known: Known<'_>| {
         let (before, after) = described.split_once(placeholder)?;
@@ -103,7 +103,7 @@ fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
     }
 }
 
-/// Whether the path leads to what is described, or to a list or object of such.
+/// Returns `true` if the path leads to a described field, or to a list or object of such fields.
 fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
     // The names of parameters are words of the question, those of constants the answer chooses.
     let is_parameter = |before: &str| ["parameters", "constants"].contains(&before);
@@ -130,7 +130,7 @@ fn steps(path: &str) -> Vec<&str> {
         .collect()
 }
 
-/// What answers show of what is described, and what they have beside it.
+/// Fields in results that are described, and others.
 #[derive(Default)]
 struct Shown {
     described: BTreeSet<(String, String, &'static str, String)>,
@@ -175,7 +175,7 @@ impl Shown {
         }
     }
 
-    /// What the answer to a question shows.
+    /// Adds the fields in the result of a command.
     fn question(&mut self, kinds: &[Kind], words: &[String]) {
         let kind = kind_of(kinds, words);
         let answer: Value = serde_json::from_str(&answer(words, "--json")).unwrap();
@@ -184,7 +184,7 @@ impl Shown {
     }
 }
 
-/// Those that stopped early are written, too.
+/// The result of a command, also of one that stopped early.
 fn answer(words: &[String], form: &str) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_libration"));
     let output = command.args(words).arg(form).current_dir(root()).output().unwrap();
@@ -263,7 +263,7 @@ const FURTHER: [&str; 56] = [
     "sweep|status|SWEEP",
 ];
 
-/// What no answer of this test shows, and why. The tests named here call [`assert_described`].
+/// Fields that no result of this test shows, with the reasons. The tests named here call [`assert_described`].
 const UNSEEN: &[(&str, &str, &str)] = &[
     ("expand", "interrupted", "needs Ctrl-C: interrupts.rs"),
     ("expand", "interrupted", "with --evaluate, needs Ctrl-C: interrupts.rs"),

@@ -320,7 +320,7 @@ fn each_motion_of_a_table_has_its_curve() {
     }
 }
 
-/// What the picture was made with; its spaces hold lines together.
+/// The parameters of the picture; its spaces hold lines together.
 fn parameters(drawing: &Drawing) -> String {
     drawing.of_class("parameters").join(" ").replace('\u{a0}', " ")
 }
@@ -516,7 +516,7 @@ fn a_spectrum_of_measured_swings() {
     close(line / value(&third["amplitude"]).to_degrees(), 1.0, 0.1);
 }
 
-/// How far a curve leaves the chord from each point to the next but one, in parts of its extent.
+/// The largest distance of a curve from the chord from each point to the next but one, in parts of its extent.
 fn farthest_from_chords(curve: &[Place]) -> f64 {
     let extent = |of: fn(&Place) -> f64| {
         let (low, high) = curve

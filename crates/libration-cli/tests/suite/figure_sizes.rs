@@ -32,7 +32,7 @@ fn smallest(picture: &str, side: &str, file: &str) -> u32 {
     named.unwrap_or_else(|| panic!("{picture}: no size in: {message}"))
 }
 
-/// By default every sixth picture, and the one with the most names.
+/// Every sixth picture by default, and the one with the most names.
 #[test]
 fn the_smallest_size_accepted_holds_the_whole_picture_and_one_less_is_refused_in_a_sweep() {
     let most_names = |(_, picture): &(usize, &&str)| picture.contains("lima_2008");

@@ -13,7 +13,7 @@ fn file(name: &str, text: &str) -> String {
     path.display().to_string()
 }
 
-/// How many of its uncertainties a value is from the truth.
+/// The distance of a value from the true one, in units of its uncertainty.
 fn pull(answer: &serde_json::Value, name: &str, uncertainty: &str, truth: f64) -> f64 {
     (answer[name].as_f64().unwrap() - truth).abs() / answer[uncertainty].as_f64().unwrap()
 }

@@ -19,7 +19,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// Within so many standard uncertainties, none of which is larger than `most`.
+/// Checks that a value is within 3.5 standard uncertainties of the true one, and its uncertainty below `most`.
 fn agrees(value: &Value, uncertainty: &Value, truth: f64, most: f64) {
     let (value, uncertainty) = (number(value), number(uncertainty));
     assert!((0.0..most).contains(&uncertainty), "{uncertainty}");
@@ -326,8 +326,8 @@ fn questions_that_are_not_understood_say_what_would_do() {
     }
 }
 
-/// A pendulum with ω0 in rad/s and linear drag in 1/s, released at so many degrees, 40 times a second for so many seconds;
-/// the errors are even ones of up to so many degrees.
+/// A pendulum with ω0 in rad/s and linear drag in 1/s, released at an angle in degrees, recorded 40 times a second for a number of
+/// seconds; the errors are evenly distributed, up to `error` degrees.
 struct Released {
     omega0: f64,
     /// Dry friction, in rad/s².

@@ -1,4 +1,4 @@
-//! What is left when long work is ended early.
+//! Results that are left when long work is cancelled.
 
 use crate::command::{directory, message};
 use crate::fields::assert_described;
@@ -76,7 +76,7 @@ fn ctrl_c_ends_a_search_for_thresholds() {
     assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
 }
 
-/// What a command says that gets Ctrl-C so long after it began to listen.
+/// The output of a command that gets Ctrl-C this time after it began to listen.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], after: Duration) -> Output {
     let running = Command::new(env!("CARGO_BIN_EXE_libration"))
@@ -141,7 +141,7 @@ fn ctrl_c_does_not_wait_for_the_orbits_under_way() {
     );
 }
 
-/// Of motions side by side the one that begins in a singularity is done at once; the others never are.
+/// The one of several motions that begins in a singularity is done at once; the others never are.
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_keeps_what_of_many_motions_is_known() {

@@ -18,7 +18,7 @@ struct Memory {
     answer: Mutex<Vec<u8>>,
     notes: Mutex<Vec<String>>,
     input: &'static [u8],
-    /// It asks for an early end once, after so many looks.
+    /// Number of checks after which it cancels, once.
     patience: Option<usize>,
     looks: AtomicUsize,
     is_full: bool,

@@ -122,7 +122,7 @@ fn a_range_says_the_same_as_json_as_csv_and_alone() {
                 .unwrap_or(("", name));
             let formula = result["formulas"].as_array().unwrap().iter().find(|formula| formula["key"] == key);
             let value = formula.map_or(&result[*name], |formula| &formula[field]);
-            // What is no number is null in JSON and nan in CSV.
+            // A value that is not a number is null in JSON and nan in CSV.
             let number = cell.parse().ok().filter(|number: &f64| number.is_finite());
             assert_eq!(value.as_f64(), number, "{name} at {degrees}°");
         }

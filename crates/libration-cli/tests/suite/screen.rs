@@ -1,4 +1,4 @@
-//! What goes to the screen beside files.
+//! Output to the screen of commands that write files.
 
 use crate::command::{directory, json, text};
 use std::fs;

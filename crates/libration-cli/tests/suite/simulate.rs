@@ -338,7 +338,7 @@ fn a_motion_ends_at_an_event() {
     }
 }
 
-/// Of runs that were gone on from: the columns are those of one run, and the count of events goes on.
+/// Columns of continued runs are those of one run, and the count of events goes on.
 #[test]
 fn columns_and_counted_events_survive_a_stop() {
     let place = directory("columns_and_counts");

@@ -3,7 +3,7 @@
 use crate::command::directory;
 use std::process::Command;
 
-/// The answer on a screen of so many columns; without a number, in a pipe.
+/// The result on a screen of this number of columns; without a number, in a pipe.
 fn answer(arguments: &[&str], screen: Option<usize>) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_libration"));
     command.args(arguments).current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).env_remove("COLUMNS");

@@ -66,7 +66,7 @@ pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
         .paragraph(counted(question, flow, [&motions, &growths, &frequencies]))
 }
 
-/// Which powers of the parameter there are.
+/// States which powers of the parameter occur.
 fn backwards(question: &Question) -> Prose {
     if !question.is_reversed_by_its_parameter() {
         return Prose::text("All powers of the small parameter are there.");
@@ -77,7 +77,7 @@ fn backwards(question: &Question) -> Prose {
     )
 }
 
-/// How many coefficients there are, and which of them turn out to be zero.
+/// States the number of coefficients, and which of them turn out to be zero.
 fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&[Place]; 3]) -> Prose {
     let count = |n: usize| number(i64::try_from(n).unwrap_or(i64::MAX));
     let zero = |places: &[Place], is_known: &dyn Fn(&Place) -> bool, name: &dyn Fn(Place) -> Name| {
@@ -118,7 +118,7 @@ fn places(question: &Question, flow: &Flow) -> [Vec<Place>; 3] {
     [motions, growths, frequencies.filter(|place| *place != (0, 0)).collect()]
 }
 
-/// Whether the symmetries of the equation leave anything there.
+/// Returns `true` if the symmetries of the equation allow a coefficient there.
 fn can_be(question: &Question, (n, j): Place) -> bool {
     match symmetry(question) {
         Some(Symmetry::Amplitude) => n % 2 == 1,
@@ -130,9 +130,9 @@ fn can_be(question: &Question, (n, j): Place) -> bool {
 /// A change of signs that leaves the equation of the half swing as it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Symmetry {
-    /// Of displacement and velocity.
+    /// Symmetry in displacement and velocity.
     Amplitude,
-    /// Of displacement, velocity and the small parameter.
+    /// Symmetry in displacement, velocity and the small parameter.
     AmplitudeAndParameter,
 }
 
@@ -225,7 +225,8 @@ fn checked_rate(
     }
 }
 
-/// The rates of A and ψ applied so many times one after the other, and the sum of the chain rule, for one choice of functions.
+/// Compares the rates of A and ψ applied this number of times in succession with the sum of the chain rule, for one choice of
+/// functions.
 fn example_holds(choice: i64, times: usize) -> bool {
     let number =
         |over: i64, under: i64| PiNumber::from(Rational::new(over, under).unwrap_or_else(|| 1.into()));
@@ -272,7 +273,7 @@ fn example_holds(choice: i64, times: usize) -> bool {
     rest.values().all(PhaseFunction::is_zero)
 }
 
-/// What the amplitude is.
+/// The step that defines the amplitude.
 pub(super) fn gauge(question: &Question) -> DerivationStep {
     let at_start = |name: Name| Formula::Apply(name, vec![number(0)]);
     let (motion, velocity) =

@@ -29,7 +29,7 @@ pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationErro
     taylor(question, step)
 }
 
-/// Where the displacement is counted from.
+/// States the origin of the displacement.
 fn about(question: &Question, step: DerivationStep) -> DerivationStep {
     let variable = Formula::from(&question.variable);
     if question.variable == question.displacement {
@@ -43,7 +43,7 @@ fn about(question: &Question, step: DerivationStep) -> DerivationStep {
     .show(CheckedEquation::definition(Statement::defined(question.u(), variable - place)))
 }
 
-/// What the force is where the velocity is negative.
+/// States the force for negative velocities.
 fn falling(question: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let velocity = question.variable.clone().prime();
     let trials = Trials::new(None)?

@@ -12,18 +12,18 @@ use libration::watch::Watch;
 /// The powers of the amplitude and of the small parameter.
 pub(crate) type Place = (usize, usize);
 
-/// What is known of an oscillation under a weak force.
+/// The slow flow of an oscillation under a weak force, to some power of amplitude and parameter.
 #[derive(Debug)]
 pub struct Flow {
-    /// xₙⱼ, those that are not zero.
+    /// Nonzero xₙⱼ.
     pub motion: BTreeMap<Place, PhaseFunction>,
-    /// vₙⱼ of the velocity, those that are not zero.
+    /// Nonzero vₙⱼ of the velocity.
     pub(crate) velocity: BTreeMap<Place, PhaseFunction>,
-    /// aₙⱼ, those that are not zero.
+    /// Nonzero aₙⱼ.
     pub growth: BTreeMap<Place, PiNumber>,
     /// wₙⱼ, those that are not zero; w₀₀ = ω0.
     pub frequency: BTreeMap<Place, PiNumber>,
-    /// How each power came about, in the order they were found.
+    /// Derivation of each power, in the order in which the powers were found.
     pub(crate) orders: Vec<Order>,
 }
 
@@ -40,11 +40,11 @@ pub(crate) struct Order {
     pub(crate) motion: PhaseFunction,
 }
 
-/// What a part of the equation of motion brings to its right side.
+/// The contribution of a part of the equation of motion to its right side.
 #[derive(Debug)]
 pub(crate) struct Contribution {
     pub(crate) part: Part,
-    /// As products of what is known.
+    /// Contribution as products of known functions.
     pub(crate) products: Polynomial,
     pub(crate) value: PhaseFunction,
 }
@@ -124,7 +124,7 @@ impl Flow {
         Ok(())
     }
 
-    /// Whether anything is found at a place.
+    /// Returns `true` if nothing is found at the place of an order: no parts, no motion and no rates.
     pub(crate) fn is_trivial(order: &Order) -> bool {
         order.parts.is_empty()
             && order.motion.is_zero()
@@ -132,7 +132,7 @@ impl Flow {
             && order.frequency.is_zero()
     }
 
-    /// What the known part of the velocity is, without the newest coefficients.
+    /// The known part of the velocity, without the newest coefficients.
     fn slow_velocity(&self, place: Place) -> PhaseFunction {
         let (n, j) = place;
         let mut sum = PhaseFunction::default();
@@ -149,7 +149,7 @@ impl Flow {
         sum
     }
 
-    /// What is known on the right side at a place, part by part.
+    /// The known contributions to the right side at a place, part by part.
     fn parts(&self, flow: &FlowTerms, place: Place) -> Vec<Contribution> {
         let x = names(&self.motion, "x");
         let [slope, curvature] = ["x'", "x''"].map(|letters| names(&self.motion, letters));

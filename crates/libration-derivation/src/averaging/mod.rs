@@ -1,4 +1,5 @@
-//! The road to the decay of weakly damped oscillations, and to the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's averaging, power by power.
+//! Derivation of the decay of weakly damped oscillations, and of the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's
+//! averaging, power by power.
 
 mod ansatz;
 mod cycle;
@@ -27,13 +28,13 @@ pub(super) use question::Question;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
 pub(super) use tables::in_terms;
 
-/// How amplitude and phase of an oscillator go under a weak force that takes or gives energy, as series in the amplitude, to
-/// the power `order`, and in the small parameter, to the power `parameter_order`, derived power by power. The small parameter is the letter without a value, or the
-/// one that is named; the amplitude is the displacement where the motion turns.
+/// The slow flow of amplitude and phase of an oscillator under a weak force that takes or gives energy, as series in the amplitude, up to and
+/// including the power `order`, and in the small parameter, up to and including the power `parameter_order`, derived power by power. The small
+/// parameter is the letter without a value, or the one that is named; the amplitude is the displacement where the motion turns.
 ///
 /// # Errors
-/// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation without slow flow, or with numbers that are no
-/// fractions; and a formula that fails its check, which would be an error of this program.
+/// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation without slow flow, or with
+/// numbers that are not fractions; and a formula that fails its check, which would be an error of this program.
 ///
 /// # Examples
 /// ```
@@ -51,7 +52,7 @@ pub fn averaging(
     averaging_watched(equation, parameter, order, parameter_order, &Watch::none())
 }
 
-/// As [`averaging`]; `watch` is asked before each part. Where it stops the steps until then are given.
+/// Derives the same as [`averaging`]; `watch` is checked before each part. If it cancels, the steps derived until then are returned.
 ///
 /// # Errors
 /// As [`averaging`], and [`DerivationError::Interrupted`] where there is no step yet.

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// A letter with the two powers below it.
 pub(super) fn indexed(name: Name, (n, j): Place) -> Name {
     match n {
-        // A leading zero is no number.
+        // A leading zero does not begin a number.
         0 => Name { subscript: Some(Subscript::Word(format!("0{j}"))), ..name },
         _ => name.index(i64::try_from(10 * n + j).unwrap_or(i64::MAX)),
     }

@@ -80,7 +80,7 @@ fn superscript(n: usize) -> String {
     n.to_string().chars().filter_map(digit).collect()
 }
 
-/// What each part of the equation of motion brings, as products of lower results and worked out.
+/// The contribution of each part of the equation of motion, as products of lower results and evaluated.
 fn table(question: &Question, order: &Order) -> DerivationTable {
     let row = |it: &Contribution| {
         vec![
@@ -162,7 +162,7 @@ pub(super) fn averaged(question: &Question, statement: Statement, claim: Average
     CheckedEquation::new(statement, Check::Averaged(Box::new(formula)))
 }
 
-/// What is asked of the rates of amplitude and phase.
+/// The conditions for the rates of amplitude and phase.
 fn conditions(
     question: &Question,
     order: &Order,

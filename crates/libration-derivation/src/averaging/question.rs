@@ -1,4 +1,4 @@
-//! What is derived: an oscillator under a weak force, as powers of displacement, velocity and the small parameter, and the letters for all.
+//! Subject of a derivation: an oscillator under a weak force, as powers of displacement, velocity and the small parameter, and their symbols.
 
 use super::super::check::{DerivationError, FlowTerms, ForceTerm};
 use super::super::formula::{Formula, Name, letter};
@@ -122,7 +122,7 @@ impl Question {
         self.flow.terms.iter().filter(|term| term.parameter == 1)
     }
 
-    /// Those without it.
+    /// The terms of the force without the small parameter.
     pub(crate) fn restoring_terms(&self) -> impl Iterator<Item = &ForceTerm> {
         self.flow.terms.iter().filter(|term| term.parameter == 0)
     }
@@ -139,17 +139,18 @@ impl Question {
         (is_alone && is_damping && !factor.is_negative()).then_some((term.velocity, factor))
     }
 
-    /// Whether a power is within those asked for; where the parameter is counted as a power of the amplitude both together are.
+    /// Returns `true` if a power is within the orders requested; where the parameter counts as a power of the amplitude, the sum of both is
+    /// compared.
     pub(crate) fn asks_for(&self, (n, j): (usize, usize)) -> bool {
         n + self.flow.lift * j <= self.order && j <= self.parameter_order
     }
 
-    /// Whether the acceleration is the opposite at the opposite displacement and velocity.
+    /// Returns `true` if the acceleration is the opposite at the opposite displacement and velocity.
     pub(crate) fn is_odd(&self) -> bool {
         self.flow.kinked || self.flow.terms.iter().all(|term| (term.position + term.velocity) % 2 == 1)
     }
 
-    /// Whether the equation read backwards in time is that with the other sign of the small parameter.
+    /// Returns `true` if the equation read backwards in time is that with the other sign of the small parameter.
     pub(crate) fn is_reversed_by_its_parameter(&self) -> bool {
         let reversed = |term: &ForceTerm| (term.velocity + term.parameter).is_multiple_of(2);
         match self.flow.kinked {

@@ -1,4 +1,4 @@
-//! What each power of the equation of motion decides.
+//! Conditions in each power of the equation of motion.
 
 use super::super::check::{Check, CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
@@ -35,7 +35,7 @@ pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationErro
     }
 }
 
-/// What lower powers bring.
+/// The contributions of lower powers.
 fn forcing() -> Formula {
     below(Name::new("R"), &["n", "j"]).into()
 }
@@ -145,7 +145,7 @@ fn example(trials: &Trials) -> Trials {
         .with_function(&name(2), "ψ", number(2) - 4 * cos(2 * p()) + 2 * cos(p()) - p() * sin(p()))
 }
 
-/// How the equation is then solved.
+/// The solution of the equation once the conditions hold.
 fn solution(step: DerivationStep, trials: &Trials) -> Result<DerivationStep, DerivationError> {
     let r = |at: &str| apply("r", [letter(at)]);
     let mut trials =

@@ -1,4 +1,5 @@
-//! How the amplitude goes with time where the first term decides: a force of one power of the velocity, or of two as in Van der Pol's equation.
+//! The amplitude as a function of time where the first term decides: a force of one power of the velocity, or of two as in Van der Pol's
+//! equation.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;

@@ -1,4 +1,4 @@
-//! What is known otherwise: the linear spring under viscous damping, and the pendulum under two dampings at any amplitude.
+//! Cases known from elsewhere: the linear spring under viscous damping, and the pendulum under two dampings at any amplitude.
 
 use super::super::check::{DerivationError, Given, same_series, same_series_where};
 use super::super::document::DerivationStep;
@@ -136,7 +136,7 @@ pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<Deriva
     ))
 }
 
-/// Whether the force without the weak one is the sine.
+/// Returns `true` if the force without the weak one is the sine.
 fn is_sine(question: &Question) -> bool {
     let x = Symbol::plain(question.force.oscillator.variable());
     let own = question.force.oscillator.acceleration();
@@ -146,7 +146,7 @@ fn is_sine(question: &Question) -> bool {
     series(own).is_some_and(|own| Some(own) == series(&negative))
 }
 
-/// What the published equation with a power of the velocity itself would do.
+/// The consequences of the published equation with a power of the velocity itself.
 pub(super) fn published(question: &Question) -> Result<Option<DerivationStep>, DerivationError> {
     let power_law = question.power_law().filter(|(n, _)| *n > 0 && is_sine(question));
     let Some((n, _)) = power_law else { return Ok(None) };

@@ -1,4 +1,4 @@
-//! What the slow flow of a weak force is asked for, power by power.
+//! Formulas of the slow flow of a weak force, power by power.
 
 use super::super::formula::{Formula, Name};
 use libration::algebra::Rational;
@@ -34,20 +34,20 @@ pub struct FlowTerms {
 pub struct AveragedFormula {
     /// The equation.
     pub flow: FlowTerms,
-    /// What the formula says.
+    /// Statement of the formula.
     pub claim: AveragedClaim,
 }
 
-/// What a formula of a slow flow says.
+/// The statement of a formula of a slow flow.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AveragedClaim {
     /// The second derivative of x(A, ψ) by time.
     ChainRule,
-    /// What lower powers give in a power of A and the parameter, on the right side.
+    /// The contribution of lower powers in a power of A and the parameter, on the right side.
     Forcing {
         /// The power of A.
         power: usize,
-        /// That of the parameter.
+        /// The power of the parameter.
         parameter: usize,
         /// It.
         known: Formula,
@@ -56,28 +56,28 @@ pub enum AveragedClaim {
     Growth {
         /// The power of A.
         power: usize,
-        /// That of the parameter.
+        /// The power of the parameter.
         parameter: usize,
     },
     /// A coefficient of ψ′.
     Frequency {
         /// The power of A.
         power: usize,
-        /// That of the parameter.
+        /// The power of the parameter.
         parameter: usize,
     },
     /// A coefficient of the motion.
     Motion {
         /// The power of A.
         power: usize,
-        /// That of the parameter.
+        /// The power of the parameter.
         parameter: usize,
     },
     /// A coefficient of the velocity.
     Velocity {
         /// The power of A.
         power: usize,
-        /// That of the parameter.
+        /// The power of the parameter.
         parameter: usize,
     },
     /// A′ as far as it is known.
@@ -101,12 +101,12 @@ pub enum AveragedClaim {
     Cycle {
         /// The small parameter.
         parameter: Name,
-        /// What of it.
+        /// Quantity of the limit cycle.
         quantity: CycleQuantity,
     },
 }
 
-/// What is said of a limit cycle.
+/// A quantity of a limit cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CycleQuantity {
     /// The square of the amplitude.

@@ -1,4 +1,4 @@
-//! What Lindstedt's method says of a limit cycle, power by power.
+//! Formulas of a limit cycle by Lindstedt's method, power by power.
 
 use super::super::formula::{Formula, Name};
 use super::FlowTerms;
@@ -10,18 +10,18 @@ pub struct CycleFormula {
     pub flow: FlowTerms,
     /// The power of the excitation.
     pub order: usize,
-    /// What the formula says.
+    /// Statement of the formula.
     pub claim: CycleClaim,
 }
 
-/// What a formula of a limit cycle says.
+/// The statement of a formula of a limit cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CycleClaim {
-    /// What lower powers bring to the right side, with the amplitude one power below open.
+    /// The contribution of lower powers to the right side, with the amplitude one power below open.
     Forcing {
-        /// That amplitude.
+        /// The amplitude that is open.
         open: Name,
-        /// It.
+        /// Its known value.
         known: Formula,
     },
     /// The factor of the sine on the right side, which must vanish.
@@ -35,7 +35,7 @@ pub enum CycleClaim {
     Frequency,
     /// The motion, its own amplitude open.
     Motion {
-        /// That amplitude.
+        /// The amplitude that is open.
         open: Name,
     },
     /// The amplitude of the first harmonic as a series.

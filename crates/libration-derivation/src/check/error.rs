@@ -1,4 +1,4 @@
-//! Why there is no derivation.
+//! Errors of derivations.
 
 use super::super::evaluate::NoEvaluation;
 use libration::oscillator::Remedy;
@@ -6,7 +6,7 @@ use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
 use libration::watch::Interrupted;
 
-/// Why a derivation cannot be given.
+/// The reason why a derivation cannot be given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DerivationError {
@@ -15,7 +15,7 @@ pub enum DerivationError {
     Failed {
         /// The formula in LaTeX.
         formula: String,
-        /// How it fails.
+        /// The reason why it fails.
         reason: String,
     },
     /// A formula that cannot be evaluated.
@@ -23,7 +23,7 @@ pub enum DerivationError {
     Unchecked {
         /// The formula in LaTeX.
         formula: String,
-        /// Why.
+        /// The reason why it has no value.
         reason: NoEvaluation,
     },
     /// An amplitude at which the steps cannot be shown with their numbers.
@@ -37,25 +37,25 @@ pub enum DerivationError {
     /// An order that is not derived step by step.
     #[error("order {order} is not derived step by step: give 2 to 9")]
     Order {
-        /// What was asked for.
+        /// The order that was requested.
         order: usize,
     },
     /// A power of the amplitude that is not derived step by step.
     #[error("order {order} is not derived step by step: give 1 to 9")]
     AmplitudeOrder {
-        /// What was asked for.
+        /// The order that was requested.
         order: usize,
     },
     /// A power of the small parameter that is not derived step by step.
     #[error("damping order {order} is not derived step by step: give 1 to 4")]
     DampingOrder {
-        /// What was asked for.
+        /// The order that was requested.
         order: usize,
     },
     /// A power of the excitation that is not derived step by step.
     #[error("order {order} is not derived step by step: give 1 to 9")]
     CycleOrder {
-        /// What was asked for.
+        /// The order that was requested.
         order: usize,
     },
     /// No self-excitation.
@@ -80,7 +80,7 @@ pub enum DerivationError {
         "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact"
     )]
     NoFractions,
-    /// A frequency that is no fraction.
+    /// A frequency that is not a fraction.
     #[error(
         "the frequency of small swings is no fraction: choose the unit of time so that it is, as in omega0 = 1"
     )]
@@ -103,7 +103,7 @@ pub enum DerivationError {
     /// Two roads that should meet: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
     Disagreement {
-        /// What does not agree.
+        /// The quantity that does not agree.
         what: &'static str,
     },
     /// No slow flow.

@@ -1,9 +1,9 @@
-//! What the names in a formula stood for when it was checked.
+//! Meanings of the names in a formula when it was checked.
 
 use super::super::formula::{Formula, Name};
 use libration::algebra::Rational;
 
-/// What the names in a formula stood for when it was checked.
+/// The meanings of the names in a formula when it was checked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Letters {
     /// Names with their values, each of numbers and of names before it.
@@ -19,11 +19,11 @@ pub struct OpenCondition {
     pub force: Vec<Rational>,
     /// The coefficients of the ansatz: the power of the expansion parameter, the harmonic, and the name.
     pub harmonics: Vec<(usize, usize, Name)>,
-    /// Those of the frequency: the power and the name.
+    /// The coefficients of the frequency: the power and the name.
     pub frequency: Vec<(usize, Name)>,
-    /// What lower powers have found.
+    /// Coefficients that lower powers have determined.
     pub lower: Vec<(Name, Formula)>,
-    /// What it fixes, if anything.
+    /// Coefficient that the condition determines, if any.
     pub fixes: Option<Name>,
     /// The power of the condition.
     pub order: usize,

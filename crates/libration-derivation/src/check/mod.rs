@@ -30,13 +30,13 @@ pub struct CheckedEquation {
     letters: Letters,
 }
 
-/// How a statement was checked.
+/// The method by which a statement was checked.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Check {
     /// Nothing to check: a name is given to the right side.
     Definition,
-    /// Nothing to check: where the derivation starts.
+    /// Nothing to check: the premise of the derivation.
     Premise,
     /// A part of the motion that is put into the equation of motion as a whole, below.
     Below,
@@ -46,7 +46,7 @@ pub enum Check {
     Series {
         /// The variable of the series.
         variable: Name,
-        /// How many coefficients were compared, the constant one included.
+        /// Number of coefficients compared, the constant one included.
         coefficients: usize,
     },
     /// All sides are the same exact numbers.
@@ -68,19 +68,19 @@ pub enum Check {
         /// The first term of its error at small amplitudes: the coefficient and the power; `None` where it has none.
         leading_error: Option<(Rational, u32)>,
     },
-    /// A motion was put into the equation of motion, with exact fractions, at so many phases, which decides.
+    /// A motion was put into the equation of motion, with exact fractions, at enough phases to decide.
     Phases {
         /// The expansion parameter.
         variable: Name,
         /// The highest power that was compared.
         order: usize,
-        /// How many phases.
+        /// Number of phases.
         phases: usize,
     },
-    /// Coefficients with open letters were put into the equation of motion with so many choices of fractions for the
-    /// letters, each at as many phases as decide.
+    /// Coefficients with open letters were put into the equation of motion with several choices of fractions for the
+    /// letters, each at enough phases to decide.
     Substituted {
-        /// How many choices.
+        /// Number of choices.
         choices: usize,
         /// The condition that the coefficients are to satisfy, where it is one of the open gauge.
         condition: Option<Box<OpenCondition>>,
@@ -95,18 +95,18 @@ pub enum Check {
     RoundedDigits,
     /// All sides have the same value, in many digits.
     Digits {
-        /// Where they were compared.
+        /// Amplitudes or parameters at which they were compared.
         place: ComparedAt,
         /// The value at the first of these places.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.
         difference: f64,
-        /// Whether a side comes from the library's closed solution, in double precision.
+        /// Source of the value compared: the other side, or the library's closed solution in double precision.
         against: Against,
     },
 }
 
-/// Where the sides of a statement were compared.
+/// The amplitudes or parameters at which the sides of a statement were compared.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ComparedAt {
     /// There is nothing to choose.
@@ -129,7 +129,7 @@ pub enum ComparedAt {
     },
 }
 
-/// What a formula is compared with.
+/// The value with which a formula is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Against {
     /// Its other side, in many digits.
@@ -139,19 +139,19 @@ pub enum Against {
 }
 
 impl CheckedEquation {
-    /// What is stated.
+    /// The statement.
     #[must_use]
     pub fn statement(&self) -> &Statement {
         &self.statement
     }
 
-    /// How it was checked.
+    /// The method by which it was checked.
     #[must_use]
     pub fn check(&self) -> &Check {
         &self.check
     }
 
-    /// What its names stood for when it was checked.
+    /// The meanings of its names when it was checked.
     #[must_use]
     pub fn letters(&self) -> &Letters {
         &self.letters
@@ -166,7 +166,7 @@ impl CheckedEquation {
         Self { letters, ..self }
     }
 
-    /// Where the derivation starts.
+    /// A premise of the derivation.
     pub(super) fn premise(statement: Statement) -> Self {
         Self::new(statement, Check::Premise)
     }
@@ -177,7 +177,7 @@ impl CheckedEquation {
     }
 }
 
-/// Checks that all formulas of the statement are the same series in this variable, in at least so many coefficients.
+/// Checks that all formulas of the statement are the same series in this variable, in at least `coefficients` coefficients.
 pub fn same_series(
     variable: &Name,
     coefficients: usize,
@@ -186,7 +186,7 @@ pub fn same_series(
     same_series_where(variable, coefficients, &[], statement)
 }
 
-/// What else a letter stands for in a series.
+/// A further letter in a series, with its meaning.
 #[derive(Clone, Debug)]
 pub enum Given<'a> {
     /// A name stands for a formula of the variable.
@@ -195,7 +195,7 @@ pub enum Given<'a> {
     Function(&'a str, &'a str, Formula),
 }
 
-/// As [`same_series`], with further letters.
+/// Checks the same as [`same_series`], with further letters.
 pub fn same_series_where(
     variable: &Name,
     coefficients: usize,

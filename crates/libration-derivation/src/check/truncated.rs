@@ -1,4 +1,4 @@
-//! What a cut-off force asks of a few harmonics.
+//! Formulas about a few harmonics under a force that is cut off.
 
 use super::super::formula::Name;
 use libration::algebra::Rational;
@@ -10,18 +10,18 @@ pub struct TruncatedFormula {
     pub force: Vec<Rational>,
     /// The harmonics that are kept.
     pub harmonics: Vec<usize>,
-    /// What the formula says.
+    /// Statement of the formula.
     pub claim: TruncatedClaim,
 }
 
-/// What a formula about a few harmonics says.
+/// The statement of a formula about a few harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TruncatedClaim {
     /// The factor of a cosine that must vanish, up to a number.
     Condition {
-        /// Which cosine.
+        /// Number of the harmonic of that cosine.
         harmonic: usize,
-        /// It was divided by the first harmonic.
+        /// `true` if it was divided by the first harmonic.
         over_first: bool,
     },
     /// The square of the frequency by the first condition.

@@ -5,7 +5,7 @@ use super::super::prose::Prose;
 use super::{Against, AveragedClaim, Check, ComparedAt, CycleClaim, TruncatedClaim};
 
 impl Check {
-    /// Whether there was something to check, and it was computed.
+    /// Returns `true` if there was something to check, and it was computed.
     #[doc(hidden)]
     pub fn is_computed(&self) -> bool {
         !matches!(self, Self::Definition | Self::Premise | Self::Given)

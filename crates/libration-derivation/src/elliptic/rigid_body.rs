@@ -22,7 +22,7 @@ fn inertia() -> Formula {
     letter("I")
 }
 
-/// That about the parallel axis through the centre of mass.
+/// The moment of inertia about the parallel axis through the centre of mass.
 fn own_inertia() -> Formula {
     Name::new("I").word("C").into()
 }

@@ -10,7 +10,7 @@ pub fn number(integer: i64) -> Formula {
     Formula::Number(Rational::from(integer))
 }
 
-/// So many tenths: a value to try a formula at.
+/// A number of tenths: a value to try a formula at.
 pub fn tenths(numerator: i64) -> Formula {
     Rational::new(numerator, 10).map_or_else(|| number(1), Formula::from)
 }
@@ -84,7 +84,7 @@ pub fn order(of: impl Into<Formula>) -> Formula {
     Formula::Order(Box::new(of.into()))
 }
 
-/// A number rounded to so many digits.
+/// A number rounded to `digits` digits.
 pub(crate) fn rounded(value: f64, digits: usize, unit: DecimalUnit) -> Formula {
     Formula::Decimal(Decimal::rounded(value, digits, unit))
 }

@@ -50,7 +50,7 @@ impl Decimal {
         Self { mantissa: format!("{value:.places$}"), exponent: 0, unit }
     }
 
-    /// As [`rounded`](Self::rounded), without zeros at the end: a number that was given.
+    /// Rounds like [`rounded`](Self::rounded), without zeros at the end: a number that was given.
     #[doc(hidden)]
     pub fn short(value: f64, unit: DecimalUnit) -> Self {
         let rounded = Self::rounded(value, 15, unit);

@@ -44,13 +44,13 @@ pub enum Formula {
     Agm(Box<Self>, Box<Self>),
     /// Σ of the term over the index.
     Series {
-        /// What is counted.
+        /// The index of summation.
         index: Name,
         /// The first index.
         from: Box<Self>,
         /// The last index; `None` is ∞.
         to: Option<Box<Self>>,
-        /// What is added.
+        /// The term of the sum.
         term: Box<Self>,
     },
     /// ∫ of the integrand over the variable.
@@ -61,12 +61,12 @@ pub enum Formula {
         from: Box<Self>,
         /// The upper limit.
         to: Box<Self>,
-        /// What is integrated.
+        /// The integrand.
         integrand: Box<Self>,
     },
     /// The derivative with respect to a variable.
     Derivative {
-        /// What is differentiated.
+        /// The differentiated formula.
         of: Box<Self>,
         /// The variable.
         by: Name,

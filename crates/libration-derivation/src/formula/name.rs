@@ -7,13 +7,13 @@ use super::Formula;
 pub struct Name {
     /// The letter itself, in Unicode; several letters are a word and printed upright.
     pub letter: String,
-    /// What is written below it.
+    /// Subscript.
     pub subscript: Option<Subscript>,
-    /// How many times it is differentiated with respect to time.
+    /// Number of differentiations with respect to time.
     pub primes: u8,
 }
 
-/// What is written below a letter.
+/// The subscript of a letter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subscript {
     /// A word, such as the first letters of an author.

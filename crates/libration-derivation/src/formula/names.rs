@@ -1,4 +1,4 @@
-//! Which names a formula has.
+//! Names in a formula.
 
 use super::{Formula, Name};
 

@@ -2,7 +2,7 @@
 
 use super::Formula;
 
-/// How a formula stands to the one before it.
+/// The relation of a formula to the one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
     /// Equal.
@@ -20,7 +20,7 @@ pub enum Relation {
 pub struct Statement {
     /// The first formula.
     pub first: Formula,
-    /// What follows it.
+    /// Formulas that follow it, each with its relation.
     pub rest: Vec<(Relation, Formula)>,
 }
 

@@ -8,13 +8,13 @@ use super::open::Open;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::Expansion;
 
-/// What is found in one power.
+/// The result of one power.
 pub(super) struct Order {
     /// The parts of the equation of motion with what they bring to its right side: the number of the term, or none for the acceleration.
     pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
     /// Their sum, with the amplitude one power below open.
     pub(super) known: Open,
-    /// That amplitude.
+    /// The amplitude one power below.
     pub(super) amplitude_below: Rational,
     /// Ωₙ.
     pub(super) frequency: Rational,
@@ -64,7 +64,7 @@ impl Cycle {
         }
     }
 
-    /// Whether all of it is also this expansion.
+    /// Returns `true` if the whole cycle is also this expansion.
     pub(super) fn is(&self, question: &Question, known: &Expansion) -> bool {
         let omega0 = question.omega0();
         let frequencies = (0..=self.orders.len()).all(|n| {
@@ -118,7 +118,7 @@ fn next(question: &Question, orders: &[Order], n: usize, begin: &Rational) -> Re
 }
 
 impl Known {
-    /// What is known when a power is solved: the amplitude one below is open.
+    /// The quantities known when a power is solved: the amplitude one below is open.
     fn new(question: &Question, orders: &[Order], n: usize) -> Self {
         let cycle = |m: usize| -> Open {
             let forced = m.checked_sub(1).and_then(|place| orders.get(place)).map(|it| it.forced.clone());

@@ -1,4 +1,4 @@
-//! What other algorithms find of the limit cycle: in fractions where the library expands it, else in digits from its slow flow.
+//! Limit cycle found by other algorithms: in fractions where the library expands it, otherwise in digits from its slow flow.
 
 use super::super::averaging::Question;
 use super::super::check::DerivationError;
@@ -41,7 +41,7 @@ impl Known {
         found.ok_or(DerivationError::NoCycle)
     }
 
-    /// Whether a limit cycle is this one.
+    /// Returns `true` if a limit cycle is this one.
     pub(super) fn is(&self, question: &Question, cycle: &Cycle) -> bool {
         let known = match self {
             Self::Fractions(known) => return cycle.is(question, known),

@@ -19,7 +19,8 @@ pub const HIGHEST_CYCLE_ORDER: usize = 9;
 /// The highest power of displacement and velocity that the force may have.
 const HIGHEST_DEGREE: usize = 9;
 
-/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. That is the letter without a value, or the one that is named.
+/// The limit cycle of a self-excited oscillator as series in the strength of the excitation, derived power by power. The strength is the
+/// letter without a value, or the one that is named.
 ///
 /// # Errors
 /// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without limit cycle, or of which the amplitude or other numbers are no
@@ -40,10 +41,10 @@ pub fn limit_cycle(
     limit_cycle_watched(equation, parameter, order, &Watch::none())
 }
 
-/// As [`limit_cycle`]; `watch` is asked before each power.
+/// Derives the same as [`limit_cycle`]; `watch` is checked before each power.
 ///
 /// # Errors
-/// As [`limit_cycle`], and [`DerivationError::Interrupted`] where it is told to stop.
+/// As [`limit_cycle`], and [`DerivationError::Interrupted`] when it is cancelled.
 pub fn limit_cycle_watched(
     equation: &Equation,
     parameter: Option<&str>,

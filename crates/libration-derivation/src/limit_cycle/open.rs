@@ -75,7 +75,7 @@ impl Open {
         })
     }
 
-    /// As a formula.
+    /// The polynomial as a formula.
     pub(super) fn written(&self, amplitude: &Name) -> Formula {
         let terms: Vec<Formula> = (self.powers.iter())
             .flat_map(|(degree, part)| match degree {

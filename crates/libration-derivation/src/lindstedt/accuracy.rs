@@ -1,4 +1,4 @@
-//! How good the series are at an amplitude.
+//! Accuracy of the series at an amplitude.
 
 use super::super::check::DerivationError;
 use super::super::document::{DerivationStep, DerivationTable};
@@ -67,7 +67,7 @@ pub(super) fn is_angle(question: &Question) -> bool {
     is_angle_name(question.oscillator.variable())
 }
 
-/// Whether the exact period is known: the pendulum below the upright position.
+/// Returns `true` if the exact period is known: the pendulum below the upright position.
 fn is_pendulum(question: &Question, amplitude: f64) -> bool {
     let sine: Vec<Rational> = (1..=question.force.len()).map(sine_coefficient).collect();
     is_angle(question) && question.force == sine && amplitude < std::f64::consts::PI
@@ -116,7 +116,7 @@ fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<Deriva
     Ok(DerivationTable::numbers(head, rows, note(&basis, &found)))
 }
 
-/// What the rests and the errors rest on.
+/// The note on the basis of the remainders and the errors.
 fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
     let exact = match found {
         Err(reason) => return Prose::text(format!("{basis}; there is no exact value: {reason}")),

@@ -63,7 +63,7 @@ fn harmonics_in_epsilon<'a>(question: &Question, solution: &Solution) -> Vec<Giv
     question.harmonics().into_iter().map(|k| Given::Value(harmonic_name(k), series(k))).collect()
 }
 
-/// ε after so many passes.
+/// The name of ε after `pass` passes.
 fn answer(pass: usize) -> Name {
     Name::new("ε").index(i64::try_from(pass).unwrap_or(i64::MAX))
 }

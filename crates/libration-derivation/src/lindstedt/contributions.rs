@@ -1,4 +1,4 @@
-//! Where the terms of a condition come from: the parts of the equation of motion, before what lower orders have found is put in.
+//! Origins of the terms of a condition: the parts of the equation of motion, before the results of lower orders are put in.
 
 use std::collections::BTreeMap;
 
@@ -48,7 +48,7 @@ impl Contributions {
         factors.fold(Polynomial::zero(), |sum, factor| sum + factor.clone())
     }
 
-    /// What each part gives to a condition.
+    /// The contribution of each part to a condition.
     pub(super) fn table(&self, condition: &Condition) -> DerivationTable {
         let key = (condition.order, condition.harmonic);
         let given = self.parts.iter().filter_map(|(part, factors)| Some((part, factors.get(&key)?)));
@@ -108,7 +108,7 @@ fn displacement(question: &Question) -> Factors {
     present
 }
 
-/// Those of Δ²u″ + u.
+/// The factors of Δ²u″ + u.
 fn linear(question: &Question, displacement: &Factors) -> Factors {
     let one = Polynomial::constant(Rational::from(1));
     let mut ratio = Factors::new();
@@ -155,7 +155,7 @@ fn key(n: usize, k: usize) -> (u32, u32) {
     (small(n), small(k))
 }
 
-/// Whether it is a coefficient of a harmonic that is not made at this order.
+/// Returns `true` if it is a coefficient of a harmonic that is not made at this order.
 pub(super) fn vanishes(question: &Question, unknown: &Variable) -> bool {
     let value = question.open.solution().get(unknown);
     unknown.letters() != FREQUENCY && value.is_some_and(Polynomial::is_zero)

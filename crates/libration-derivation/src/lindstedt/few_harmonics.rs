@@ -45,7 +45,7 @@ pub fn step(
     Ok(Some(step))
 }
 
-/// What is to be learned from the verdicts.
+/// The conclusion from the verdicts.
 fn outcome(solutions: &[TruncatedSolution]) -> &'static str {
     if solutions.iter().any(|solution| solution.verdict == SolutionVerdict::Accepted) {
         "Only one of them is a motion that becomes a small swing as the amplitude falls. With the series there is nothing \

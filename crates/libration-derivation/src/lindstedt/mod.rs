@@ -54,7 +54,8 @@ pub fn perturbation(
     perturbation_watched(oscillator, order, gauge, released, &Watch::none())
 }
 
-/// As [`perturbation`]; `watch` is asked at each order and before each part. Where it stops the steps until then are given.
+/// Derives the same as [`perturbation`]; `watch` is checked at each order and before each part. If it cancels, the steps derived until then
+/// are returned.
 ///
 /// # Errors
 /// As [`perturbation`], and [`DerivationError::Interrupted`] where there is no step yet.

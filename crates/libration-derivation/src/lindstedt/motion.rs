@@ -99,7 +99,7 @@ fn agrees_with_open_gauge(question: &Question, solution: &Solution) -> Result<()
     Ok(())
 }
 
-/// What the engine says a letter is.
+/// The value of a letter that the library's expansion gives.
 fn coefficient_of(question: &Question, solution: &Solution, variable: &Variable) -> Option<Rational> {
     let n = usize::try_from(variable.index()?).ok()?;
     if variable.letters() == "d" {

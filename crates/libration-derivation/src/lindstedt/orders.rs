@@ -84,7 +84,7 @@ fn factor_of(condition: &Condition) -> [Formula; 2] {
     [cosine(k), letter("ε").pow(i64::from(condition.order))]
 }
 
-/// How a condition comes about.
+/// The derivation of a condition.
 fn way_to(
     question: &Question,
     step: DerivationStep,
@@ -176,7 +176,7 @@ fn is_of(condition: &Condition, order: usize) -> bool {
     usize::try_from(condition.order) == Ok(order) && !condition.polynomial.is_zero()
 }
 
-/// Whether one coefficient is all there is of it; that of the first harmonic has the factor A₁.
+/// Returns `true` if the condition is a single coefficient; that of the first harmonic has the factor A₁.
 fn is_alone(condition: &Condition) -> bool {
     condition.harmonic != 1 && condition.polynomial.terms().count() == 1
 }
@@ -241,7 +241,7 @@ pub fn check_contributions(
     Ok(())
 }
 
-/// What the coefficients of the highest order are.
+/// The kind of the coefficients of the highest order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Newest {
     /// Any fractions, and so are those of lower orders.

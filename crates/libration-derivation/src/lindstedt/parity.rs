@@ -1,5 +1,5 @@
-//! Why the ansatz of an odd force has no sines, no even harmonics and no even powers of the expansion parameter: the first two are not
-//! there, the last are a choice.
+//! Reasons why the ansatz of an odd force has no sines, no even harmonics and no even powers of the expansion parameter: the first two do
+//! not occur, the last are a choice.
 
 use super::super::check::{CheckedEquation, DerivationError, Given, same_series_where};
 use super::super::document::DerivationStep;
@@ -48,7 +48,7 @@ pub(super) fn step(
     renamed(&open, step).map(Some)
 }
 
-/// That A₂ is another name for ε.
+/// Shows that A₂ is another name for ε.
 fn renamed(open: &Question, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
     let epsilon = || letter("ε");
     let [first, second] = [1, 2].map(|n| Formula::from(Name::from(&coefficient_name(1, n))));

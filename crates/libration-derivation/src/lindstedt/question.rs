@@ -1,4 +1,4 @@
-//! What is derived: an oscillator as a Taylor series, its expansion, and the letters for both.
+//! Subject of a derivation: an oscillator as a Taylor series, its expansion, and the letters for both.
 
 use super::super::check::DerivationError;
 use super::super::formula::{Formula, Name};
@@ -104,7 +104,7 @@ impl Question {
         }
     }
 
-    /// Whether the motion has the harmonics of an odd force only.
+    /// Returns `true` if the motion has the harmonics of an odd force only.
     pub(super) fn is_odd(&self) -> bool {
         self.oscillator.is_odd()
     }

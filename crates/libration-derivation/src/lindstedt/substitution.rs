@@ -30,7 +30,7 @@ pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, D
     Ok(CheckedEquation::new(statement, check).with_letters(letters(question, motion)))
 }
 
-/// What the names in the equation of motion stand for at a phase τ.
+/// The values of the names in the equation of motion at a phase τ.
 fn letters(question: &Question, motion: &Motion) -> Letters {
     let series = |(k, series): &(usize, Vec<Rational>)| (harmonic_name(*k), polynomial(series, &letter("ε")));
     let total = |weight: &dyn Fn(usize) -> i64| {

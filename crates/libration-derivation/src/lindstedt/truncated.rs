@@ -21,11 +21,11 @@ use libration::perturbation::TruncatedSystem;
 pub struct Elimination {
     /// The factor of u³.
     cube: Rational,
-    /// That of cos τ, over a₁, and that of cos 3τ.
+    /// The factors of cos τ, divided by a₁, and of cos 3τ.
     pub conditions: [Polynomial; 2],
     /// Δ² by the first.
     pub ratio_squared: Polynomial,
-    /// What the second is with that.
+    /// The second condition with that value of Δ².
     pub left: Polynomial,
 }
 

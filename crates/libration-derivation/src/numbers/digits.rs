@@ -1,4 +1,4 @@
-//! Sums, integrals and derivatives in real numbers to so many binary digits.
+//! Sums, integrals and derivatives in real numbers to a given number of binary digits.
 
 use super::precision::PRECISION;
 use super::quadrature;

@@ -1,4 +1,4 @@
-//! How many digits numbers have.
+//! Precision of numbers.
 
 /// Bits of every number: 77 decimal digits.
 pub(crate) const PRECISION: usize = 256;

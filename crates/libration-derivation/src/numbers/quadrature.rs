@@ -80,7 +80,7 @@ impl Node {
         Self { place, weight }
     }
 
-    /// Whether the place is so close to 0 or 1 that an integrand may lose its last bits there. What is cut off is
+    /// Returns `true` if the place is so close to 0 or 1 that an integrand may lose its last bits there. The part cut off is
     /// below 2⁻¹⁰⁷ of an integrand like 1/√x.
     fn is_at_the_end(&self) -> bool {
         let bits = isize::try_from(PRECISION).unwrap_or(isize::MAX);

@@ -20,12 +20,12 @@ pub(super) fn amplitude_where_zero(low: f64, high: f64, f: &dyn Fn(&Angle) -> Op
     has_values.then_some(high)
 }
 
-/// The amplitude of so many degrees.
+/// The amplitude of a number of degrees.
 pub(super) fn at_degrees(degrees: f64) -> Option<Angle> {
     Angle::from_degrees(degrees).ok()
 }
 
-/// As `129.4408075768 degrees`.
+/// Formats like `129.4408075768 degrees`.
 pub(super) fn in_degrees(radians: f64) -> String {
     format!("{:.10} degrees", radians.to_degrees())
 }

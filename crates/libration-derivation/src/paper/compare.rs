@@ -10,7 +10,7 @@ use libration::series::PowerSeries;
 /// Numerical identities are held to this; what is compared is of the order of 1.
 pub(super) const ROUNDING: f64 = 1e-13;
 
-/// The formula as a number, its symbols having these values; `None` when that is no number.
+/// The formula as a number, its symbols having these values; `None` when the result is not a number.
 pub(super) fn decimal(formula: &Expression, values: &[(&str, f64)]) -> Option<f64> {
     let number =
         value(&Doubles, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
@@ -85,7 +85,7 @@ pub(super) fn largest_residual(residual: &Expression, ranges: &[(&str, f64, f64)
     Some(largest)
 }
 
-/// How many points an identity is tried at.
+/// Number of points at which an identity is tried.
 pub(super) const POINTS: u32 = 40;
 
 /// A point of an additive recurrence with the roots of primes, which fills the box evenly.

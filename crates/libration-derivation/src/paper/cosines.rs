@@ -16,7 +16,7 @@ pub fn cosine(n: u32) -> Polynomial {
     now
 }
 
-/// What c1, c3, c5, c7 stand for in printed formulas.
+/// The meanings of c1, c3, c5, c7 in printed formulas.
 pub(super) fn cosines() -> [(&'static str, Polynomial); 4] {
     [("c1", cosine(1)), ("c3", cosine(3)), ("c5", cosine(5)), ("c7", cosine(7))]
 }

@@ -8,7 +8,7 @@ use libration::algebra::Rational;
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
 use libration::quantity::Angle;
 
-/// What the document plots and names, by the keys of the catalogue.
+/// The formulas that the document plots and names, by the keys of the catalogue.
 pub(super) const PLOTTED: [&str; 8] =
     ["denman", "black_vel_2", "black_vel_3", "bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3"];
 const OTHERS: [&str; 4] = ["small_angle", "power_series_2", "carvalhaes_suppes", "belendez"];
@@ -23,7 +23,7 @@ fn place(key: &str) -> Option<usize> {
     TABLE.formulas().position(|formula| formula.key() == key)
 }
 
-/// Where the better of two formulas changes.
+/// The amplitudes at which the better of two formulas changes.
 pub(super) fn crossings(a: &str, b: &str) -> Option<Vec<Crossover>> {
     Some(TABLE.crossovers(place(a)?, place(b)?))
 }
@@ -77,7 +77,7 @@ pub(super) fn holds_on(key: &str, tolerance: f64) -> Option<Vec<(f64, f64)>> {
     Some(TABLE.holds_on(place(key)?, tolerance))
 }
 
-/// Where a formula is exact.
+/// The amplitudes at which a formula is exact.
 pub(super) fn exact_at(key: &str) -> Option<Vec<f64>> {
     Some(TABLE.amplitudes_where_exact(place(key)?).iter().map(Angle::radians).collect())
 }
@@ -109,7 +109,7 @@ fn best_at(keys: &[&str], radians: f64) -> Option<String> {
     errors.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(key, _)| key.to_owned())
 }
 
-/// As `black_vel_3 to 129.4407756 degrees, then …`.
+/// Formats like `black_vel_3 to 129.4407756 degrees, then …`.
 pub(super) fn in_words(leaders: &[(String, f64)]) -> String {
     let (last, inner) = match leaders.split_last() {
         Some((last, inner)) => (last.0.as_str(), inner),
@@ -119,7 +119,7 @@ pub(super) fn in_words(leaders: &[(String, f64)]) -> String {
     format!("{}{last}", inner.collect::<String>())
 }
 
-/// As `0 to 77.785 degrees and 138.88 to 142.93 degrees`.
+/// Formats like `0 to 77.785 degrees and 138.88 to 142.93 degrees`.
 pub(super) fn intervals_in_words(intervals: &[(f64, f64)]) -> String {
     let end = |radians: f64| {
         let degrees = format!("{:.10}", radians.to_degrees());

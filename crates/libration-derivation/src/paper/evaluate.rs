@@ -3,7 +3,7 @@
 use libration::algebra::{Rational, Ring};
 use libration::expression::{Expression, Symbol};
 
-/// What the symbols of a formula stand for, by their names (`theta0`, `theta''`).
+/// The values of the symbols of a formula, by their names (`theta0`, `theta''`).
 pub(super) type Values<'a, E> = &'a dyn Fn(&str) -> Option<E>;
 
 /// The formula's value; `None` when a symbol has none, or an operation does not exist in the ring.

@@ -16,7 +16,7 @@ pub(super) struct Instant {
 }
 
 impl Instant {
-    /// What the symbols of an equation of motion stand for.
+    /// The values of the symbols of an equation of motion.
     pub(super) fn values(&self, amplitude: f64) -> [(&'static str, f64); 7] {
         [
             ("theta", self.angle),

@@ -1,8 +1,8 @@
-//! What a check found.
+//! Results of the checks of statements.
 
 use std::fmt;
 
-/// What became of a statement.
+/// The verdict on a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StatementVerdict {
     /// It is right.
@@ -40,13 +40,13 @@ impl fmt::Display for StatementVerdict {
 /// The verdict on a statement, with its reasons.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatementFinding {
-    /// What became of the statement.
+    /// Verdict on the statement.
     pub verdict: StatementVerdict,
-    /// Where the verdict holds, if not everywhere; often empty.
+    /// Range in which the verdict holds, if not everywhere; often empty.
     pub restriction: String,
-    /// What should stand there; empty where the statement needs no correction.
+    /// Correction of the statement; empty where none is needed.
     pub correct: String,
-    /// What was computed, with its numbers.
+    /// Computed evidence, with its numbers.
     pub evidence: String,
     /// The amplitudes in radians on which a quantitative claim holds; empty for other statements.
     pub holds_for: Vec<(f64, f64)>,

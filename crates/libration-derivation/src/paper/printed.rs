@@ -1,4 +1,4 @@
-//! What a document prints, read from text: formulas, and equations with two sides or more.
+//! Formulas that a document prints, read from text: expressions, and equations with two sides or more.
 
 use libration::algebra::Rational;
 use libration::expression::Expression;

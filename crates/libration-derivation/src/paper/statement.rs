@@ -13,7 +13,7 @@ pub enum Document {
 }
 
 impl Document {
-    /// Both.
+    /// All documents.
     pub const ALL: [Self; 2] = [Self::BlackVel, Self::Cote];
 
     /// `black-vel` or `cote`.
@@ -25,7 +25,7 @@ impl Document {
         }
     }
 
-    /// What was read of it.
+    /// The source from which it was read.
     #[must_use]
     pub const fn read_from(self) -> &'static str {
         match self {
@@ -53,17 +53,17 @@ impl Document {
 /// A statement with what became of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Where it stands.
+    /// Document that contains the statement.
     pub document: Document,
     /// `(25)`, `(C2)`, `Fig. 1`, or `text: …`.
     pub label: String,
-    /// What it says, in words of our own.
+    /// Claim of the document, in words of our own.
     pub claim: String,
-    /// What stands there, as formulas; integrals and sums by what is under them.
+    /// Formulas printed there; integrals and sums by their integrands and terms.
     pub printed: Vec<String>,
-    /// Whether the document has words, or an inequality, where `printed` has a formula of ours that says the same.
+    /// `true` if the document has words, or an inequality, where `printed` has a formula of ours that says the same.
     pub paraphrase: bool,
-    /// What was found.
+    /// Result of the check.
     pub finding: StatementFinding,
 }
 
@@ -105,7 +105,7 @@ impl Statement {
         }
     }
 
-    /// What the check finds when this is printed.
+    /// The result of the check when this is printed.
     pub fn finding(&self, printed: &[&str]) -> StatementFinding {
         let finding = Printed::read(printed).and_then(|printed| (self.check)(&printed));
         finding.unwrap_or_else(|| StatementFinding::not_decided(NOT_EVALUATED))

@@ -59,7 +59,7 @@ impl PhaseFunction {
         self.terms.is_empty()
     }
 
-    /// Whether it comes back after a whole turn.
+    /// Returns `true` if it has the same value after a whole turn.
     pub(crate) fn is_periodic(&self) -> bool {
         self.terms.keys().all(|(power, _, _)| *power == 0)
     }
@@ -155,7 +155,7 @@ impl PhaseFunction {
         })
     }
 
-    /// The value at so many half turns, π or 2π.
+    /// The value at `half_turns` half turns, π or 2π.
     pub fn at_half_turns(&self, half_turns: usize) -> PiNumber {
         let cosines = self.terms.iter().filter(|((_, _, wave), _)| *wave == Wave::Cosine);
         cosines.fold(PiNumber::default(), |sum, ((power, k, _), coefficient)| {

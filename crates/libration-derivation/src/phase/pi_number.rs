@@ -73,7 +73,7 @@ impl PiNumber {
         product
     }
 
-    /// Whether it is this number of the library.
+    /// Returns `true` if it is this number of the library.
     pub(crate) fn is(&self, other: &PiSum) -> bool {
         let mut terms = BTreeMap::new();
         for (power, surd) in other.terms() {

@@ -51,7 +51,7 @@ fn formula(place: Place<'_>, number: usize, statement: &Statement) -> String {
     format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), place.number(number))
 }
 
-/// How a formula was checked.
+/// The description of the check of a formula.
 pub(super) fn check(equation: &CheckedEquation) -> String {
     prose(&equation.check().to_prose())
 }

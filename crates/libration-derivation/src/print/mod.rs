@@ -14,14 +14,14 @@ use super::document::{Block, Derivation, DerivationStep};
 use super::formula::Formula;
 use super::prose::{Prose, Span};
 
-/// Where a block stands.
+/// The position of a block.
 #[derive(Clone, Copy)]
 struct Place<'a> {
     /// The id of its step, or of what it answers.
     id: &'a str,
     /// The number of the step; none in the introduction.
     step: usize,
-    /// Whether it is an answer, and its formulas are to be found elsewhere.
+    /// `true` if it is an answer, whose formulas are to be found elsewhere.
     is_answer: bool,
 }
 

@@ -116,7 +116,7 @@ impl<'a> Notebook<'a> {
         }
     }
 
-    /// What a condition takes from lower powers of which there was no cell.
+    /// The coefficients that a condition takes from lower powers for which there was no cell.
     fn lower(&mut self, condition: &'a OpenCondition) -> Vec<String> {
         let missing: Vec<_> =
             condition.lower.iter().filter(|(name, _)| !self.known.contains(&name)).collect();

@@ -12,7 +12,7 @@ use super::prose::Prose;
 use super::trials::{Swing, Trials};
 use super::words::{period, period_ratio, theta_0};
 
-/// Where the published formulas for the period come from, each with its leading error derived, and with its error at
+/// Derivations of the published formulas for the period, each with its leading error, and with its error at
 /// the amplitude of a swing if one is given.
 ///
 /// # Errors

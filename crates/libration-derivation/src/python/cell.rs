@@ -199,7 +199,7 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
     }
 }
 
-/// What orders below have found.
+/// A coefficient that lower orders have determined.
 pub(crate) fn known(name: &Name, value: &Formula) -> Option<String> {
     Some(format!("ansatz.known[\"{}\"] = polynomial({})", identifier(name)?, expression(value)?))
 }
@@ -221,7 +221,7 @@ fn substituted(statement: &Statement, condition: &OpenCondition) -> Option<Strin
     }
 }
 
-/// What names stand for, in an order in which each needs only those before it.
+/// The values of names, in an order in which each needs only those before it.
 fn given(letters: &Letters) -> Option<Vec<String>> {
     let functions = letters.functions.iter().map(|(name, parameters, body)| {
         let parameters: Option<Vec<String>> = parameters.iter().map(identifier).collect();

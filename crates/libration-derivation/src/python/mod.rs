@@ -7,10 +7,10 @@ pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, slow_flo
 use super::evaluate::TIME;
 use super::formula::{DecimalUnit, Formula, Name, Subscript};
 
-/// What the expressions are computed with: Python's fractions and floats.
+/// The functions with which the expressions are computed: Python's fractions and floats.
 pub(super) const PRELUDE: &str = include_str!("prelude.py");
 
-/// How tightly an expression holds together.
+/// The precedence of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Level {
     Sum,

@@ -4,7 +4,7 @@ use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Subscript};
 use super::place::{Place, place};
 use libration::algebra::{Function, Rational};
 
-/// What is set side by side, above and below.
+/// The parts of a formula, set side by side, above and below.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Layout {
     Row(Vec<Self>),
@@ -44,7 +44,7 @@ pub(crate) enum Layout {
     Bars(Box<Self>),
 }
 
-/// Where a formula stands.
+/// The setting of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     /// On its own line: fractions are stacked.
@@ -270,7 +270,7 @@ fn unsigned(term: &Formula) -> (bool, Formula) {
     }
 }
 
-/// What stands between two factors.
+/// The sign between two factors.
 fn between(left: &Formula, right: &Formula) -> Option<Layout> {
     let begins_with_digit = match right {
         Formula::Number(_) | Formula::Decimal(_) => true,
@@ -292,7 +292,7 @@ fn between(left: &Formula, right: &Formula) -> Option<Layout> {
     }
 }
 
-/// Whether the function is written as a word before its argument.
+/// Returns `true` if the function is written as a word before its argument.
 fn is_named(function: Function) -> bool {
     !matches!(function, Function::Sqrt | Function::Abs | Function::Exp)
 }

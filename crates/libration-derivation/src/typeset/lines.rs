@@ -11,7 +11,7 @@ pub(crate) struct Lines {
 
 /// Characters that a line has room for, in print and within what folds away: with 60 the widest lines of the longest pages just fit.
 const ROOM: usize = 60;
-/// What is left for a line beside a long left side.
+/// Least width of a line next to a long left side.
 const LEAST_ROOM: usize = 36;
 
 /// A chain of more than two formulas has a line for each, a sum that is too long several.

@@ -1,9 +1,9 @@
-//! How strongly the parts of a formula hold together.
+//! Precedence of the parts of a formula.
 
 use super::super::formula::Formula;
 use libration::algebra::Function;
 
-/// From what needs brackets nearly everywhere to what needs none.
+/// Precedences, from those that need brackets nearly everywhere to those that need none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     /// a + b, −a.

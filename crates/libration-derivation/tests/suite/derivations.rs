@@ -77,7 +77,7 @@ fn steps_and_formulas_are_numbered_and_linked_by_ids_of_their_own() {
     }
 }
 
-/// What is asked for is not told before the answers, and every result is asked for or told.
+/// Exercises do not state a result before the answers, and every result is asked for or stated.
 #[test]
 fn exercises_leave_out_the_results_and_answer_them_at_the_end() {
     for derivation in every_road() {
@@ -98,7 +98,7 @@ fn exercises_leave_out_the_results_and_answer_them_at_the_end() {
         for (id, equation) in &answers {
             let result = equation.statement().rest.last().map(|(_, side)| formula_latex(side)).unwrap();
             let (shown, number) = (statement_latex(equation.statement()), id.rsplit('.').next().unwrap());
-            // What is left over is no result: it is to be shown, and its check is an answer.
+            // What is left over does not count as a result: it is to be shown, and its check is an answer.
             let is_to_be_shown = matches!(equation.statement().rest.last(), Some((_, Formula::Order(_))));
             assert_eq!(page.contains(&format!("{shown}\n\\tag{{")), is_to_be_shown, "{shown}");
             assert!(whole.contains(&format!("{shown}\n\\tag{{")), "{shown}");

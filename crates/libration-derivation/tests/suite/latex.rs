@@ -42,7 +42,7 @@ fn columns(specification: &str) -> usize {
     found
 }
 
-/// What stands in the braces that the text begins behind, and the rest.
+/// The text in braces whose opening brace is before the text, and the rest.
 fn in_braces(text: &str) -> (&str, &str) {
     let mut depth = 1;
     for (at, letter) in text.char_indices() {

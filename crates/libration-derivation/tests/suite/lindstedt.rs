@@ -1,4 +1,4 @@
-//! A motion that is no solution is not taken for one.
+//! Rejection of motions that are not solutions.
 
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::oscillator::NamedOscillator;

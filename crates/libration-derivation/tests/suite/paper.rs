@@ -104,7 +104,7 @@ fn the_equations_that_are_not_verified_are_these() {
     assert_eq!(found(Document::Cote, StatementVerdict::Typo), ["(22)", "(34)"]);
 }
 
-/// What the documents print with the error mended, and with it the verdict.
+/// Statements with the printed error mended, which changes the verdict.
 const MENDED: [(Document, &str, &[&str]); 13] = [
     (Document::BlackVel, "text: the Fourier integrals", &["1/pi"]),
     (Document::BlackVel, "text: a1 is not much greater", &["a1 = 4"]),
@@ -255,7 +255,7 @@ fn with_another_number(text: &str) -> Vec<String> {
     numbers_in(text).into_iter().flat_map(both).collect()
 }
 
-/// Where the numbers stand that are not part of a name.
+/// The ranges of bytes of the numbers that are not part of a name.
 fn numbers_in(text: &str) -> Vec<(usize, usize)> {
     let (mut found, mut start, mut before) = (Vec::new(), None, ' ');
     for (place, letter) in text.char_indices().chain([(text.len(), ' ')]) {

@@ -2,7 +2,7 @@
 
 use super::DoubleDouble;
 
-/// How many elements make a block: enough to hide the latency of long chains of dependent operations, few
+/// Number of elements of a block: enough to hide the latency of long chains of dependent operations, few
 /// enough to stay in the first-level cache.
 pub const BLOCK: usize = 64;
 

@@ -37,7 +37,7 @@ pub struct ReducedArctangent {
     pub upper: f64,
     /// t to the nearest word.
     pub t: f64,
-    /// What is missing of it.
+    /// The rest of t.
     pub t_lo: f64,
 }
 

@@ -41,7 +41,7 @@ pub struct ReducedLogarithm {
     pub exponent: f64,
     /// q to the nearest word.
     pub q: f64,
-    /// What is missing of it.
+    /// The rest of q.
     pub q_lo: f64,
 }
 

@@ -34,7 +34,7 @@ pub fn sin_cos_of_turns(y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     sin_cos_of_part(r, r_lo)
 }
 
-/// Those of `r + r_lo` in two words, |r| ≤ π/4.
+/// Sine and cosine of `r + r_lo` in two words, |r| ≤ π/4.
 #[inline(always)]
 fn sin_cos_of_part(r: f64, r_lo: f64) -> (DoubleDouble, DoubleDouble) {
     let x = r * r;

@@ -8,8 +8,8 @@ use crate::double_double::DoubleDouble;
 /// bring arguments of any size together.
 const MOST_STEPS: usize = 100;
 
-/// How close the arguments are when the series of seventh order ends the duplication: it misses a fiftieth of the eighth
-/// power of this.
+/// The closeness of the arguments at which the series of seventh order ends the duplication: its error is a fiftieth of the eighth
+/// power of the distance.
 #[derive(Clone, Copy)]
 pub(crate) enum Closeness {
     /// 2⁻⁶² of the result.
@@ -45,7 +45,7 @@ impl Duplication {
         Self { roots, arguments, sum: DoubleDouble::ZERO, power: 1.0 }
     }
 
-    /// Whether the series may end it; also for what is not a number.
+    /// Returns `true` if the series may end it; also for a value that is not a number.
     #[inline(always)]
     pub(super) fn is_close(&self, closeness: Closeness) -> bool {
         let [x, _, z] = self.arguments;

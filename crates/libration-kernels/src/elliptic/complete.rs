@@ -36,7 +36,7 @@ impl Kernel for OfWords {
 }
 
 impl Complete {
-    /// Of a modulus and its ln(1/q).
+    /// Computes the integrals of a modulus from its ln(1/q).
     #[inline(always)]
     pub(crate) fn new(nearer: &Nearer, descent: &Descent, log: DoubleDouble) -> Self {
         let (near, later) = (descent.near_quarter(), descent.later_differences(nearer));
@@ -53,7 +53,7 @@ impl Complete {
         }
     }
 
-    /// By Legendre's relation (DLMF 19.7.1), E = π/2K′ + (1 − E′/K′)·K.
+    /// Computes the integrals by Legendre's relation (DLMF 19.7.1), E = π/2K′ + (1 − E′/K′)·K.
     #[inline(always)]
     fn far(nearer: &Nearer, near: DoubleDouble, later: DoubleDouble, log: DoubleDouble) -> Self {
         if nearer.smaller.hi == 0.0 {

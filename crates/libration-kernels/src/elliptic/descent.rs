@@ -28,7 +28,7 @@ const SECOND: [f64; 7] = [8.0, 16.0, 128.0, 1312.0, 15104.0, 186112.0, 2398208.0
 
 const FRAC_1_PI: DoubleDouble = DoubleDouble::new(0.3183098861837907, -1.9678676675182486e-17);
 
-/// What is left after two steps, and what they were.
+/// The quantities after two steps of the descent.
 #[derive(Clone, Copy, Debug)]
 pub struct Descent {
     /// (1 + r)², four times the mean.

@@ -24,7 +24,7 @@ pub(super) const LARGEST_REDUCED: f64 = 1e18;
 const FRAC_PI_2_THIRD: f64 = 0.5 * DoubleDouble::PI_TAIL.lo;
 
 impl Reduced {
-    /// By the nearest quarter turn, from which sine and cosine are both relatively accurate: on which side of an odd
+    /// Reduces by the nearest quarter turn, from which sine and cosine are both relatively accurate: on which side of an odd
     /// quarter φ lies is then the sign of the rest, and not a rounded quotient.
     #[inline(always)]
     pub(super) fn new(phi: f64) -> Self {
@@ -81,7 +81,7 @@ impl Kernel for FirstOfPoint {
 
 /// An integral of an angle and a modulus.
 pub(super) trait OfAngle {
-    /// Whether Carlson's `R_D` is wanted beside `R_F`.
+    /// `true` if Carlson's `R_D` is needed besides `R_F`.
     const SECOND: bool;
     /// The integral to the reduced angle; `#[inline(always)]`.
     fn partial(nearer: &Nearer, reduced: &Reduced, duplication: &Duplication) -> DoubleDouble;
@@ -149,7 +149,7 @@ pub(super) fn of_extreme(phi: f64, quarter: DoubleDouble) -> f64 {
     if phi.is_finite() { mean_growth(quarter, phi) } else { f64::NAN }
 }
 
-/// Whether [`of_extreme`] answers.
+/// Returns `true` if [`of_extreme`] gives the integral.
 #[inline(always)]
 pub(super) fn is_extreme(phi: f64) -> bool {
     let within = phi.abs() > 0.0 && phi.abs() <= LARGEST_REDUCED;
@@ -179,7 +179,7 @@ pub(super) fn second(modulus: &Modulus, phi: f64) -> f64 {
     dispatch(One(PhantomData::<Second>, &modulus.nearer, modulus.integrals.second, phi))
 }
 
-/// Whether an integral to this angle needs none over a quarter turn.
+/// Returns `true` if an integral to this angle needs none over a quarter turn.
 pub(super) fn is_in_first_quarter(phi: f64) -> bool {
     phi.abs() <= std::f64::consts::FRAC_PI_2 && !is_extreme(phi)
 }

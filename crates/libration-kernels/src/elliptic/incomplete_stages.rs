@@ -107,7 +107,7 @@ impl<F: OfAngle + OfModulusWords> Kernel for Each<'_, F> {
     }
 }
 
-/// What one stage leaves for the next.
+/// Results of each stage for the next.
 #[repr(align(64))]
 struct IncompleteStages {
     modulus: ModulusStages,

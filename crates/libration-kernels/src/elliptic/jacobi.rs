@@ -24,7 +24,7 @@ pub struct Jacobi {
     pub am: f64,
 }
 
-/// What a modulus needs for its Jacobi functions.
+/// The quantities of a modulus that its Jacobi functions need.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quotients {
     clock: PhaseClock,
@@ -35,7 +35,7 @@ pub(crate) struct Quotients {
     degenerate: bool,
 }
 
-/// What the quotients are made of besides values at a point. With the values a₀ … d₀ at zero of the four series,
+/// The factors of the quotients apart from values at a point. With the values a₀ … d₀ at zero of the four series,
 /// less what cancels in the quotients:
 ///
 /// | expansion | third | beside | other | other of an odd quarter |

@@ -8,7 +8,7 @@ use crate::dispatch::{Kernel, dispatch_slices};
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::{DoubleDouble, pick};
 
-/// Where the functions of a batch are written.
+/// Output slices for the functions of a batch.
 #[derive(Debug)]
 pub struct JacobiSlices<'a> {
     /// sn u.
@@ -86,7 +86,7 @@ impl Kernel for Each<'_> {
     }
 }
 
-/// What one stage leaves for the next.
+/// Results of each stage for the next.
 #[repr(align(64))]
 struct JacobiStages {
     is_prepared: bool,
@@ -148,7 +148,7 @@ impl JacobiStages {
         self.limits();
     }
 
-    /// What belongs to the moduli alone.
+    /// Computes the quantities that depend on the moduli alone.
     #[inline(always)]
     fn prepare(&mut self) {
         for i in 0..BLOCK {

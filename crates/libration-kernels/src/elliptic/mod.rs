@@ -71,7 +71,7 @@ pub struct Modulus {
     quotients: Quotients,
 }
 
-/// Why a number is not a modulus, a parameter or a nome.
+/// The reason why a number is not a modulus, a parameter or a nome.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModulusError {
@@ -81,9 +81,9 @@ pub enum ModulusError {
     /// Outside [0, 1], or NaN.
     #[error("{name} is {value:?}: give a number from 0 to 1")]
     OutOfRange {
-        /// Which number.
+        /// Name of the number.
         name: &'static str,
-        /// What was got.
+        /// Its value.
         value: f64,
     },
 }
@@ -91,7 +91,7 @@ pub enum ModulusError {
 /// Above it k′ is below 1e-300.
 const LARGEST_NOME: f64 = 0.9929;
 
-/// Which of the two nomes is the smaller, and so which expansion serves.
+/// The smaller of the two nomes, which decides the expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(hidden)]
 pub enum Expansion {

@@ -70,7 +70,7 @@ impl<'a> Moduli<'a> {
     }
 }
 
-/// As many elements take less time one by one than a block does.
+/// Largest number of elements that take less time one after the other than in a block.
 pub(super) const FEW: usize = 6;
 
 /// Slices of a batch whose lengths differ.

@@ -6,7 +6,7 @@ use super::nearer::Nearer;
 use crate::double_double::block::{BLOCK, Words};
 use crate::elementary::FineLogarithms;
 
-/// What one stage leaves for the next.
+/// Results of each stage for the next.
 #[repr(align(64))]
 #[derive(Debug)]
 pub(super) struct ModulusStages {
@@ -89,7 +89,7 @@ impl ModulusStages {
         self.above[i] > 0.5
     }
 
-    /// Whether k = 1.
+    /// Returns `true` if k = 1.
     #[inline(always)]
     pub(super) fn is_degenerate(&self, i: usize) -> bool {
         self.above(i) && self.smaller.hi[i] == 0.0

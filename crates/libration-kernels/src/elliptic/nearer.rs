@@ -9,11 +9,11 @@ use crate::double_double::{DoubleDouble, fast_two_sum, pick};
 /// The smaller of m and 1 − m, and the root of the larger.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearer {
-    /// Whether m is the larger, above one half.
+    /// `true` if m is the larger, above one half.
     pub above: bool,
     /// The smaller, times `RAISE`² where it is `raised`.
     pub(crate) smaller: DoubleDouble,
-    /// Whether the smaller is below 1e-200, where its second word and what is divided from it would underflow.
+    /// `true` if the smaller is below 1e-200, where its second word and quotients with it would underflow.
     pub raised: bool,
     /// √(1 − smaller).
     pub(crate) root: DoubleDouble,
@@ -21,12 +21,12 @@ pub struct Nearer {
 
 /// 2⁶⁰⁰.
 const RAISE: f64 = 4.149515568880993e180;
-/// Where a parameter is raised, and the modulus whose square it is.
+/// Threshold below which a parameter is raised, and the modulus whose square it is.
 const SMALL: f64 = 1e-200;
 const SMALL_MODULUS: f64 = 1e-100;
 
 impl Nearer {
-    /// Of the parameter m, 0 ≤ m ≤ 1.
+    /// Creates it from the parameter m, 0 ≤ m ≤ 1.
     #[inline(always)]
     pub fn from_parameter(m: f64) -> Self {
         let above = m > 0.5;
@@ -34,7 +34,7 @@ impl Nearer {
         Self::from_smaller(above, if above { 1.0 - m } else { m })
     }
 
-    /// Of the complementary parameter 1 − m.
+    /// Creates it from the complementary parameter 1 − m.
     #[inline(always)]
     pub fn from_complementary_parameter(complementary: f64) -> Self {
         let above = complementary < 0.5;
@@ -61,7 +61,7 @@ impl Nearer {
         Self { above, smaller: DoubleDouble::from(smaller * raise * raise), raised, root }
     }
 
-    /// Of the modulus k beside its complement k′.
+    /// Creates it from the modulus k and its complement k′.
     #[inline(always)]
     pub fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         let above = modulus.hi > complementary.hi;

@@ -267,7 +267,7 @@ fn one_plus(p: DoubleDouble, slope: f64, tail: f64) -> DoubleDouble {
     DoubleDouble::new(sum.hi, sum.lo + rest)
 }
 
-/// Of two numbers whose second words may overlap the first by some bits.
+/// The product of two numbers whose second words may overlap the first by some bits.
 #[inline(always)]
 fn product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let product = two_prod(a.hi, b.hi);

@@ -1,4 +1,4 @@
-//! What the periods of a block of swings take from their moduli, stage by stage.
+//! Integrals that the periods of a block of swings take from their moduli, stage by stage.
 
 use super::complete::{cosine_part_near, second_less_scaled_first_far};
 use super::descent::Descent;
@@ -8,7 +8,7 @@ use super::nome;
 use crate::double_double::block::{BLOCK, Words};
 use crate::double_double::pick;
 
-/// As [`complete_and_nome`](super::complete_and_nome) finds it, for moduli whose complements are not zero.
+/// The integrals that [`complete_and_nome`](super::complete_and_nome) computes, for moduli whose complements are not zero.
 #[derive(Debug)]
 pub struct SwingStages {
     stages: ModulusStages,
@@ -27,7 +27,7 @@ impl SwingStages {
         nome: [0.0; BLOCK],
     };
 
-    /// Of the moduli k with their complements k′.
+    /// Computes the integrals of the moduli k with their complements k′.
     #[inline(always)]
     pub fn block(&mut self, moduli: &Words, complements: &Words) {
         for i in 0..BLOCK {

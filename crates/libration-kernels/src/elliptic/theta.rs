@@ -311,7 +311,7 @@ impl Phase {
         }
     }
 
-    /// The phase so many quarters later, −2 … 2.
+    /// The phase advanced by `quarters` quarters, −2 … 2.
     #[inline(always)]
     fn advanced(self, quarters: f64) -> Self {
         let quarter = self.quarter + quarters;
@@ -321,7 +321,7 @@ impl Phase {
         Self { turns: self.turns + turn, quarter: (-4.0f64).fma(turn, quarter), rest: self.rest }
     }
 
-    /// Whether the nearest quarter is odd.
+    /// Returns `true` if the nearest quarter is odd.
     #[inline(always)]
     pub fn is_odd(&self) -> bool {
         self.quarter.abs() > 0.5 && self.quarter.abs() < 1.5

@@ -183,7 +183,7 @@ pub(super) fn period_of_quarter(first: DoubleDouble, angular_frequency: DoubleDo
     (first.scaled(4.0) / angular_frequency).to_f64()
 }
 
-/// What [`Amplitude::of_modulus`] finds.
+/// The result of [`Amplitude::of_modulus`].
 pub(super) struct OfModulus {
     /// K.
     pub(super) first: DoubleDouble,

@@ -100,7 +100,7 @@ impl ApproximateMotion {
         self.name
     }
 
-    /// Where it is published.
+    /// The work in which it is published.
     #[must_use]
     pub fn source(&self) -> &'static str {
         self.source
@@ -161,7 +161,7 @@ fn series(coefficients: &[Ratio], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, (numerator, denominator)| sum * x + numerator / denominator)
 }
 
-/// Why there is no such approximate motion.
+/// The reason why there is no such approximate motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ApproximateMotionError {

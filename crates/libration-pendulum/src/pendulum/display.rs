@@ -5,7 +5,7 @@ use std::fmt;
 use super::{Motion, Pendulum, Size};
 use libration_numbers::quantity::rounded;
 
-/// What it was given by.
+/// Displays the quantities by which the pendulum was given.
 ///
 /// # Examples
 /// ```

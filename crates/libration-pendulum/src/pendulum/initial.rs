@@ -11,7 +11,7 @@ use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::quantity::Angle;
 
-/// How the energy lies to that of the separatrix, with √|1 − e|.
+/// Comparison of the energy with that of the separatrix, with √|1 − e|.
 pub(super) struct Separation {
     /// Less in libration, greater in rotation.
     pub(super) energy: Ordering,
@@ -54,7 +54,7 @@ pub(super) fn separation(
     Some(Separation { energy, root: cosine * difference.abs().sqrt() })
 }
 
-/// 1 − l·θ′²/(4g·cos²(θ/2)) in so many bits.
+/// Computes 1 − l·θ′²/(4g·cos²(θ/2)) in `bits` bits.
 #[cold]
 fn relative_difference(angle: &Angle, velocity: f64, size: Size, bits: usize) -> DoubleDouble {
     let big = |words| BigFloat::from_words(words, bits);

@@ -76,7 +76,7 @@ pub struct Pendulum {
     size: Size,
 }
 
-/// What the pendulum was given by.
+/// The quantities by which the pendulum was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Size {
     LengthAndGravity { length: f64, gravity: f64 },
@@ -86,16 +86,16 @@ enum Size {
 /// Angular frequencies whose periods and velocities stay within the range of `f64`, second words included.
 const USABLE: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
 
-/// Why a pendulum or a motion cannot be.
+/// The reason why a pendulum or a motion does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PendulumError {
     /// A length, gravity, frequency or period that is not a positive finite number.
     #[error("the {name} is {value:?}: give a positive, finite number")]
     NotPositive {
-        /// Which quantity.
+        /// Name of the quantity.
         name: &'static str,
-        /// What was got.
+        /// Its value.
         value: f64,
     },
     /// An angular frequency whose period or velocities would leave the range of `f64`.
@@ -114,9 +114,9 @@ pub enum PendulumError {
     /// A velocity or an energy that is not finite.
     #[error("the {name} is {value:?}: give a finite number")]
     NotFinite {
-        /// Which quantity.
+        /// Name of the quantity.
         name: &'static str,
-        /// What was got.
+        /// Its value.
         value: f64,
     },
     /// An amplitude at or beyond the upright position.
@@ -176,7 +176,7 @@ pub enum PendulumError {
         "the {name} for a period of {period:?} s is beyond the range of numbers: give a period closer to one second"
     )]
     Unattainable {
-        /// What was asked for.
+        /// Name of the quantity requested.
         name: &'static str,
         /// The period.
         period: f64,

@@ -155,7 +155,7 @@ impl Pendulum {
         scaled / frequency.times_power_of_two(-exponent)
     }
 
-    /// Whether an energy ratio is within the range of numbers.
+    /// Checks that an energy ratio is within the range of numbers.
     fn reaches(&self, energy_ratio: f64) -> Result<(), PendulumError> {
         let speed = libm::sqrt(energy_ratio);
         if speed > FASTEST || 2.0 * self.angular_frequency() * speed > LARGEST_VELOCITY {

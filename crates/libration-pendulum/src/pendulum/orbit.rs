@@ -1,4 +1,4 @@
-//! What the periodic motions share: a phase clock, theta series, and quotients of their values.
+//! Common parts of the periodic motions: a phase clock, theta series, and quotients of their values.
 
 use std::marker::PhantomData;
 

@@ -202,9 +202,9 @@ pub(super) fn within_pi(amplitude: f64) -> bool {
 #[derive(Clone, Copy)]
 pub(super) struct OfAmplitude<R>(pub(super) R);
 
-/// How the two forms of the period are rounded to one answer.
+/// Rounding of the two forms of the period to one result.
 pub(super) trait Rounding: Copy {
-    /// The answer, from T/T0 − 1 below π/2 and T/T0 above.
+    /// Rounds T/T0 − 1 below π/2 and T/T0 above.
     fn round(above: bool, excess_below: DoubleDouble, ratio_above: DoubleDouble) -> f64;
 }
 

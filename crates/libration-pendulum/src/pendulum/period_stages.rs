@@ -65,7 +65,7 @@ pub fn period_ratios_near_top(complements: &[f64], ratios: &mut [f64]) -> Result
     Ok(())
 }
 
-/// What one stage leaves for the next, word by word for the vector units.
+/// Results of each stage for the next, word by word for the vector units.
 #[repr(align(64))]
 pub(super) struct Stages {
     pub(super) s: Words,

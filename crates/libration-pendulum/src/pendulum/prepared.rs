@@ -123,7 +123,7 @@ impl Place {
         Self { gone: gone + table.start, rest: (sum.hi - gone) + lo }
     }
 
-    /// Whether the segments gone have been counted exactly; not for NaN.
+    /// Returns `true` if the segments passed have been counted exactly; `false` for NaN.
     #[inline(always)]
     fn is_counted(&self) -> bool {
         self.gone.abs() < MOST_GONE
@@ -170,7 +170,7 @@ impl Segment {
     }
 }
 
-/// How the angle is put together from the base of its segment.
+/// Computation of the angle from the base of its segment.
 trait Unwrap: Copy {
     /// The unwrapped angle; `#[inline(always)]`.
     fn angle(self, at: &Evaluated) -> f64;
@@ -257,7 +257,7 @@ impl<U: Unwrap> Kernel for Each<'_, U> {
     }
 }
 
-/// What one stage of a block leaves for the next, in memory, for which the compiler makes vector operations of it.
+/// Results of each stage of a block for the next, in memory, for which the compiler makes vector operations of it.
 #[repr(align(64))]
 struct Stages {
     gone: [f64; BLOCK],

@@ -44,7 +44,7 @@ impl Pendulum {
     }
 }
 
-/// Whether half of its complement is a normal number.
+/// Returns `true` if half of the amplitude's complement is a normal number.
 #[inline(always)]
 fn is_regular(amplitude: &Amplitude) -> bool {
     amplitude.angle.complement_words().to_f64() >= SMALLEST_HALVED
@@ -73,12 +73,12 @@ impl Kernel for Each<'_> {
     }
 }
 
-/// What one stage leaves for the next.
+/// Results of each stage for the next.
 #[repr(align(64))]
 struct Block {
     amplitude: Words,
     complement: Words,
-    /// Of half the amplitude, k and k′.
+    /// Sine and cosine of half the amplitude, k and k′.
     sine: Words,
     cosine: Words,
     modulus: SwingStages,

@@ -38,7 +38,7 @@ pub(super) struct Table {
     /// Segments from the nearest quarter at t = 0, and whole segments to that quarter.
     pub(super) offset: DoubleDouble,
     pub(super) start: f64,
-    /// What is gained in all segments once through, in rotation.
+    /// Gain over one pass through all segments, in rotation.
     pub(super) cycle: Option<Cycle>,
     pub(super) turns: i64,
     /// One less than the number of segments, a power of two. Taken from a field and not from the length, it
@@ -136,7 +136,7 @@ impl Table {
     }
 }
 
-/// How many segments a cycle of `half_periods`·2K needs, if that is not too many.
+/// Number of segments that a cycle of `half_periods`·2K needs, if that is not too many.
 fn segments(modulus: &Modulus, half_periods: f64) -> Option<f64> {
     let ratio = modulus.first_words() / modulus.complementary_first_words();
     let needed = (CLEARANCE * half_periods * ratio.hi).max(FEWEST_SEGMENTS);

@@ -31,9 +31,9 @@ pub fn state(amplitude: f64, angular_frequency: f64, time: f64) -> State {
     dispatch(One { amplitude, angular_frequency, time })
 }
 
-/// What the two expansions do differently. The factors are those of `Libration`, left as quotients.
+/// Differences between the two expansions. The factors are those of `Libration`, left as quotients.
 pub(super) trait ReleaseSide: Side {
-    /// Whether the amplitudes are above π/2.
+    /// `true` if the amplitudes are above π/2.
     const ABOVE: bool;
     /// T/T0 from the period ratio of the nearer side and the log of its inverse nome.
     fn ratio(gauss: DoubleDouble, log: DoubleDouble) -> DoubleDouble;
@@ -105,7 +105,7 @@ pub(super) fn gauss(excess: DoubleDouble) -> DoubleDouble {
 /// 2⁴⁹: from here on the bound of the error, 2⁻⁵¹ of the time, is a quarter of the period or more.
 const MOST_PERIODS: f64 = 562949953421312.0;
 
-/// Where in its orbit a pendulum of period ratio R is at ω0t: ω0t/2πR turns after the turning point.
+/// The phase in its orbit of a pendulum of period ratio R at ω0t: ω0t/2πR turns after the turning point.
 #[inline(always)]
 pub(super) fn phase(ratio: DoubleDouble, angular_frequency: f64, time: f64) -> Phase {
     let angle = two_prod(angular_frequency, time);

@@ -50,7 +50,7 @@ impl Kernel for Each<'_> {
             for slice in [self.amplitudes, self.times, &*self.angles, &*self.velocities] {
                 fetch_ahead(&slice[place..end]);
             }
-            // So many that neither queue overflows, and counted outside of memory.
+            // As many elements as leave neither queue overflowing, counted outside of memory.
             let room = BLOCK - above.count.max(below.count);
             let (mut above_count, mut below_count) = (above.count, below.count);
             let elements = self.amplitudes[place..].iter().zip(&self.times[place..]).take(room);
@@ -85,7 +85,7 @@ impl Kernel for Each<'_> {
     }
 }
 
-/// As many elements take longer one by one than a block does.
+/// Largest number of elements that take less time one after the other than in a block.
 const FEW: usize = 6;
 
 /// Elements of one side waiting for a block to fill.
@@ -123,7 +123,7 @@ impl Queue {
     }
 }
 
-/// What one stage leaves for the next.
+/// Results of each stage for the next.
 #[repr(align(64))]
 struct ReleaseStages {
     angular_frequency: f64,

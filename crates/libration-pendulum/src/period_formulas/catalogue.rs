@@ -1,4 +1,5 @@
-//! What is known of each closed formula. Where the original text was not read, the source says so: that of the others is the work named beside it, or a derivation.
+//! Data of each closed formula. Where the original text was not read, the source says so: that of the others is the work named with it, or a
+//! derivation.
 
 use super::formula::Attribution::{self, Attributed, Certain};
 use super::law::Law;

@@ -86,7 +86,7 @@ impl Exact {
     }
 }
 
-/// What the error's size asks for, or twice as much when it is lost in rounding.
+/// The precision that the error's size requires, or twice as much when it is lost in rounding.
 fn next_precision(precision: usize, exponent: isize, spoilt: isize) -> usize {
     let visible = exponent > spoilt;
     let asked = if visible { GOOD_BITS + GUARD_BITS - exponent + 1 } else { 2 * signed(precision) };

@@ -37,7 +37,7 @@ pub struct PeriodFormula {
     pub(super) law: Law,
 }
 
-/// Whether a formula was seen in the source named, or is ascribed to it from memory.
+/// The certainty of a source: a formula was seen in the source named, or is ascribed to it from memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Attribution {
     /// A text that was read has the formula and names its origin.
@@ -46,7 +46,7 @@ pub enum Attribution {
     Attributed,
 }
 
-/// What an evaluation on a pocket calculator takes.
+/// The operations of an evaluation on a pocket calculator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Complexity {
     /// Sines, cosines, logarithms, powers, Bessel functions.
@@ -58,7 +58,7 @@ pub struct Complexity {
 }
 
 impl Complexity {
-    /// What formulas are ordered by from the simplest on: an operation counts 1, a root 2, a function 3.
+    /// A weighted count that orders formulas, beginning with the simplest: an operation counts 1, a root 2, a function 3.
     #[must_use]
     pub fn rank(&self) -> u32 {
         u32::from(self.operations) + 2 * u32::from(self.roots) + 3 * u32::from(self.functions)
@@ -167,25 +167,25 @@ impl PeriodFormula {
         &self.name
     }
 
-    /// Who published it; empty when nobody in particular.
+    /// The authors who published it; empty when it belongs to nobody in particular.
     #[must_use]
     pub fn authors(&self) -> &str {
         &self.authors
     }
 
-    /// When.
+    /// The year of publication.
     #[must_use]
     pub fn year(&self) -> Option<u16> {
         self.year
     }
 
-    /// Where; what rests on memory alone is `attributed to` its source.
+    /// The place of publication; a source known from memory alone begins with `attributed to`.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// Whether the source has been read.
+    /// The certainty of the source: read, or from memory.
     #[must_use]
     pub fn attribution(&self) -> Attribution {
         self.attribution
@@ -197,13 +197,13 @@ impl PeriodFormula {
         &self.latex
     }
 
-    /// Where it is good and how it ends, in words.
+    /// The range of good accuracy and the behaviour at its end, in words.
     #[must_use]
     pub fn domain(&self) -> &str {
         &self.domain
     }
 
-    /// What an evaluation takes.
+    /// The operations of an evaluation.
     #[must_use]
     pub fn complexity(&self) -> Complexity {
         self.complexity

@@ -1,4 +1,4 @@
-//! Where searches over all amplitudes begin: points that crowd at neither the bottom nor the top.
+//! Starting points of searches over all amplitudes: points that crowd at neither the bottom nor the top.
 
 use super::swing::SwingAmplitude;
 use libration_kernels::double_double::DoubleDouble;

@@ -136,7 +136,7 @@ fn chachiyo<R: Real>(swing: &Swing<R>) -> R {
     two_over_pi(swing) * ((n.clone() * logarithm(swing)).exp() + b).ln() / n
 }
 
-/// The arithmetic and the geometric mean after so many steps from 1 and c.
+/// The arithmetic and the geometric mean after `steps` steps from 1 and c.
 fn means<R: Real>(swing: &Swing<R>, steps: u8) -> (R, R) {
     let start = (swing.number(1), swing.cos_half.clone());
     (0..steps).fold(start, |(a, b), _| ((a.clone() + b.clone()) / swing.number(2), (a * b).sqrt()))

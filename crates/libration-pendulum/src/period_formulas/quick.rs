@@ -7,7 +7,7 @@ use libration_kernels::double_double::block::{BLOCK, Words};
 use libration_kernels::double_double::{DoubleDouble, pick};
 use libration_kernels::elementary::two_word;
 
-/// What the formulas take, and the exact ratio.
+/// Input of the formulas in two words, and the exact ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Quick {
     pub swing: Swing<DoubleDouble>,
@@ -38,7 +38,7 @@ impl Quick {
         (below.to_bits() == above.to_bits() && below.is_finite()).then_some(below)
     }
 
-    /// By how much a fractional error may be wrong.
+    /// Error bound of a fractional error.
     pub fn off(&self, error: &DoubleDouble) -> f64 {
         let lost = f64::max(1.0, FULL_ABOVE / self.swing.amplitude.hi);
         QUICK_ERROR * (1.0 + error.hi.abs()) * lost * lost
@@ -83,7 +83,7 @@ impl Kernel for Block<'_> {
     }
 }
 
-/// [`Swing::exact_ratio`] of each cos(θ0/2): whoever has arrived waits for the others.
+/// Computes [`Swing::exact_ratio`] of each cos(θ0/2): elements that have converged wait for the others.
 #[inline(always)]
 fn exact_ratios(mut smaller: Words) -> Words {
     let mut larger = Words::ONE;

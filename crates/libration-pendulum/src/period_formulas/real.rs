@@ -1,4 +1,4 @@
-//! What a formula needs of a number, for `f64`, for two words and for floats of any precision.
+//! Operations that a formula needs of a number, for `f64`, for two words and for floats of any precision.
 
 use libration_kernels::double_double::DoubleDouble;
 use libration_kernels::elementary::two_word;

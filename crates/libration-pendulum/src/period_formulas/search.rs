@@ -1,4 +1,4 @@
-//! Where a formula keeps a tolerance, and where one overtakes another: zeros of exact errors.
+//! Amplitudes up to which a formula keeps a tolerance, and at which one overtakes another: zeros of exact errors.
 
 use super::error::Exact;
 use super::formula::PeriodFormula;
@@ -18,7 +18,7 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 /// The amplitude at which an error is largest on an interval, and that error with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorstError {
-    /// Where.
+    /// Amplitude of the worst error.
     pub amplitude: Angle,
     /// formula/exact − 1 there; infinite where the formula stops being defined.
     pub error: f64,
@@ -27,7 +27,7 @@ pub struct WorstError {
 /// An amplitude at which the errors of two formulas are equally large.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossover {
-    /// Where.
+    /// Amplitude of the crossover.
     pub amplitude: Angle,
     /// The key of the formula with the smaller error directly below.
     pub better_below: String,
@@ -68,7 +68,7 @@ impl ErrorTable {
         Self::filled(formulas, |done| watch.reached(done))
     }
 
-    /// Asks whether to go on when so many amplitudes are done.
+    /// Fills the table; after each amplitude `go_on` gets their number and may stop.
     fn filled<E>(
         formulas: &[PeriodFormula],
         mut go_on: impl FnMut(usize) -> Result<(), E>,
@@ -215,7 +215,7 @@ impl ErrorTable {
         segments.filter(|&(from, to)| curve.error_at(f64::midpoint(from, to)).abs() <= tolerance).collect()
     }
 
-    /// Where |error| equals the other's, with like or with unlike signs.
+    /// The places at which |error| equals the other's, with like or with unlike signs.
     fn places_where_equal(&self, curve: &Curve, other: &Other<'_>) -> Vec<Coordinate> {
         let mut places = Vec::new();
         for sign in [1.0, -1.0] {
@@ -253,7 +253,7 @@ impl Curve {
     }
 }
 
-/// What an error is compared with.
+/// The quantity with which an error is compared.
 enum Other<'a> {
     Formula(&'a Curve, f64),
     Tolerance(f64),

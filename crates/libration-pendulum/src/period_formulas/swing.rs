@@ -52,7 +52,7 @@ impl SwingAmplitude {
     }
 }
 
-/// What the formulas are written in: the amplitude and the functions of it that several share.
+/// The variables in which the formulas are written: the amplitude and the functions of it that several share.
 #[derive(Clone, Copy, Debug)]
 pub struct Swing<R> {
     /// θ0.

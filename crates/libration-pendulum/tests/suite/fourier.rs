@@ -138,7 +138,7 @@ fn the_third_harmonic_is_not_small_next_to_the_top() {
     assert!((product - 2.89776545350273670491012503848).abs() < 1e-12, "{product}");
 }
 
-/// Behind 1e-308 the terms go on as e^(−x) does among the subnormal numbers, and end at zero; none comes after.
+/// Terms below 1e-308 go on as e^(−x) does among the subnormal numbers, and end at zero; none comes after.
 #[test]
 fn harmonics_end_where_numbers_do() {
     for amplitude in [1.0, 2.5, 3.1, 3.141_592] {

@@ -407,7 +407,7 @@ fn assert_on_orbit_or_unknown(motion: &Motion, state: &State, frequency: f64, ti
     }
 }
 
-/// What is known of a state whose phase is known: that it is on its orbit.
+/// Checks the known property of a state whose phase is known: that it is on its orbit.
 fn assert_on_orbit(motion: &Motion, state: &State, frequency: f64, input: &dyn core::fmt::Debug) {
     let relative = state.velocity / frequency / (2.0 * motion.energy_ratio().sqrt());
     assert!(relative.abs() <= 1.0 + 4.0 * f64::EPSILON, "{input:?}: {state:?}");
@@ -617,7 +617,7 @@ fn a_motion_tells_its_modulus_and_its_direction() {
     }
 }
 
-/// By mpmath, 4 arctan e^(−√9.80665·|t|) of exactly this f64; √9.80665 rounded to one word would cost 2e-14 of it.
+/// Values by mpmath, 4 arctan e^(−√9.80665·|t|) of exactly this f64; √9.80665 rounded to one word would cost 2e-14 of it.
 #[test]
 fn the_separatrix_keeps_its_complement_for_a_frequency_of_two_words() {
     let motion = Pendulum::new(1.0, 9.80665).unwrap().on_separatrix();

@@ -53,7 +53,7 @@ pub(crate) const FOUR_ROUNDOFFS: f64 = 2.0 * f64::EPSILON;
 /// Four of the smallest numbers: what results below 2.2e-308 may be off.
 pub(crate) const SUBNORMAL: f64 = 2e-323;
 
-/// What the Jacobi functions may be off by the quarter period in two words.
+/// The error that Jacobi functions are allowed from the quarter period in two words.
 pub(crate) fn jacobi_allowance(u: f64) -> f64 {
     f64::EPSILON * f64::EPSILON * 16.0 * u.abs() + SUBNORMAL
 }

@@ -42,7 +42,7 @@ struct Series {
     expansion: Expansion,
 }
 
-/// Why there is no series beside the orbits.
+/// The reason why there is no perturbation series to compare with the orbits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoSeries {
@@ -54,7 +54,7 @@ pub enum NoSeries {
     Expansion(#[from] ExpansionError),
 }
 
-/// Why there is no amplitude–frequency curve.
+/// The reason why there is no amplitude–frequency curve.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoBackbone {
@@ -75,7 +75,7 @@ pub enum NoBackbone {
         "the motion settles on a limit cycle, whose frequency depends on the strength {0} and not on an amplitude: expand it in {0} instead"
     )]
     LimitCycle(String),
-    /// A place that is no equilibrium.
+    /// The given position is not an equilibrium.
     #[error(transparent)]
     About(OscillatorError),
 }
@@ -98,11 +98,11 @@ impl NoBackbone {
 pub struct BackbonePoint {
     /// The largest displacement above the centre.
     pub amplitude: f64,
-    /// By an orbit.
+    /// Frequency of the periodic orbit, or the reason why there is none.
     pub orbit: Result<OrbitFrequency, NoOrbit>,
-    /// By the perturbation series, where there is one.
+    /// Frequency from the perturbation series, where there is one.
     pub series: Option<SeriesFrequency>,
-    /// By elliptic integrals, or why there is none; `None` for all but the pendulum.
+    /// Frequency from elliptic integrals, or the reason why there is none; `None` for all oscillators but the pendulum.
     pub exact: Option<Result<ExactValue, NoExactValue>>,
 }
 
@@ -124,7 +124,7 @@ pub struct OrbitFrequency {
 pub struct SeriesFrequency {
     /// The sum of all its terms.
     pub frequency: f64,
-    /// What is missing, in the same unit.
+    /// Bound or estimate of the omitted terms, in the same unit.
     pub remainder: Remainder,
 }
 
@@ -138,8 +138,8 @@ impl Backbone {
         Self::new_watched(equation, about, order, &Watch::none())
     }
 
-    /// As [`new`](Self::new); `watch` is asked at each order of the series. Where it stops there is no series, as
-    /// [`ExpansionError::Interrupted`] says, but orbits there are.
+    /// Creates the same as [`new`](Self::new); `watch` is checked at each order of the series. If it cancels, there is no series
+    /// ([`ExpansionError::Interrupted`]), but orbits are still computed.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -185,7 +185,7 @@ impl Backbone {
         self.centre.as_ref().map_or(0.0, Constant::to_f64)
     }
 
-    /// Whether that is an equilibrium, and not zero for want of one.
+    /// Returns `true` if the centre is an equilibrium, and not zero for lack of one.
     #[must_use]
     pub const fn has_equilibrium(&self) -> bool {
         self.centre.is_some()
@@ -198,7 +198,7 @@ impl Backbone {
         Some(libm::sqrt(series.oscillator.omega0_squared().to_f64()))
     }
 
-    /// Why there is no series; `None` when there is one.
+    /// The reason why there is no series; `None` when there is one.
     #[must_use]
     pub fn no_series(&self) -> Option<&NoSeries> {
         self.series.as_ref().err()
@@ -216,8 +216,8 @@ impl Backbone {
         self.at_watched(amplitude, &Watch::none())
     }
 
-    /// As [`at`](Self::at); `watch` is asked at each step of the orbit. Where it stops there is no orbit, as
-    /// [`NoOrbit::Interrupted`] says.
+    /// Computes the same as [`at`](Self::at); `watch` is checked at each step of the orbit. If it cancels, the point has no orbit
+    /// ([`NoOrbit::Interrupted`]).
     #[must_use]
     pub fn at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> BackbonePoint {
         match Displacement::from_f64(amplitude) {
@@ -237,7 +237,7 @@ impl Backbone {
         self.at_displacement_watched(displacement, &Watch::none())
     }
 
-    /// As [`at_displacement`](Self::at_displacement), and watched as [`at_watched`](Self::at_watched).
+    /// Computes the same as [`at_displacement`](Self::at_displacement), and can be cancelled like [`at_watched`](Self::at_watched).
     #[must_use]
     pub fn at_displacement_watched(&self, displacement: &Displacement, watch: &Watch<'_>) -> BackbonePoint {
         let amplitude = displacement.to_f64();
@@ -288,7 +288,7 @@ impl Series {
     }
 }
 
-/// Of 2π over a period.
+/// Relative rounding error of 2π divided by a period.
 const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
 
 /// A ratio as a frequency; ω0 and the product are rounded.

@@ -20,7 +20,7 @@ pub fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64;
 }
 
 fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f64> {
-    // Weak forces vanish in double precision, which is no equilibrium.
+    // Weak forces vanish in double precision, which does not make an equilibrium.
     let away = |part: f64| {
         let force = force(centre + part * reach);
         force.abs() > 0.0 && (force > 0.0) == (reach > 0.0)

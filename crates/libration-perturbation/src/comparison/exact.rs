@@ -23,14 +23,14 @@ pub struct ExactValue {
     pub value: f64,
     /// It may be wrong by so much.
     pub uncertainty: f64,
-    /// How it was found.
+    /// Method of computation.
     pub method: Method,
     /// Another equilibrium that the motion goes around, if there is one: then it is not of the family that series about the
     /// equilibrium are for.
     pub encloses: Option<f64>,
 }
 
-/// How an exact value is found.
+/// The method by which an exact value is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Elliptic integrals and theta functions.
@@ -39,7 +39,7 @@ pub enum Method {
     Integration,
 }
 
-/// Why there is no exact value.
+/// The reason why there is no exact value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoExactValue {
@@ -136,7 +136,7 @@ impl ExactMotion {
         Self::new_watched(oscillator, expansion, amplitude, &Watch::none())
     }
 
-    /// As [`new`](Self::new); `watch` is asked at each step of the orbit.
+    /// Computes the same as [`new`](Self::new); `watch` is checked at each step of the orbit.
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`NoOrbit::Interrupted`].
@@ -176,7 +176,7 @@ pub(super) struct OrbitMotion {
     orbit: Orbit,
     equilibrium: f64,
     encloses: Option<f64>,
-    /// Whether harmonics are sines of a phase that begins at the equilibrium.
+    /// `true` if harmonics are sines of a phase that begins at the equilibrium.
     is_mirrored: bool,
 }
 
@@ -227,7 +227,7 @@ pub(super) fn limit_cycle(
 }
 
 impl OrbitMotion {
-    /// Of an oscillator or a limit cycle of this kind.
+    /// Creates the motion of an oscillator or a limit cycle of this kind.
     pub(super) fn by_kind(
         oscillator: &Oscillator,
         amplitude: &Displacement,
@@ -274,8 +274,8 @@ impl OrbitMotion {
         )
     }
 
-    /// How far a place may be off at any time: by what the uncertainty of the period makes of the velocity, on both sides, as much as
-    /// the same change of the amplitude makes, and by roundings.
+    /// Error bound of the position at any time: the velocity times the uncertainty of the period on both sides, the same relative change of
+    /// the amplitude, and roundings.
     fn uncertainty_of_places(&self) -> f64 {
         let (low, high) = self.orbit.range(0);
         let (least, greatest) = self.orbit.range(1);

@@ -22,7 +22,7 @@ pub struct LeadingLimitCycle {
     pub amplitude_uncertainty: f64,
     /// The least displacement.
     pub other_side: f64,
-    /// Of the exact orbit without the small terms.
+    /// Period of the exact orbit without the small terms.
     pub period: f64,
     /// It may be wrong by so much.
     pub period_uncertainty: f64,
@@ -49,7 +49,7 @@ pub struct LeadingLimitCycles {
     pub cycles: Vec<LeadingLimitCycle>,
 }
 
-/// Why no limit cycles are looked for.
+/// The reason why limit cycles are not searched for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoLeadingLimitCycles {
@@ -65,7 +65,7 @@ pub enum NoLeadingLimitCycles {
     /// No orbit about the equilibrium.
     #[error("no orbit about the equilibrium is found: {0}")]
     Orbit(#[from] NoOrbit),
-    /// Stopped by whoever watched.
+    /// Cancelled by the caller.
     #[error("interrupted")]
     Interrupted,
 }
@@ -101,7 +101,7 @@ impl LeadingLimitCycles {
         Self::new_watched(equation, parameter, &Watch::none())
     }
 
-    /// As [`new`](Self::new), and asks `watch` at each step of each orbit.
+    /// Computes the same as [`new`](Self::new); `watch` is checked at each step of each orbit.
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`NoLeadingLimitCycles::Interrupted`].
@@ -134,7 +134,8 @@ impl LeadingLimitCycles {
         })
     }
 
-    /// Whether the force does no work at either end of the range and has no cycle: it takes as much as it gives over every orbit.
+    /// Returns `true` if the force does no work at either end of the range and has no cycle: the energy it takes equals the energy it gives
+    /// over every orbit.
     #[must_use]
     pub fn is_without_work(&self) -> bool {
         self.cycles.is_empty() && self.signs.iter().all(|sign| *sign == 0.0)
@@ -248,10 +249,10 @@ fn at_zero(
     stopped.get().map_or(Ok(found), |reason| Err(reason.into()))
 }
 
-/// Of the amplitude, within which an extremum is found: the work is flat there, so that its sign is that of the extremum unless two cycles
-/// are nearer than this.
+/// Relative tolerance of the amplitude of an extremum: the work is flat there, so that its sign is that of the extremum unless two cycles
+/// are closer than this.
 const AT_EXTREMUM: f64 = 1e-6;
-/// Of the amplitude, within which a zero is found: beyond the roundings of the work, which are added.
+/// Relative tolerance of the amplitude of a zero: beyond the roundings of the work, which are added.
 const AT_ZERO: f64 = 1e-15;
 
 fn cycle(

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// What is asked of a periodic motion.
+/// The quantity of a periodic motion that a series describes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SeriesQuantity {
     /// T/T0.

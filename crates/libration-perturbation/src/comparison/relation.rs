@@ -44,9 +44,9 @@ pub struct SeriesComparison<'a> {
 /// The distance from zero up to which a series converges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Radius {
-    /// By a theorem.
+    /// A radius known by a theorem.
     Known(f64),
-    /// As the coefficients suggest.
+    /// A radius estimated from the coefficients.
     Estimated(Convergence),
 }
 
@@ -87,7 +87,7 @@ impl<'a> SeriesComparison<'a> {
         self.expansion
     }
 
-    /// What it is a relation for.
+    /// The quantity that the series gives.
     #[must_use]
     pub const fn quantity(&self) -> SeriesQuantity {
         self.quantity
@@ -175,7 +175,7 @@ impl<'a> SeriesComparison<'a> {
         self.exact_at_watched(amplitude, &Watch::none())
     }
 
-    /// As [`exact_at`](Self::exact_at); `watch` is asked at each step of the orbit.
+    /// Computes the same as [`exact_at`](Self::exact_at); `watch` is checked at each step of the orbit.
     ///
     /// # Errors
     /// As [`exact_at`](Self::exact_at), and [`NoOrbit::Interrupted`](libration_motion::orbit::NoOrbit::Interrupted).
@@ -195,7 +195,7 @@ impl<'a> SeriesComparison<'a> {
         self.exact_from_watched(amplitude, &Watch::none())
     }
 
-    /// As [`exact_from`](Self::exact_from), and watched as [`exact_at_watched`](Self::exact_at_watched).
+    /// Computes the same as [`exact_from`](Self::exact_from), and can be cancelled like [`exact_at_watched`](Self::exact_at_watched).
     ///
     /// # Errors
     /// As [`exact_at_watched`](Self::exact_at_watched).

@@ -74,7 +74,7 @@ impl ScalingLaw {
         self.factor
     }
 
-    /// By how much it may be wrong: by what the Γ functions and the integral of the energy differ, by what that misses, and by roundings.
+    /// Error bound of the factor: the difference between the Γ functions and the energy integral, the error of the latter, and roundings.
     #[must_use]
     pub fn frequency_factor_uncertainty(&self) -> f64 {
         self.uncertainty
@@ -86,7 +86,7 @@ impl ScalingLaw {
         TAU / self.factor
     }
 
-    /// By how much it may be wrong.
+    /// Error bound of the period factor.
     #[must_use]
     pub fn period_factor_uncertainty(&self) -> f64 {
         self.period_factor() * (self.uncertainty / self.factor + f64::EPSILON)
@@ -112,7 +112,7 @@ impl ScalingLaw {
         gamma_arguments(self.force.exponent())
     }
 
-    /// The frequency at an amplitude; `None` where k is no number.
+    /// The frequency at an amplitude; `None` where k is not a number.
     #[must_use]
     pub fn frequency_at(&self, amplitude: f64) -> Option<f64> {
         let power = libm::pow(amplitude, self.amplitude_exponent().to_f64());

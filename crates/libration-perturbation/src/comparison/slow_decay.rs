@@ -39,18 +39,18 @@ pub struct SlowDecay {
     start: f64,
 }
 
-/// Where a slow flow is.
+/// A state of the slow flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowState {
-    /// In seconds after the release.
+    /// Time in seconds after the release.
     pub time: f64,
-    /// In radians; NaN once the slow flow has none.
+    /// Amplitude in radians; NaN once the slow flow has none.
     pub amplitude: f64,
     /// ψ in radians: the pendulum turns at multiples of π; NaN likewise.
     pub phase: f64,
 }
 
-/// Why a decay has no slow flow.
+/// The reason why a decay has no slow flow.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoSlowDecay {
@@ -73,7 +73,7 @@ impl SlowDecay {
         Self::new_watched(decay, order, damping_order, &Watch::none())
     }
 
-    /// As [`new`](Self::new), and asks `watch` at each order.
+    /// Computes the same as [`new`](Self::new); `watch` is checked at each order.
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`SlowFlowError::Interrupted`].
@@ -107,7 +107,7 @@ impl SlowDecay {
         times.iter().map(&mut follow).collect()
     }
 
-    /// The release and the next turning points, so many in all or until the slow flow has no amplitude.
+    /// The release and the next turning points, `count` in all or until the slow flow has no amplitude.
     #[must_use]
     pub fn turning_points(&self, count: usize) -> Vec<SlowState> {
         let mut place = self.release();
@@ -124,7 +124,7 @@ impl SlowDecay {
         SlowState { time: 0.0, amplitude: self.start, phase: 0.0 }
     }
 
-    /// Where the phase is this; not found in steps that no longer lead to it.
+    /// Finds the state of this phase by Newton's method; gives the last iterate if it does not converge.
     fn next_turn(&self, mut place: SlowState, phase: f64) -> SlowState {
         for _ in 0..MOST_STEPS {
             let left = (phase - place.phase) / self.rate(1, place.amplitude);

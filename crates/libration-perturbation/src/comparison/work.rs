@@ -22,7 +22,7 @@ pub struct WorkOverOrbits<'a> {
     tape: Tape,
 }
 
-/// What a force does over an orbit.
+/// The work that a force does over an orbit.
 #[derive(Clone, Copy, Debug)]
 pub struct Work {
     pub(super) amplitude: f64,
@@ -41,7 +41,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// Whether it is certainly not zero.
+    /// Returns `true` if the work is certainly not zero.
     pub(super) fn is_some(&self) -> bool {
         self.value.abs() > self.uncertainty
     }
@@ -100,7 +100,7 @@ impl<'a> WorkOverOrbits<'a> {
         })
     }
 
-    /// What f jumps by at a turning point, upwards in the velocity, over the force that turns the motion.
+    /// The jump of f at a turning point, upwards in the velocity, divided by the force that turns the motion.
     fn jump(&self, place: f64) -> f64 {
         let [above, below] =
             [f64::MIN_POSITIVE, -f64::MIN_POSITIVE].map(|velocity| self.forces(&[place, velocity])[1]);
@@ -112,11 +112,11 @@ impl<'a> WorkOverOrbits<'a> {
     }
 }
 
-/// Of the integral of sizes, what an orbit in double precision makes of a work that is zero: a quarter of one was the most in 624 orbits
-/// (`forces_without_work_have_none_within_what_is_stated`), with room for orbits near a separatrix.
+/// Error bound of a work, relative to the integral of magnitudes and in units of the orbit's relative error: works that are zero were at most
+/// a quarter of one in 624 orbits (`forces_without_work_have_none_within_what_is_stated`), with room for orbits near a separatrix.
 const ROUNDINGS: f64 = 8.0;
 
-/// Over each half of an orbit, on which the velocity has one sign.
+/// Integrates over each half of an orbit, on which the velocity has one sign.
 fn over_halves(orbit: &Orbit, of: &dyn Fn(&[f64]) -> f64) -> Integral {
     let half = 0.5 * orbit.period();
     let halves = [0.0, half].map(|begin| gauss_kronrod(|part| of(&orbit.state_at(begin + half * part))));

@@ -35,7 +35,7 @@ pub(crate) fn approximate_series(
     agreed(&|precision| series_at(prepare, precision, watch), watch)
 }
 
-/// The same of series that are computed in some way with so many bits.
+/// Computes the same from series that are computed in some way with a given number of bits.
 pub(crate) fn agreed(
     series_at: &dyn Fn(usize) -> Option<(SeriesSet<BigFloat>, BigFloat, BigFloat)>,
     watch: &Watch<'_>,
@@ -81,7 +81,7 @@ fn digits_as_bits() -> isize {
     isize::try_from(bits(DIGITS)).unwrap_or(isize::MAX)
 }
 
-/// What is left of a cancellation is zero.
+/// Replaces what cancellation leaves by zero, and rounds to the digits that are kept.
 fn cleaned(x: &BigFloat) -> BigFloat {
     let noise = x.exponent().is_none_or(|exponent| exponent < -digits_as_bits());
     let kept = x.rounded_to(bits(DIGITS));

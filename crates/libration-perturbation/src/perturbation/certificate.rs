@@ -13,7 +13,7 @@ use libration_numbers::{
     internals::algebra::{HarmonicSums, Quadratic, QuadraticField},
 };
 
-/// Whether frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
+/// Returns `true` if frequency and turning points of x″ = F(x) agree exactly with the reversion of the potential: both turning
 /// points have the same potential energy, and the period at that energy is T/T0. In the variable of the series,
 /// whatever the gauge; series are compared by `same`. `None` when a number is not in the ring, or the check is interrupted.
 pub fn agrees_with_the_potential<R: Ring>(
@@ -38,7 +38,7 @@ pub fn agrees_with_the_potential<R: Ring>(
     Some(same(&product(ring, &period, &set.frequency, length), &one))
 }
 
-/// Whether the turning points are opposite in an even potential, and so have the same energy.
+/// Returns `true` if the turning points are opposite in an even potential, and so have the same energy.
 fn are_opposite<R: Ring>(ring: &R, model: &Model<R::Element>, set: &SeriesSet<R::Element>) -> bool {
     let is_odd = matches!(model.motion, Motion::Centre { shape: Shape::Odd, .. });
     is_odd && set.x_max.iter().zip(&set.x_min).all(|(max, min)| ring.is_zero(&ring.add(max, min)))
@@ -71,8 +71,8 @@ fn squared_energy_amplitude<R: Ring>(
     Some(square)
 }
 
-/// Whether the period as a function of the amplitude agrees exactly with that along the curves of the first integral. `None` when a number
-/// is not rational, or the check is interrupted.
+/// Returns `true` if the period as a function of the amplitude agrees exactly with that along the curves of the first integral. `None` when
+/// a number is not rational, or the check is cancelled.
 pub(crate) fn agrees_with_the_first_integral(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,
@@ -122,7 +122,7 @@ impl Fractions {
         }
     }
 
-    /// Whether numbers are these fractions.
+    /// Returns `true` if the numbers are these fractions.
     fn are(&self, numbers: &[Quadratic<Rational>], fractions: &[Rational]) -> bool {
         let is = |(number, fraction): (&Quadratic<Rational>, &Rational)| {
             *number == self.ring.plain(fraction.clone())
@@ -131,8 +131,8 @@ impl Fractions {
     }
 }
 
-/// Whether plain rational arithmetic, harmonic by harmonic, gives the same numbers; where ω0 or the unit of a limit cycle is no fraction,
-/// arithmetic of fractions with its root. `None` when it is interrupted.
+/// Returns `true` if plain rational arithmetic, harmonic by harmonic, gives the same numbers; where ω0 or the unit of a limit cycle is not
+/// rational, arithmetic of fractions with its root. `None` when it is cancelled.
 pub(crate) fn agrees_with_plain_rationals(
     model: &Model<Rational>,
     set: &SeriesSet<Rational>,

@@ -84,8 +84,8 @@ pub fn expand_watched(
 }
 
 /// The exact expansion of an oscillator with one power series above the equilibrium and another below ([`Kind::TwoSided`]), whose
-/// coefficients are fractions and powers of the letter π; [`expand`] gives the same in digits. There are harmonics without end, of which those
-/// up to the order are given. `None` for other oscillators, where a number is no fraction, and above order 15, where coefficients have
+/// coefficients are fractions and powers of the letter π; [`expand`] gives the same in digits. There are infinitely many harmonics, of which
+/// those up to the order are given. `None` for other oscillators, where a number is not rational, and above order 15, where coefficients have
 /// thousands of terms.
 ///
 /// # Examples
@@ -109,7 +109,7 @@ pub fn expand_with_pi(
     expand_with_pi_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// As [`expand_with_pi`], and asks `watch` at each step of the check.
+/// Expands the same as [`expand_with_pi`]; `watch` is checked at each step of the check.
 ///
 /// # Errors
 /// As [`expand`], or [`ExpansionError::Interrupted`].
@@ -358,7 +358,7 @@ fn check_gauge(gauge: &Gauge, kind: &Kind, oscillator: &Oscillator) -> Result<()
     }
 }
 
-/// Whether the acceleration is −c·sin x, with x counted from an equilibrium at zero.
+/// Returns `true` if the acceleration is −c·sin x, with x counted from an equilibrium at zero.
 pub(crate) fn is_pendulum(oscillator: &Oscillator) -> bool {
     let x = Expression::Symbol(Symbol { name: oscillator.variable().to_owned(), primes: 0 });
     let sine = Expression::Call(libration_numbers::expression::Function::Sin, Box::new(x));
@@ -368,7 +368,7 @@ pub(crate) fn is_pendulum(oscillator: &Oscillator) -> bool {
     oscillator.equilibrium().exact().is_some_and(Rational::is_zero) && sum.vanishes()
 }
 
-/// Why there is no expansion.
+/// The reason why there is no expansion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExpansionError {
@@ -386,12 +386,12 @@ pub enum ExpansionError {
         "the gauge `energy` needs an acceleration that does not depend on the velocity: choose another gauge"
     )]
     EnergyOfVelocity,
-    /// The nome of what is no pendulum.
+    /// The gauge `nome` of an oscillator that is not a pendulum.
     #[error(
         "the gauge `nome` is defined only for the pendulum x'' + omega0^2*sin(x) = 0: choose another gauge"
     )]
     NomeOfOther,
-    /// A self-excitation that is no polynomial.
+    /// A self-excitation that is not a polynomial.
     #[error(
         "a limit cycle is expanded only where the acceleration is a polynomial in position and velocity of degree {MAX_DEGREE} or less: give the parameter a value"
     )]
@@ -402,13 +402,13 @@ pub enum ExpansionError {
         apart_from(*.repelling)
     )]
     NoLimitCycle {
-        /// How many limit cycles repel.
+        /// Number of limit cycles that repel.
         repelling: usize,
     },
     /// The computation was interrupted.
     #[error("interrupted when {}", certain(known.as_deref()))]
     Interrupted {
-        /// What was certain by then: an expansion to a lower order, or one that was not checked by another road yet.
+        /// Result up to the cancellation: an expansion to a lower order, or one not yet checked by another method.
         known: Option<Box<Expansion>>,
     },
     /// No series modulo many primes, although the model is rational.

@@ -12,11 +12,11 @@ pub struct Expansion<C = Rational> {
     /// The displacement is given up to this power of the variable, the frequency up to one less; of a limit cycle
     /// both up to this power.
     pub order: usize,
-    /// What the series are in.
+    /// Variable of the series.
     pub variable: ExpansionVariable,
-    /// What the motion does at Ωt = 0.
+    /// State of the motion at Ωt = 0.
     pub phase_origin: PhaseOrigin,
-    /// Whether the coefficients are exact.
+    /// Precision of the coefficients: exact, or to a number of digits.
     pub precision: Precision,
     /// The equilibrium about which the motion goes.
     pub equilibrium: C,
@@ -26,8 +26,8 @@ pub struct Expansion<C = Rational> {
     pub frequency_ratio: Vec<C>,
     /// The harmonics that are present, by ascending k.
     pub harmonics: Vec<HarmonicSeries<C>>,
-    /// Whether the harmonics that are not given begin beyond the order. Where a force has two sides they do not: there are harmonics without
-    /// end, in the same powers.
+    /// `true` if the harmonics that are not given begin beyond the order. Where a force has two sides they do not: there are infinitely many
+    /// harmonics in the same powers.
     pub has_all_harmonics: bool,
     /// Harmonics and turning points are given in units of the square root of this; it is 1 but for limit cycles
     /// whose amplitude is not rational.
@@ -40,11 +40,11 @@ pub struct Expansion<C = Rational> {
     pub of_amplitude: Option<AmplitudeSeries<C>>,
     /// The same by powers of half the distance between the turning points, for asymmetric wells.
     pub of_half_swing: Option<AmplitudeSeries<C>>,
-    /// How the answer was checked.
+    /// Kind of check that the result has passed.
     pub certificate: Certificate,
 }
 
-/// What the series of an expansion are in.
+/// The variable in which the series of an expansion are written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExpansionVariable {
     /// The parameter ε of a family of motions, in this gauge.
@@ -65,14 +65,14 @@ impl ExpansionVariable {
 }
 
 impl ExpansionVariable {
-    /// Whether it is the strength of a self-excitation.
+    /// Returns `true` if it is the strength of a self-excitation.
     #[must_use]
     pub const fn is_strength(&self) -> bool {
         matches!(self, Self::Parameter(_))
     }
 }
 
-/// Whether coefficients are exact fractions or stand for numbers that are none.
+/// Precision of coefficients: exact fractions, or digits of numbers that are not rational.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// Every coefficient is the number itself.
@@ -84,11 +84,11 @@ pub enum Precision {
 /// The coefficients of cos kΩt and sin kΩt.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HarmonicSeries<C = Rational> {
-    /// Which harmonic.
+    /// Number of the harmonic.
     pub k: usize,
-    /// Of cos kΩt.
+    /// Coefficients of cos kΩt.
     pub cos: Vec<C>,
-    /// Of sin kΩt.
+    /// Coefficients of sin kΩt.
     pub sin: Vec<C>,
 }
 
@@ -105,7 +105,7 @@ pub struct AmplitudeSeries<C = Rational> {
     pub harmonics: Vec<(usize, Vec<C>)>,
 }
 
-/// How an answer was checked. The series are always found modulo many primes, put together, and compared with five
+/// The check that a result has passed. The series are always found modulo many primes, put together, and compared with five
 /// fresh primes of 30 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certificate {
@@ -131,7 +131,7 @@ pub enum Certificate {
 }
 
 impl Certificate {
-    /// Whether an exact check proves at least how the frequency depends on the amplitude.
+    /// Returns `true` if an exact check proves at least how the frequency depends on the amplitude.
     #[must_use]
     pub fn is_proof(self) -> bool {
         matches!(self, Self::PlainRationals | Self::Potential | Self::FirstIntegral)
@@ -188,7 +188,7 @@ impl<C> Expansion<C> {
     }
 }
 
-/// What an answer says besides its series.
+/// Everything that a result states besides its series.
 #[derive(Clone, Debug)]
 pub(crate) struct Heading<C = Rational> {
     pub(crate) order: usize,

@@ -55,9 +55,9 @@ struct Orbit<'a, R: PhaseRing> {
     /// rₙ and its derivative.
     radius: Vec<R::Element>,
     slope: Vec<R::Element>,
-    /// Of s.
+    /// Series of s.
     departure: Vec<R::Element>,
-    /// Of φ′/ω0.
+    /// Series of φ′/ω0.
     rate: Vec<R::Element>,
 }
 

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use libration_numbers::algebra::{NotARational, Rational};
 
-/// How the expansion parameter ε of a family of periodic motions is related to it. The choice changes every
+/// The definition of the expansion parameter ε of a family of periodic motions. The choice changes every
 /// series in ε and no relation between physical quantities.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -97,7 +97,7 @@ pub enum NotAGauge {
         "unknown gauge `{0}`: give fundamental, x_max, half_swing, energy, nome, or coefficients such as A1=1,A3=-1"
     )]
     Unknown(String),
-    /// An item of the list that is no coefficient.
+    /// An item of the list that is not a coefficient.
     #[error(
         "`{0}` is not a coefficient of a gauge: give items such as A3=-1/2, with indices 1 to {LARGEST_INDEX}"
     )]
@@ -110,7 +110,7 @@ pub enum NotAGauge {
         "the gauge `{0}` has no A1: ε must be of first order in the amplitude, so give a nonzero A1, such as A1=1"
     )]
     NoFirst(String),
-    /// A coefficient that is no fraction.
+    /// A coefficient that is not a fraction.
     #[error(transparent)]
     Value(#[from] NotARational),
 }

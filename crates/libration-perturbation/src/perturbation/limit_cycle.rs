@@ -100,7 +100,7 @@ struct Expansion<'a, R: PhaseRing> {
     frequency: Vec<Number<R>>,
     /// xₙₖ by k and n.
     harmonics: Vec<Waves<Number<R>>>,
-    /// How many orders are solved, the zeroth included.
+    /// Number of orders that are solved, the zeroth included.
     solved: usize,
 }
 

@@ -29,11 +29,11 @@ pub(crate) struct Centre<'a, R: PhaseRing> {
     pub(crate) omega0_squared: Number<R>,
     /// ω0, when the acceleration depends on the velocity.
     pub(crate) omega0: Option<Number<R>>,
-    /// What the motions consist of.
+    /// Harmonics of the motions.
     pub(crate) wave: Wave,
 }
 
-/// What the harmonics of a family of motions are.
+/// The harmonics of a family of motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wave {
     /// Cosines: the phase begins at a turning point.
@@ -113,11 +113,11 @@ struct Expansion<'a, R: PhaseRing> {
     frequency: Vec<Number<R>>,
     /// xₙₖ by k and n.
     harmonics: Vec<Vec<Number<R>>>,
-    /// How many orders are solved, the zeroth included.
+    /// Number of orders that are solved, the zeroth included.
     solved: usize,
 }
 
-/// What the coefficients of x and of x′ change.
+/// Changes of all coefficients of the jet with those of x and of x′.
 struct Gains<E> {
     position: Vec<E>,
     velocity: Option<Vec<E>>,

@@ -15,7 +15,7 @@ use libration_numbers::{
     internals::algebra::{Number, PhaseRing},
 };
 
-/// What kind of periodic motion is expanded, and what it takes.
+/// The kind of periodic motion that is expanded, with its parameters.
 #[derive(Clone, Debug)]
 pub enum Motion<N> {
     /// A family about a centre, in a gauge.
@@ -151,7 +151,7 @@ impl<N> Model<N> {
 }
 
 impl Model<Rational> {
-    /// What the computation takes the root of, where that is no fraction.
+    /// Numbers whose roots the computation takes, where the roots are not rational.
     pub(crate) fn irrational_roots(&self) -> impl Iterator<Item = &Rational> {
         let unit = match &self.motion {
             Motion::LimitCycle(selected) => Some(&selected.unit_squared),

@@ -40,10 +40,10 @@ pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<Series
     set.ok_or(Unsolved::NoPrimes)
 }
 
-/// Why there are no exact series.
+/// The reason why there are no exact series.
 #[derive(Clone, Debug)]
 pub enum Unsolved {
-    /// It was interrupted, when these were certain.
+    /// Cancelled when these series were certain.
     Interrupted(Option<Box<SeriesSet<Rational>>>),
     /// The computation failed modulo every prime that was tried.
     NoPrimes,
@@ -64,7 +64,7 @@ fn symmetry(model: &Model<Rational>) -> Symmetry {
 /// After this many groups of primes in a row without an image it is not the primes that are bad.
 const MOST_BAD_GROUPS: usize = 8;
 
-/// Why there is no image.
+/// The reason why there is no image.
 enum NoImage {
     Interrupted,
     NoPrimes,

@@ -1,6 +1,6 @@
-//! Where the phase of a motion begins.
+//! The origin of the phase of a motion.
 
-/// What a motion does where its phase Ωt is zero.
+/// The state of a motion at which its phase Ωt is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhaseOrigin {
     /// It turns at its largest displacement; all harmonics are cosines.

@@ -129,14 +129,14 @@ impl Condition {
     }
 }
 
-/// What limit cycle attracts for a weak self-excitation.
+/// The limit cycle that attracts for a weak self-excitation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Attracting {
     /// The one whose amplitude has this square.
     At(Rational),
-    /// One whose amplitude has a square that is no fraction of moderate size.
+    /// One whose amplitude has a square that is not a fraction of moderate size.
     Irrational,
-    /// None, though there may be some that repel.
+    /// No attracting cycle, though there may be some that repel.
     None { repelling: usize },
 }
 

@@ -1,4 +1,4 @@
-//! What symmetry says of motions before they are found.
+//! Symmetries of motions, known before they are computed.
 
 use super::extremes::extremes;
 use super::half_turns::{BothTurns, half_turns};
@@ -7,7 +7,7 @@ use super::phase_origin::PhaseOrigin;
 use libration_motion::oscillator::Kind;
 use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 
-/// How the motions of a family look.
+/// The symmetry of the motions of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// Limit cycles, whose amplitude is not free.
@@ -41,7 +41,7 @@ impl From<Shape> for PhaseOrigin {
 }
 
 impl Shape {
-    /// Of motions about a centre, what their harmonics are.
+    /// The harmonics of motions about a centre.
     pub(crate) fn wave(self) -> Wave {
         if self == Self::Mirrored { Wave::Sine } else { Wave::Cosine }
     }

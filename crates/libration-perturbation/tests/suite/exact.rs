@@ -154,7 +154,8 @@ fn a_backbone_takes_the_decimal_too() {
     assert!(curve.at(f64::INFINITY).orbit.is_err());
 }
 
-/// Of x″ + x + x² = 0 the period has a logarithm at 1/2, on whose cut, beyond, approximants have their poles; of x″ + x + x³ = 0 it has none.
+/// The period of x″ + x + x² = 0 has a logarithm at 1/2, on whose cut, beyond it, approximants have their poles; that of x″ + x + x³ = 0 has
+/// none.
 #[test]
 fn approximants_have_their_poles_beyond_the_separatrix() {
     let pole = |key: &str, degree: usize| {
@@ -180,7 +181,7 @@ fn frequencies_have_the_uncertainty_of_their_period() {
     assert!((relative(&period) / relative(&frequency) - 1.0).abs() < 1e-12);
 }
 
-/// By a Taylor method of order 55 with 260 bits: strength, period.
+/// Strength and period, by a Taylor method of order 55 with 260 bits.
 const VAN_DER_POL: [(&str, f64); 6] = [
     ("0.01", 6.283_224_576_985_483),
     ("0.1", 6.287_111_272_288_727),

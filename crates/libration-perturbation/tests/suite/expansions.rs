@@ -311,7 +311,7 @@ fn a_limit_cycle_keeps_its_series_in_other_units() {
     // With ω0 = 2 and time halved, μ is halved too.
     let faster = series("x'' - 2*mu*(1-x^2)*x' + 4*x = 0");
     assert_eq!(faster.frequency_ratio, plain.frequency_ratio);
-    // A frequency that is no fraction is given in digits.
+    // A frequency that is not a fraction is given in digits.
     let irrational = series("x'' - mu*(1-x^2)*x' + 2*x = 0");
     assert!(matches!(irrational.precision, Precision::Digits(_)));
     assert!((irrational.frequency_ratio[2].to_f64() + 1.0 / 32.0).abs() < 1e-30);

@@ -26,7 +26,7 @@ fn by_integration(text: &str, sign: f64, start: f64) -> [f64; 3] {
     [0, 1, 2].map(|of| (4.0 * fine[of] - coarse[of]) / 3.0)
 }
 
-/// What is left of the even powers is ε⁴ = 3e-6 of 0.04 with a factor of order one, as halving both strengths shows.
+/// The remainder of the even powers is ε⁴ = 3e-6 of 0.04 with a factor of order one, as halving both strengths shows.
 fn agrees(text: &str, cycle: &LeadingLimitCycle, sign: f64) {
     let [amplitude, period, exponent] = by_integration(text, sign, cycle.amplitude);
     assert!((amplitude / cycle.amplitude - 1.0).abs() < 1e-5, "{text}: {amplitude} {cycle:?}");

@@ -137,7 +137,7 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
     }
 }
 
-/// Where the well is the bounding one, the bound differs from what is missing by the signs of S²(A) alone.
+/// A bound whose bounding well is the well itself differs from the remainder by the signs of S²(A) alone.
 #[test]
 fn the_bound_of_an_asymmetric_well_is_near_what_is_missing() {
     let oscillator = oscillator("x'' = -x + x^2");

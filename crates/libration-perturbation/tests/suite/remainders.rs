@@ -1,4 +1,4 @@
-//! What is missing from a series: the pendulum's proven bounds, and estimates elsewhere, beside exact values.
+//! Remainders of series compared with exact values: the pendulum's proven bounds, and estimates elsewhere.
 
 use std::f64::consts::PI;
 
@@ -87,7 +87,7 @@ fn bounds_of_harmonics_end_at_the_top() {
     assert!(bound(3, f64::NAN).size.is_nan());
 }
 
-/// None of these chose the constants of the estimates, which are in `perturbation/evaluation/tail.rs`.
+/// Equations that did not serve to choose the constants of the estimates, which are in `perturbation/evaluation/tail.rs`.
 const ESTIMATED: [&str; 14] = [
     "x'' + atan(x) = 0",
     "x'' + x*cos(x) = 0",
@@ -105,7 +105,7 @@ const ESTIMATED: [&str; 14] = [
     "x'' + x/(2 + x) = 0",
 ];
 
-/// How estimates compare with errors.
+/// Comparison of estimates with errors.
 #[derive(Default)]
 struct Tally {
     /// Estimate over error.

@@ -148,7 +148,7 @@ fn the_bound_holds_for_every_coefficient_known() {
     assert!(pendulum_period_remainder(f64::NAN, 3).is_nan());
 }
 
-/// How many terms for which tolerance: from the proven bound, and from the sums themselves.
+/// The number of terms for each tolerance: from the proven bound, and from the sums themselves.
 #[test]
 fn the_number_of_terms_needed_is_the_true_one() {
     let (slow, fast) = (even(&period_in_amplitude(330)), even(&frequency_in_amplitude(330)));

@@ -1,4 +1,4 @@
-//! Where an axis has its ticks: as many as have room, at multiples that people expect.
+//! Positions of the ticks of an axis: as many as have room, at multiples that people expect.
 
 mod linear;
 mod logarithmic;
@@ -10,7 +10,7 @@ use crate::chart::{Axis, Scale, Units};
 pub struct Ticks {
     /// Parts of the length of the axis, with what is written beside them.
     pub labelled: Vec<(f64, String)>,
-    /// Those between them, as parts of the length.
+    /// Minor ticks, as parts of the length.
     pub minor: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What is said of a backbone, and of each of its points.
+//! Fields of a backbone, and of each of its points.
 
 use super::Answer;
 use crate::output::description::Answers;
@@ -164,7 +164,7 @@ fn enclosing(point: &Point<'_>) -> Option<String> {
     Some(format!("the orbit also encloses the equilibrium at {place}, so that the series does not apply"))
 }
 
-/// How far the series is from the exact value, or else from the orbit.
+/// The distance of the series from the exact value, or else from the orbit.
 fn error(point: &Point<'_>) -> String {
     let orbit = point.orbit().map(|it| (it.frequency, it.uncertainty));
     let best = point.exact().map(|it| (it.value, it.uncertainty)).or(orbit);

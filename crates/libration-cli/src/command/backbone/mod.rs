@@ -47,18 +47,18 @@ pub(crate) struct Backbone {
 /// More amplitudes than this take too long.
 const MOST_AMPLITUDES: usize = 100_000;
 
-/// What is written.
+/// The result to write.
 struct Answer {
     asked: Asked,
     curve: Curve,
     order: usize,
-    /// At how many amplitudes it was asked for.
+    /// Number of amplitudes requested.
     asked_for: usize,
     points: Vec<BackbonePoint>,
 }
 
 impl Answer {
-    /// That Ctrl-C came before the last amplitude.
+    /// The error that Ctrl-C came before the last amplitude.
     fn interruption(&self) -> Option<QueryError> {
         let (done, all) = (self.points.len(), self.asked_for);
         let told = || format!("interrupted: the points up to then are written, {done} of {all}");

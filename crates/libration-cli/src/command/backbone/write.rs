@@ -18,7 +18,7 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     fields::of_point().write_csv(out, &answer.listed().collect::<Vec<_>>())
 }
 
-/// What is known of the whole, the points if they are to be listed, and why some are missing.
+/// Writes the properties of the whole, the points if they are to be listed, and the reasons why some are missing.
 pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::Result<()> {
     sheet(out, &head(answer))?;
     let points: Vec<Point<'_>> = answer.listed().collect();
@@ -81,7 +81,7 @@ fn series(answer: &Answer) -> String {
     }
 }
 
-/// Why there are no orbits, each reason once.
+/// Writes why there are no orbits, each reason once.
 fn write_reasons(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     let mut missing = answer.points.iter().filter_map(|point| Some((point, point.orbit.as_ref().err()?)));
     let count = missing.clone().count();

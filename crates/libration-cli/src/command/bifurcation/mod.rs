@@ -23,9 +23,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use write::answers;
 
-/// Without another wish so many points are kept for each value.
+/// Number of points kept for each value by default.
 const POINTS: usize = 100;
-/// So many values are one piece of work.
+/// Number of values that are one piece of work.
 const PIECE: usize = 32;
 
 /// Bifurcation diagram: the Poincaré section of a motion for each value of a parameter

@@ -40,7 +40,7 @@ impl Diagram<'_> {
                 state: self.options.shown(&point.state, &self.angles),
             })
     }
-    /// Whether each sweep has all values.
+    /// Returns `true` if each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
         self.sweeps.iter().all(|sweep: &Sweep| sweep.columns.len() == self.parameter.values.len())
     }

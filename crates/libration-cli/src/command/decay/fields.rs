@@ -1,4 +1,4 @@
-//! What is said of a decay, of its turning points, and of its whole cycles.
+//! Fields of a decay, of its turning points, and of its whole cycles.
 
 use super::report::{Cycle, Report, Row};
 use super::slow_flow;
@@ -20,7 +20,7 @@ pub(super) struct Found<'a> {
     pub(super) report: &'a Report,
 }
 
-/// What stands before the terms of the damping.
+/// The fields before the terms of the damping.
 pub(super) fn of_pendulum() -> Fields<Decay> {
     type Of = Field<Decay>;
     Fields::from([Of::number(
@@ -113,7 +113,7 @@ pub(super) fn of_turning<'a>() -> Fields<Turning<'a>> {
     ])
 }
 
-/// What is there at the end of each whole cycle.
+/// The fields at the end of each whole cycle.
 pub(super) fn of_cycle() -> Fields<Cycle> {
     type Of = Field<Cycle>;
     Fields::from([

@@ -1,4 +1,4 @@
-//! What damps the pendulum, and how far it is followed.
+//! Damping of the pendulum, and extent of the motion.
 
 use crate::arguments;
 use crate::query_error::QueryError;

@@ -1,4 +1,4 @@
-//! What is found of a decay: its turning points with both laws beside them, and its cycles.
+//! Results of a decay: its turning points with both laws for comparison, and its cycles.
 
 use super::options::Extent;
 use super::slow_flow::{SlowCycle, SlowTurn};
@@ -15,9 +15,9 @@ pub(crate) struct Report {
     pub(crate) turns: Vec<Turn>,
     /// `None` where it is followed no further.
     pub(crate) ending: Option<DecayEnding>,
-    /// Whether somebody has ended the work early.
+    /// `true` if the run was cancelled.
     pub(crate) interrupted: bool,
-    /// When the slow flow turns, in seconds, if it is asked for.
+    /// Times at which the slow flow turns, in seconds, if it is requested.
     slow_turns: Vec<f64>,
 }
 
@@ -35,16 +35,16 @@ pub(crate) struct Row<'a> {
     /// 0, 0.5, 1, ….
     pub(crate) cycle: f64,
     pub(crate) turn: &'a Turn,
-    /// What is there at the end of a whole cycle.
+    /// Cycle that ends there, if a whole one does.
     pub(crate) whole: Option<Cycle>,
 }
 
 /// A whole cycle, in seconds.
 #[derive(Clone, Copy)]
 pub(crate) struct Cycle {
-    /// When its middle turning point is passed.
+    /// Time of its middle turning point, in seconds.
     pub(crate) middle: f64,
-    /// How long it takes.
+    /// Duration in seconds.
     pub(crate) duration: f64,
     /// The exact period of the amplitude in its middle.
     pub(crate) exact_period: f64,
@@ -135,7 +135,7 @@ pub(super) fn in_cycles(number: usize) -> f64 {
     0.5 * u32::try_from(number).map_or(f64::INFINITY, f64::from)
 }
 
-/// Why a pendulum that was released does not swing.
+/// The reason why a pendulum that was released does not swing.
 fn no_swing(decay: &Decay, ending: DecayEnding) -> QueryError {
     let reason = if ending == DecayEnding::Sticks {
         let held = short(decay.sticking_amplitude().to_degrees(), 6);

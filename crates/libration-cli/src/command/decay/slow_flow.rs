@@ -27,10 +27,10 @@ pub(crate) struct SlowCycle {
     pub(crate) error: f64,
 }
 
-/// What is said of all turning points.
+/// Comparison of the slow flow with all turning points.
 pub(super) struct Compared<'a> {
     pub(super) slow: &'a SlowDecay,
-    /// Of the amplitude and of the phase, in radians.
+    /// Largest errors of the amplitude and of the phase, in radians.
     pub(super) largest_errors: [f64; 2],
 }
 
@@ -104,7 +104,7 @@ pub(super) fn of_cycle() -> Fields<SlowCycle> {
     ])
 }
 
-/// What the slow flow is worth, in a line.
+/// The accuracy of the slow flow, in a line.
 pub(super) fn line(Compared { slow, largest_errors: [amplitude, phase] }: &Compared<'_>) -> String {
     let [order, damping_order] = [slow.flow().order, slow.flow().parameter_order];
     let orders = format!("to the power {order} of the amplitude and {damping_order} of the damping");

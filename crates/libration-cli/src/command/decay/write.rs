@@ -21,7 +21,7 @@ pub(super) struct Answer<'a> {
     /// If it is asked for.
     pub(super) slow: Option<&'a SlowDecay>,
     pub(super) report: &'a Report,
-    /// Whether the table lists the cycles; a picture shows them better.
+    /// `true` if the table lists the cycles; a picture shows them better.
     pub(super) listed: bool,
 }
 

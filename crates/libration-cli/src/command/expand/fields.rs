@@ -1,4 +1,4 @@
-//! What is said of an expansion: its series as lists of coefficients, each a text.
+//! Fields of an expansion: its series as lists of coefficients, each a text.
 
 use super::Answer;
 use super::subject::of_subject;
@@ -22,7 +22,7 @@ struct Harmonic {
     sin: Series,
 }
 
-/// What depends on an amplitude in one way, in every gauge.
+/// The series that depend on an amplitude in the same way in every gauge.
 struct OfAmplitude {
     frequency_ratio: Series,
     period_ratio: Series,
@@ -227,7 +227,7 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "", json, csv }
 }
 
-/// Those of all series, in the order of JSON; of harmonics in an amplitude without the cosines or sines, whichever vanish.
+/// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or sines, whichever vanish.
 pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<Coefficient<'_>> {
     let mut all = vec![];
     let mut add = |quantity: String, variable, series: Series| {

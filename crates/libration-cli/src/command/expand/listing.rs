@@ -39,7 +39,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> 
     write_text(out, "", &checked(answer))
 }
 
-/// What is expanded about what.
+/// Writes the subject of the expansion and the equilibrium.
 pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &Answer<C>) -> io::Result<()> {
     answer.subject.write(out)?;
     write_text(out, "", &setting(answer))
@@ -79,7 +79,7 @@ fn setting<C: Coefficient>(answer: &Answer<C>) -> String {
     format!("about {} = {place}, where ω0² = {square}{root}", answer.subject.variable)
 }
 
-/// What is said of ω0 where its square has letters.
+/// A description of ω0 where its square has letters.
 fn root_in_words<C>(letters: &Letters<C>) -> String {
     let constants: String =
         letters.explained().map(|(name, value)| format!(", with {name} = {value}")).collect();
@@ -92,7 +92,7 @@ fn root_in_words<C>(letters: &Letters<C>) -> String {
     root + &constants
 }
 
-/// What the variable means, and how far the series go.
+/// The meaning of the variable, and the order of the series.
 fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     let Symbols { variable, .. } = symbols;
     let power =
@@ -116,7 +116,7 @@ fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
     }
 }
 
-/// That there are further harmonics in the same powers.
+/// A note that there are further harmonics in the same powers.
 pub(super) fn left_out<C>(expansion: &Expansion<C>) -> Option<String> {
     let highest = expansion.harmonics.iter().map(|harmonic| harmonic.k).max();
     let above = highest.filter(|_| !expansion.has_all_harmonics)?;
@@ -199,7 +199,7 @@ fn both<C>(harmonic: &HarmonicSeries<C>) -> [Part<'_, C>; 2] {
     [part("a", &harmonic.cos), part("b", &harmonic.sin)]
 }
 
-/// What the coefficients of harmonics are called that depend on the amplitude.
+/// The letter of the coefficients of harmonics that depend on the amplitude.
 pub(super) fn letter_of<C>(expansion: &Expansion<C>) -> &'static str {
     match expansion.phase_origin {
         PhaseOrigin::Passage => "b",

@@ -159,7 +159,7 @@ const EVALUATED_OF_TWO_SIDES: usize = 15;
 struct Answer<C = Rational> {
     subject: Subject,
     is_angle: bool,
-    /// What is said where parameters are letters.
+    /// Letters and constants, where parameters are letters.
     letters: Option<Letters<C>>,
     expansion: Expansion<C>,
     /// The order that was asked for, when Ctrl-C was pressed before it was reached.
@@ -179,9 +179,9 @@ struct Letters<C> {
     /// Names in the coefficients for constants that are no products of letters.
     constants: Vec<(String, String)>,
     omega0: String,
-    /// What stands for ω0 in the coefficients.
+    /// Symbol of ω0 in the coefficients.
     omega0_name: Option<String>,
-    /// By powers of the variable, where ω0 is a product of letters.
+    /// Coefficients of Ω by powers of the variable, where ω0 is a product of letters.
     frequency: Option<Vec<C>>,
 }
 
@@ -223,7 +223,8 @@ impl Expand {
         missing.map_or(Ok(()), |missing| Err(QueryError::cancelled(format!("interrupted: {missing}"))))
     }
 
-    /// Where an open parameter is the strength of a force that has no expansion as a limit cycle, but a slow flow, this is the answer, with a note.
+    /// Writes the slow flow, with a note, if an open parameter is the strength of a force that has no expansion as a limit cycle, but has a slow
+    /// flow.
     fn slow_flow_or(&self, out: &mut dyn Write, refused: QueryError) -> Result<(), QueryError> {
         let is_written =
             self.format.and_then(Format::language).is_none() && self.format != Some(Format::Mathml);
@@ -283,7 +284,7 @@ impl Expand {
         Ok(Ok(answer.missing_orders()))
     }
 
-    /// What the expansion parameter means.
+    /// The gauge: the definition of the expansion parameter.
     fn gauge(&self) -> Gauge {
         self.gauge.clone().unwrap_or(Gauge::Fundamental)
     }
@@ -369,7 +370,7 @@ fn refusal(error: ExpansionError) -> QueryError {
     }
 }
 
-/// How far the series of the period goes, as far as it is known.
+/// The range of convergence of the period's series, as far as it is known.
 fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
     let relation = SeriesComparison::new(oscillator, expansion, SeriesQuantity::Period);
     let radius = until_asked("the radius of convergence", |_| relation.radius()).flatten();
@@ -393,7 +394,7 @@ fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expa
     with_orders_shown(order, |watch| expand_watched(oscillator, order, gauge, watch))
 }
 
-/// What a computation gives, with a line of progress while it takes long, until Ctrl-C is pressed.
+/// The result of a computation, with a line of progress while it takes long, until Ctrl-C is pressed.
 fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&Watch<'_>) -> T + Send) -> T {
     let latest = Mutex::new(None);
     let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
@@ -448,7 +449,7 @@ impl<C> Answer<C> {
         letters.frequency.as_deref().filter(|_| letters.omega0 != "1")
     }
 
-    /// Which orders are there when Ctrl-C was pressed during the expansion.
+    /// A statement of the orders that were complete when Ctrl-C was pressed during the expansion.
     fn missing_orders(&self) -> Option<String> {
         let asked = self.interrupted?;
         let order = self.expansion.order;

@@ -1,4 +1,4 @@
-//! What is expanded, in words: the oscillator of every answer.
+//! Subject of an expansion, in words: the oscillator of every result.
 
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -16,7 +16,7 @@ pub(super) struct Subject {
     pub(super) variable: String,
     /// The parameters with their values.
     values: Vec<(String, String)>,
-    /// How a free equation was read.
+    /// Equation as it was read, where it was written freely.
     read_as: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What a picture shows, as numbers: a summary to read, or every point as JSON or CSV.
+//! Content of a picture as numbers: a summary to read, or every point as JSON or CSV.
 
 use crate::figure::chart::{Picture, Series};
 use crate::output::description::Answers;

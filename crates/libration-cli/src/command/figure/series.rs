@@ -46,9 +46,9 @@ pub(super) struct Series {
 
 /// The largest amplitude shown where no radius of convergence is known.
 const UNKNOWN_RADIUS: f64 = 2.0;
-/// How far beyond the radius of convergence the picture goes.
+/// Largest amplitude of the picture, in radii of convergence.
 const BEYOND: f64 = 1.2;
-/// How far beyond the last motion.
+/// Largest amplitude of the picture, in units of the last motion's or of the radius of convergence, whichever is larger.
 const END: f64 = 1.02;
 /// The error at the top.
 const HIGHEST: f64 = 10.0;
@@ -158,12 +158,12 @@ impl Series {
     }
 }
 
-/// That there is nothing to draw yet.
+/// The error that there is nothing to draw yet.
 fn early() -> QueryError {
     QueryError::cancelled("interrupted before the first error was known: nothing is drawn")
 }
 
-/// What the picture is about.
+/// The subject of the picture.
 struct Subject {
     oscillator: Oscillator,
     expansion: Expansion,
@@ -204,7 +204,7 @@ fn lines(
     powers: &[usize],
     setting: &SeriesSetting,
 ) -> Vec<Line> {
-    /// Of the approximant, where the order allows it.
+    /// Degrees of the approximant, of which the order allows some.
     const DEGREES: [usize; 4] = [8, 6, 4, 2];
     let line = |label: String, value: &dyn Fn(&Sample) -> f64| {
         let error = |sample: &Sample| Some((sample.amplitude, resolved_error(value(sample), &sample.exact)?));

@@ -161,7 +161,7 @@ impl Trajectories {
     }
 }
 
-/// What is done with each run before somebody presses Ctrl-C: at least with one.
+/// The results of the runs that are done before somebody presses Ctrl-C: at least one.
 fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result<Vec<T>, QueryError> {
     let mut done = vec![];
     for run in runs {
@@ -211,7 +211,7 @@ impl Run {
         }
     }
 
-    /// What it is made with: its parameters and its start.
+    /// The parameters and the start of the run.
     fn made_with(&self) -> Vec<String> {
         [of_model(&self.model), self.numbers_of_start()].concat()
     }

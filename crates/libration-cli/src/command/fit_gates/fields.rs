@@ -1,4 +1,4 @@
-//! What is said of the times of a photogate, and of each cycle.
+//! Fields of the times of a photogate, and of each cycle.
 
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -8,10 +8,10 @@ use libration::quantity::Quantity;
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{GateCycle, GatesFit, T0Source};
 
-/// What is said about the times.
+/// The result for the times.
 pub(super) struct Answer<'a> {
     pub(super) fit: &'a GatesFit,
-    /// With the length.
+    /// Budget with the length.
     pub(super) budget: Option<(&'a Budget, Quantity)>,
     pub(super) findings: Vec<String>,
     pub(super) incomplete: usize,
@@ -33,7 +33,7 @@ impl Answer<'_> {
     }
 }
 
-/// What stands before the budget.
+/// The fields before the budget.
 pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
@@ -100,7 +100,7 @@ fn no_gravity() -> String {
     "give --length, and what gives T0, to have gravity".to_owned()
 }
 
-/// What stands behind it.
+/// The fields after the budget.
 pub(super) fn of_cycles<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     let warnings = warnings::fields(

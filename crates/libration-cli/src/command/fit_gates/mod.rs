@@ -113,7 +113,7 @@ impl FitGates {
         Ok(GateOptions { signals, width: geometry.and_then(GateGeometry::width), amplitude })
     }
 
-    /// None without a length.
+    /// The geometry of the gate; `None` without a length.
     fn geometry(&self) -> Result<Option<GateGeometry>, QueryError> {
         let Some(apparatus) = self.apparatus.apparatus() else { return Ok(None) };
         let geometry = GateGeometry::new(apparatus, self.diameter, self.gate_distance);

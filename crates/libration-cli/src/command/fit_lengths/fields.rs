@@ -1,4 +1,4 @@
-//! What is said of periods against lengths, and of each law.
+//! Fields of periods against lengths, and of each law.
 
 use super::input::LengthFile;
 use crate::output::description::Answers;
@@ -7,7 +7,7 @@ use crate::output::warnings::{self, Named};
 use crate::output::{combined, json, number, scatter};
 use libration_lab::fit::{CountedAs, LengthFit, LengthsFit, LengthsWarning, Uncertain};
 
-/// What is said about the measurements.
+/// The result for the measurements.
 pub(super) struct Answer<'a> {
     pub(super) table: &'a LengthFile,
     pub(super) fit: &'a LengthsFit,

@@ -32,7 +32,7 @@ pub(super) struct Input {
     dialect: DialectOptions,
 }
 
-/// What was measured, and how it was read.
+/// The measurements, and the settings with which they were read.
 #[derive(Clone, Debug)]
 pub(super) struct LengthFile {
     pub(super) measured: Measured,

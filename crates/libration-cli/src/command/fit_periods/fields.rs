@@ -1,4 +1,4 @@
-//! What is said of measured periods, and of each law.
+//! Fields of measured periods, and of each law.
 
 use super::input::Measured;
 use crate::output::description::Answers;
@@ -8,7 +8,7 @@ use crate::output::{budget, json, scatter};
 use libration::quantity::Quantity;
 use libration_lab::fit::{Budget, FitError, LawFit, PeriodFit, Weighting};
 
-/// What is said about the measurements.
+/// The result for the measurements.
 pub(super) struct Answer<'a> {
     pub(super) measured: &'a Measured,
     pub(super) fit: &'a PeriodFit,
@@ -30,7 +30,7 @@ impl Answer<'_> {
         fixed.into_iter().chain(others).collect()
     }
 
-    /// What is doubtful about the rows, and about gravity, with names that stay.
+    /// The warnings about the rows, and about gravity, with stable names.
     fn warnings(&self) -> Vec<Named> {
         let of_rows = self.fit.warnings().into_iter().map(|warning| (warning.name(), warning.to_string()));
         of_rows.chain(self.budget.into_iter().flat_map(budget::warnings)).collect()

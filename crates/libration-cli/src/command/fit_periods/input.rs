@@ -22,7 +22,7 @@ pub(super) struct Input {
     dialect: DialectOptions,
 }
 
-/// What was measured, as columns (rad and s) and as the table to fit.
+/// The measurements, as columns (rad and s) and as the table to fit.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) rows: Vec<Measurement>,

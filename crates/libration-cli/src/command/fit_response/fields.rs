@@ -1,4 +1,4 @@
-//! What is said of a response, of each model, of each row and of each jump.
+//! Fields of a response, of each model, of each row and of each jump.
 
 use super::input::ResponseFile;
 use crate::output::description::Answers;
@@ -11,7 +11,7 @@ use libration_lab::fit::response::{
 };
 use serde_json::Value;
 
-/// What is said about the measurements.
+/// The result for the measurements.
 pub(super) struct Answer<'a> {
     pub(super) file: &'a ResponseFile,
     pub(super) fit: &'a ResponsesFit,

@@ -38,7 +38,7 @@ enum Errors {
     Relative,
 }
 
-/// What was measured, and how it was read.
+/// The measurements, and the settings with which they were read.
 #[derive(Clone, Debug)]
 pub(super) struct ResponseFile {
     pub(super) measured: Measured,

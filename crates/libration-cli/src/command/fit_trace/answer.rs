@@ -1,4 +1,4 @@
-//! What is found in measured swings.
+//! Results for measured swings.
 
 use super::input::Measured;
 use super::model::DampingChoice;

@@ -13,11 +13,11 @@ pub(super) struct Input {
     files: Vec<PathBuf>,
 }
 
-/// What was read.
+/// The recordings that were read.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) files: Vec<File>,
-    /// Of all files, in their order.
+    /// Traces of all files, in their order.
     pub(super) traces: Vec<Trace>,
 }
 

@@ -1,4 +1,4 @@
-//! Which damping is fitted.
+//! Choice of the damping that is fitted.
 
 use libration_lab::fit::{DampingModel, DampingModelError};
 use std::str::FromStr;

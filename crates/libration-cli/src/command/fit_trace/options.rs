@@ -1,4 +1,4 @@
-//! Which options do what a warning or an advice asks for.
+//! Options that follow the advice of a warning.
 
 use libration_lab::fit::swings::{Advice, Warning};
 use libration_lab::measurement::Observable;

@@ -146,7 +146,7 @@ pub(super) fn best_first<'a>(answer: &'a Answer<'a>, comparison: &'a Comparison)
     models
 }
 
-/// What Akaike's criterion was made with.
+/// The number of independent rows for Akaike's criterion.
 pub(super) fn counted_rows(answer: &Answer<'_>, comparison: &Comparison) -> String {
     format!(
         "{} rows count as {} independent ones.",

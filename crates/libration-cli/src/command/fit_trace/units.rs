@@ -4,7 +4,7 @@ use super::answer::Answer;
 use crate::output::number::rounded;
 use libration_lab::measurement::Observable;
 
-/// As people write it.
+/// The unit as people write it.
 pub(super) fn unit(unit: &str) -> String {
     if unit == "1" { String::new() } else { unit.replace("^2", "²") }
 }

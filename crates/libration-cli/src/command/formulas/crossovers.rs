@@ -1,4 +1,4 @@
-//! Which formula overtakes which, and at which amplitude.
+//! Crossovers of the formulas: the amplitudes at which one overtakes another.
 
 use super::error_table::error_table;
 use crate::interrupt;

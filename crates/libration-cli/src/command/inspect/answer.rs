@@ -1,4 +1,4 @@
-//! What is said of a file: its tables, what would be fitted, and why not if nothing would.
+//! Result for a file: its tables, the proposed fit, and the reasons if there is none.
 
 use libration_lab::measurement::{
     Choices, Clock, Faults, Finding, Gates, MeasurementError, Recording, Trace, Traces,
@@ -12,7 +12,7 @@ pub(super) struct Answer {
     pub(super) traces: Result<Traces, MeasurementError>,
     /// The times of a photogate, where the file has some.
     pub(super) gates: Option<Gates>,
-    /// Whether the numbers are listed too.
+    /// `true` if the numbers are listed too.
     pub(super) with_values: bool,
 }
 
@@ -26,7 +26,7 @@ impl Answer {
         Self { file, bytes, recording, traces, gates, with_values: false }
     }
 
-    /// What was told in reading, and in finding traces or the times of a gate.
+    /// The findings in reading, and in searching for traces or the times of a gate.
     pub(super) fn findings(&self) -> Vec<Finding> {
         let mut findings = self.recording.findings();
         match (&self.traces, &self.gates) {
@@ -45,7 +45,7 @@ fn is_of_a_gate(recording: &Recording, gates: &Gates) -> bool {
     gates.times.len() > 1 && increases && (gates.blocked.is_some() || is_alone)
 }
 
-/// How the times of a trace follow each other.
+/// The clock of a trace: the intervals between its times.
 pub(super) fn clock(trace: &Trace) -> Option<Clock> {
     Faults::detect(trace.times(), trace.values(), None).clock
 }

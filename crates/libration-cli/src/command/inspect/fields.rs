@@ -1,4 +1,4 @@
-//! What is said of a file, of its tables and columns, and of the traces that would be fitted.
+//! Fields of a file, of its tables and columns, and of the traces that would be fitted.
 
 use super::answer::{Answer, clock, range};
 use crate::arguments::what_would_decide;

@@ -24,7 +24,7 @@ fn write_csv(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     fields::of_column().write_csv(out, &columns)
 }
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 120;
 
 fn write_page(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {

@@ -8,7 +8,7 @@ use crate::output::table::{paragraph, sheet};
 use crate::output::{Form, number};
 use std::io::{self, Write};
 
-/// Where sentences are broken.
+/// Width at which sentences are broken, in columns.
 const COLUMNS: usize = 100;
 
 impl Answer<'_> {

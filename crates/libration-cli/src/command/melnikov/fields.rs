@@ -1,4 +1,4 @@
-//! What is said of a Melnikov function, its thresholds, and resonances.
+//! Fields of a Melnikov function, its thresholds, and resonances.
 
 use super::{Answer, Crossing};
 use crate::output::description::Answers;

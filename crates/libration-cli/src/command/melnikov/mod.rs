@@ -55,13 +55,13 @@ pub(crate) struct MelnikovQuestion {
     form: FormOptions,
 }
 
-/// Where the manifolds begin or cease to cross: to the first order, and as they are.
+/// The parameter at which the manifolds begin or cease to cross: to the first order, and for the manifolds as they are.
 struct Crossing {
     threshold: Threshold,
     tangency: Result<Tangency, NoTangency>,
 }
 
-/// What is written.
+/// The result to write.
 struct Answer {
     model: Model,
     /// The parameter with the value at which the function is given.
@@ -118,7 +118,7 @@ impl MelnikovQuestion {
 }
 
 impl Answer {
-    /// What the picture shows.
+    /// The content of the picture.
     fn shown(&self) -> Perturbed<'_> {
         Perturbed {
             model: &self.model,

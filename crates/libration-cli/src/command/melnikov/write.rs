@@ -8,7 +8,7 @@ use crate::output::{Form, csv, json};
 use libration::melnikov::Melnikov;
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 /// Overlap from which on motions between resonances are seen to be chaotic, by experience: the criterion itself has 1.
 const OVERLAP: f64 = 2.0 / 3.0;

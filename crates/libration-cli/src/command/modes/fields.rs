@@ -1,4 +1,4 @@
-//! What is said of an equilibrium, and of each mode about it.
+//! Fields of an equilibrium, and of each mode about it.
 
 use super::Answer;
 use crate::output::description::{Answers, Row, descriptions};
@@ -44,7 +44,7 @@ pub(super) fn of_equilibrium() -> Fields<Answer> {
     ])
 }
 
-/// What stands before the shape in CSV.
+/// The fields before the shape in CSV.
 pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
     type Of<'a> = Field<Numbered<'a>>;
     Fields::from([
@@ -88,7 +88,7 @@ pub(super) fn of_mode<'a>() -> Fields<Numbered<'a>> {
     ])
 }
 
-/// What stands behind it.
+/// The fields after the shape.
 pub(super) fn of_shift<'a>() -> Fields<Numbered<'a>> {
     type Of<'a> = Field<Numbered<'a>>;
     Fields::from([

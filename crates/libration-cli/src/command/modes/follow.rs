@@ -12,7 +12,7 @@ use libration::quantity::Displacement;
 use libration::systems::{Coordinate, Model};
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
 /// Which mode is followed, and how far.

@@ -47,7 +47,7 @@ pub(crate) struct Modes {
     form: FormOptions,
 }
 
-/// What is written.
+/// The result to write.
 struct Answer {
     model: Model,
     modes: NormalModes,

@@ -10,7 +10,7 @@ use libration::normal_modes::{Behaviour, Mode, Resonance};
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 120;
 
 pub(super) fn json(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
@@ -113,7 +113,7 @@ fn shape(names: &[String], mode: &Mode) -> String {
 }
 
 fn in_digits(part: &Complex) -> String {
-    /// Of parts whose largest is 1.
+    /// Rounding error of parts whose largest is 1.
     const ROUNDING: f64 = 1e-12;
     let text = |x: f64| if x.abs() < ROUNDING { "0".to_owned() } else { short(x, 13) };
     match (text(part.re), text(part.im.abs())) {
@@ -140,7 +140,7 @@ fn shift(names: &[String], mode: &Mode) -> String {
     }
 }
 
-/// As it is added to something.
+/// The number as it is added to something.
 fn signed(surd: &Surd) -> String {
     match surd.to_rational() {
         Some(value) if value.is_negative() => format!("- {}", value.magnitude()),

@@ -1,4 +1,4 @@
-//! What is said of a motion, of its state at a time, and of the approximations then.
+//! Fields of a motion, of its state at a time, and of the approximations then.
 
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;

@@ -112,7 +112,7 @@ impl Comparison {
         Ok(Self { approximations: question.compare.clone(), amplitude, angular_frequency })
     }
 
-    /// As a picture needs them.
+    /// The approximations as a picture needs them.
     fn curves(&self) -> Vec<figure::motion::Approximation<'_>> {
         let curve = |it| figure::motion::Approximation {
             name: ApproximateMotion::name(it),

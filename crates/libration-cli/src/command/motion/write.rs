@@ -11,15 +11,15 @@ use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Regime};
 use std::io::{self, Write};
 
-/// Why a state is not a number.
+/// The reason why a state is not a number.
 const UNKNOWN_PHASE: &str = "the phase is not known from 2⁹⁷ periods (1.6e29) on";
 
-/// A motion with what its answer says beside the samples.
+/// A motion with the parts of its result apart from the samples.
 pub(super) struct Answer<'a> {
     pub(super) pendulum: PendulumOptions,
     pub(super) motion: &'a Motion,
     pub(super) comparison: &'a Comparison,
-    /// Whether the table lists the samples; a picture shows them better.
+    /// `true` if the table lists the samples; a picture shows them better.
     pub(super) listed: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is said of an orbit, and of each of its harmonics.
+//! Fields of an orbit, and of each of its harmonics.
 
 use super::Answer;
 use crate::output::description::Answers;

@@ -60,12 +60,12 @@ pub(crate) struct OrbitQuestion {
     form: FormOptions,
 }
 
-/// What is written.
+/// The result to write.
 pub(crate) struct Answer {
     model: Model,
     kind: OrbitKind,
     orbit: Orbit,
-    /// Of each coordinate.
+    /// Harmonics of each coordinate.
     harmonics: Vec<Harmonics>,
 }
 
@@ -111,7 +111,7 @@ impl OrbitQuestion {
     }
 }
 
-/// What an option mends is said of the option.
+/// The error, which names an option where that option can remove it.
 fn failure(error: NoOrbit, model: &Model) -> QueryError {
     match error {
         NoOrbit::NoCycle(_) => QueryError::no_result("orbit", with_idle_drive(error, model)),

@@ -6,7 +6,7 @@ use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 /// Harmonics below their error or this part of the largest, and more of a coordinate than these, are for machines only.
 const SHOWN: f64 = 1e-12;

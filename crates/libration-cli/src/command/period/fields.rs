@@ -1,4 +1,4 @@
-//! What is said of a swing, and of each formula for its period.
+//! Fields of a swing, and of each formula for its period.
 
 use crate::arguments::PendulumOptions;
 use crate::output::description::Answers;
@@ -23,6 +23,7 @@ impl Swing {
         Self { amplitude, uncertainty, small_angle_period, exact: pendulum.swing_period(&amplitude) }
     }
 
+<<<<<<< HEAD
     /// An angle of the swing in radians, to the second digit of its uncertainty.
     fn radians(&self, angle: f64) -> String {
         match self.uncertainty {
@@ -33,6 +34,10 @@ impl Swing {
 
     /// The swings of many amplitudes.
     pub(super) fn all(given: &[(Amplitude, Option<f64>)], pendulum: &Pendulum) -> Vec<Self> {
+=======
+    /// The swings of many amplitudes.
+    pub(super) fn all(amplitudes: &[Amplitude], pendulum: &Pendulum) -> Vec<Self> {
+>>>>>>> wt_D
         let small_angle_period = pendulum.small_angle_period();
         let amplitudes: Vec<Amplitude> = given.iter().map(|(amplitude, _)| *amplitude).collect();
         let mut exact = vec![SwingPeriod::default(); amplitudes.len()];
@@ -43,7 +48,7 @@ impl Swing {
     }
 }
 
-/// What one formula says of it.
+/// The period of a swing by one formula.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Estimate<'a> {
     pub(super) formula: &'a PeriodFormula,

@@ -66,7 +66,7 @@ impl Period {
         interrupt::ended_early("the amplitudes")
     }
 
-    /// What the formulas say, in the order asked for.
+    /// The estimates of the formulas, in the order requested.
     fn sorted<'a>(&self, mut estimates: Vec<Estimate<'a>>) -> Vec<Estimate<'a>> {
         if self.sort == Order::Error {
             estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
@@ -75,7 +75,7 @@ impl Period {
     }
 }
 
-/// What the formulas say of each swing, in the order of the formulas.
+/// The estimates of the formulas for each swing, in the order of the formulas.
 fn estimates<'a>(swings: &[Swing], formulas: &'a [PeriodFormula]) -> Vec<Vec<Estimate<'a>>> {
     let angles: Vec<Angle> = swings.iter().map(|swing| swing.amplitude.angle()).collect();
     let mut errors = fractional_errors(formulas, &angles).into_iter();

@@ -19,8 +19,8 @@ pub(super) struct Swings<'a> {
     pub(super) pendulum: &'a Pendulum,
 }
 
-/// How many amplitudes one core answers at a time: with every formula in half a second at worst, next to zero. With 128 a fifth of the time
-/// went into handing over.
+/// Number of amplitudes that one core computes at a time: with every formula in half a second at worst, next to zero. With 128 a fifth of the
+/// time went into handing over.
 const PIECE: usize = 512;
 
 impl Swings<'_> {

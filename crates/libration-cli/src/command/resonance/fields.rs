@@ -1,4 +1,4 @@
-//! What is said of a normal form, its terms and the exchange of energy.
+//! Fields of a normal form, its terms and the exchange of energy.
 
 use super::Answer;
 use crate::output::description::Answers;

@@ -57,7 +57,7 @@ pub(crate) struct ResonanceQuestion {
     form: FormOptions,
 }
 
-/// What is written.
+/// The result to write.
 struct Answer {
     model: Model,
     form: NormalForm,
@@ -102,7 +102,7 @@ impl ResonanceQuestion {
 }
 
 impl Answer {
-    /// What the picture shows: two exchanges, or forty periods where there is none.
+    /// The content of the picture: two exchanges, or forty periods where there is none.
     fn shown(&self) -> Result<Amplitudes<'_>, QueryError> {
         const PERIODS: f64 = 40.0;
         const SAMPLES: usize = 240;

@@ -8,7 +8,7 @@ use crate::output::{Form, csv, json};
 use libration::normal_form::SlowTerm;
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
 impl Answer {

@@ -1,4 +1,4 @@
-//! What is said of branches, their points and special points.
+//! Fields of branches, their points and special points.
 
 use super::{Answer, Decimal};
 use crate::output::field::{Field, Fields};

@@ -1,4 +1,4 @@
-//! What is said of a response as a whole, and the lines of CSV.
+//! Fields of a response as a whole, and the lines of CSV.
 
 use super::Answer;
 use super::branch_fields::{Place, of_branch};
@@ -102,7 +102,7 @@ fn of_missing() -> Fields<(f64, NoBranch)> {
     ])
 }
 
-/// What the search for answers of an order came to.
+/// The fields of the search for responses of an order.
 fn of_order() -> Fields<OrderAnswers> {
     type Of = Field<OrderAnswers>;
     Fields::from([

@@ -110,7 +110,7 @@ pub(crate) struct Decimal {
     error: f64,
 }
 
-/// What is written.
+/// The result to write.
 pub(crate) struct Answer {
     pub(crate) model: Model,
     pub(crate) parameter: String,
@@ -121,7 +121,7 @@ pub(crate) struct Answer {
     /// For each branch, for each of its special points, where they were asked for and are known.
     precise: Vec<Vec<Option<Decimal>>>,
     pub(crate) sweeps: Vec<Sweep>,
-    /// How many periods of the drive an answer takes.
+    /// Number of drive periods in a period of a response.
     drive_periods: usize,
 }
 
@@ -183,7 +183,7 @@ impl ResponseQuestion {
         response.map_err(|error| failure(error, model))
     }
 
-    /// Where slow sweeps lead, if they are asked for or belong to the picture.
+    /// The slow sweeps, if they are requested or belong to the picture.
     fn sweeps(&self, model: &Model, response: &Response) -> Result<Vec<Sweep>, QueryError> {
         if self.sweeps.is_some() && !response.driven {
             return Err(QueryError::usage(
@@ -208,7 +208,7 @@ impl ResponseQuestion {
 }
 
 impl ResponseQuestion {
-    /// The special points to so many digits.
+    /// The special points to this number of digits.
     fn precise(
         &self,
         model: &Model,
@@ -240,12 +240,12 @@ impl Answer {
         self.model.coordinates()[self.coordinate].is_angle()
     }
 
-    /// How many turns the coordinate makes in an answer of a branch.
+    /// Number of turns that the coordinate makes in a response of a branch.
     pub(crate) fn turns(&self, branch: &Branch) -> i32 {
         branch.space.rotation.map_or(0, |rotation| rotation.turns_of(self.coordinate))
     }
 
-    /// What the picture shows.
+    /// The content of the picture.
     fn curve(&self) -> ResponseCurve<'_> {
         ResponseCurve {
             model: &self.model,

@@ -1,4 +1,4 @@
-//! What is said of slow sweeps: where they lead and jump.
+//! Fields of slow sweeps: their points and jumps.
 
 use super::Answer;
 use crate::output::field::{Field, Fields};
@@ -12,7 +12,7 @@ pub(super) struct Jumping<'a> {
     pub(super) jump: &'a Jump,
 }
 
-/// Where a slow sweep leads at one value.
+/// The point of a slow sweep at one value.
 pub(super) struct Swept<'a> {
     pub(super) answer: &'a Answer,
     pub(super) rising: bool,
@@ -47,12 +47,12 @@ impl Swept<'_> {
     }
 }
 
-/// Of a sweep, for machines.
+/// The direction of a sweep, for machines.
 fn direction(rising: bool) -> &'static str {
     if rising { "up" } else { "down" }
 }
 
-/// Where slow sweeps lead.
+/// The fields of the points of slow sweeps.
 pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
     type Of<'a> = Field<Swept<'a>>;
     Fields::from([

@@ -11,7 +11,7 @@ use libration::continuation::{Ending, OrderAnswers, OrderFinding, Origin};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
 impl Answer {
@@ -93,7 +93,7 @@ impl Answer {
     }
 }
 
-/// What the search for an order came to.
+/// The result of the search for an order.
 fn sought(OrderAnswers { order, branches, finding }: &OrderAnswers) -> String {
     let came_to = match finding {
         OrderFinding::NoOscillation => {
@@ -149,7 +149,7 @@ fn rotating(turns: i32, periods: u32) -> String {
     }
 }
 
-/// Where a branch comes from and goes, and how much of it is stable.
+/// The ends of a branch, and the number of its points that are stable.
 fn summary(branch: &Numbered<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
     let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);

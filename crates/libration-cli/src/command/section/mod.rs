@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) use write::answers;
 
-/// Without another wish so many points are kept.
+/// Number of points kept by default.
 const POINTS: usize = 1000;
 
 /// Poincaré section: the state once per drive period, or whenever a formula crosses zero
@@ -98,7 +98,7 @@ impl PoincareQuestion {
         answer.failure().map_or(Ok(()), Err)
     }
 
-    /// What the picture shows: the first coordinate that is not the surface itself, and its velocity, or the next coordinate where it has
+    /// The axes of the picture: the first coordinate that is not the surface itself, and its velocity, or the next coordinate where it has
     /// none.
     fn axes(&self, model: &Model) -> Result<[usize; 2], QueryError> {
         let coordinates = model.coordinates();
@@ -139,7 +139,7 @@ impl PoincareQuestion {
 }
 
 impl Answer<'_> {
-    /// Why points are missing, if they are.
+    /// The reason why points are missing, if they are.
     fn failure(&self) -> Option<QueryError> {
         let first = self.sections.iter().find_map(|section| section.stopped)?;
         Some(match first {

@@ -13,7 +13,7 @@ use std::io::Write;
 use std::ops::ControlFlow;
 
 impl SimulatedMotion<'_> {
-    /// Whether there are times before the start and after it.
+    /// Returns `true` if there are times before the start and after it.
     pub(super) fn goes_both_ways(&self) -> bool {
         let (first, last) = self.times.ends();
         first < 0.0 && last > 0.0

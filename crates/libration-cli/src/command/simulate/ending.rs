@@ -1,19 +1,19 @@
-//! How an integration ended, and what is left to be said of that.
+//! Ending of an integration, and the error that follows from it.
 
 use crate::query_error::QueryError;
 use libration::taylor::Moment;
 use std::path::Path;
 
-/// Where an event ended the motion.
+/// The state at which an event ended the motion.
 #[derive(Clone, Debug)]
 pub(super) struct EventEnding {
     pub(super) name: String,
     pub(super) end: Moment,
-    /// By how much each number may be wrong.
+    /// Error of each number.
     pub(super) error: Moment,
 }
 
-/// How an integration ended.
+/// The ending of an integration.
 #[derive(Clone, Debug)]
 pub(super) enum Ending {
     Complete,
@@ -28,7 +28,7 @@ pub(super) enum Ending {
 }
 
 impl Ending {
-    /// What is left to be said when the answer is written.
+    /// The error after the result is written.
     pub(super) fn into_result(self, output: Option<&Path>) -> Result<(), QueryError> {
         match self {
             Self::Complete | Self::Event(_) => Ok(()),

@@ -1,4 +1,4 @@
-//! What is looked for on the way: turning points, passages through rest, zeros of any formula.
+//! Events of an integration: turning points, passages through rest, zeros of any formula.
 
 use crate::arguments::at_commas;
 use crate::query_error::{Parameter, QueryError, option};
@@ -19,7 +19,7 @@ struct Kind {
     /// The coordinate on whose curve it is marked.
     coordinate: usize,
     direction: Direction,
-    /// At the how-manieth the motion ends.
+    /// Count of the event at which the motion ends.
     ends_at: Option<u64>,
 }
 
@@ -53,7 +53,7 @@ pub(super) struct Happening {
     pub(super) state: Vec<f64>,
     /// The values of the columns that were asked for.
     pub(super) columns: Option<Vec<f64>>,
-    /// By how much time and state may be wrong, where that is estimated; not numbers where they are not determined.
+    /// Error of time and state, where it is estimated; NaN where they are not determined.
     pub(super) error: Option<Moment>,
 }
 
@@ -74,12 +74,12 @@ impl Watched {
         Ok(Self { kinds })
     }
 
-    /// What is looked for, by name.
+    /// The names of the events.
     pub(super) fn names(&self) -> Vec<String> {
         self.kinds.iter().map(Kind::full_name).collect()
     }
 
-    /// What ends the motion.
+    /// The name of the event that ends the motion.
     pub(super) fn until(&self) -> Option<String> {
         self.kinds.iter().find(|kind| kind.ends_at.is_some()).map(Kind::full_name)
     }

@@ -1,4 +1,4 @@
-//! What is said of a simulated motion, of its samples and events, and at its end.
+//! Fields of a simulated motion, of its samples and events, and at its end.
 
 use super::ending::{Ending, EventEnding};
 use super::events::Happening;
@@ -107,12 +107,12 @@ pub(super) fn of_event_alone() -> Fields<Happening> {
     ])
 }
 
-/// What stands before the state in CSV.
+/// The fields before the state in CSV.
 pub(super) fn of_time() -> Fields<f64> {
     Fields::from([Field::number("time_s", "s", "time of the sample or event", |time| *time)])
 }
 
-/// What stands behind it.
+/// The field after the state.
 pub(super) const EVENT: Row = ("event", "", "kind of the event, empty in samples; only with --events");
 
 pub(super) fn of_summary() -> Fields<Summary> {
@@ -122,7 +122,7 @@ pub(super) fn of_summary() -> Fields<Summary> {
     of_integration().and(of_precision()).and([state]).and(of_end())
 }
 
-/// How far the states are determined.
+/// The fields of the precision of the states.
 fn of_precision() -> Fields<Summary> {
     type Of = Field<Summary>;
     Fields::from([
@@ -152,7 +152,7 @@ fn of_precision() -> Fields<Summary> {
     ])
 }
 
-/// What the last digit of the start decides.
+/// The fields of the effect of the last digit of the start.
 fn of_start_effect() -> Fields<Moment> {
     type Of = Field<Moment>;
     Fields::from([
@@ -178,7 +178,7 @@ const ERROR: Row = (
     "estimate of the error of the state variable of this name, empty where it is not determined; left out with --no-errors",
 );
 
-/// How well a motion is known.
+/// The fields of the accuracy of a motion.
 pub(super) fn of_integration() -> Fields<Summary> {
     type Of = Field<Summary>;
     Fields::from([
@@ -198,7 +198,7 @@ pub(super) fn of_integration() -> Fields<Summary> {
     ])
 }
 
-/// Where it ends.
+/// The fields of its end.
 pub(super) fn of_end() -> Fields<Summary> {
     type Of = Field<Summary>;
     Fields::from([
@@ -221,7 +221,7 @@ pub(super) fn of_end() -> Fields<Summary> {
     ])
 }
 
-/// Where the event of `--until` ended the motion.
+/// The fields of the state at which the event of `--until` ended the motion.
 fn of_ending() -> Fields<EventEnding> {
     type Of = Field<EventEnding>;
     Fields::from([

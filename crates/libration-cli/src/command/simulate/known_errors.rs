@@ -9,9 +9,9 @@ use std::collections::HashMap;
 pub(super) struct KnownErrors {
     /// Before the start, and after it.
     sides: [Option<StateErrors>; 2],
-    /// By the bits of their times.
+    /// Errors of the samples, by the bits of their times.
     samples: HashMap<u64, Vec<f64>>,
-    /// By those and the numbers of the formulas.
+    /// Errors of the events, by the bits of their times and the numbers of the formulas.
     events: HashMap<(u64, usize), Moment>,
     /// Not numbers.
     none: Moment,
@@ -45,7 +45,7 @@ impl KnownErrors {
         }
     }
 
-    /// Those of the side that is determined for less time.
+    /// The errors of the side that is determined for less time.
     pub(super) fn worse(&self) -> Option<&StateErrors> {
         let reach = |errors: &&StateErrors| errors.determined_until().map_or(f64::INFINITY, f64::abs);
         self.sides.iter().flatten().min_by(|a, b| reach(a).total_cmp(&reach(b)))

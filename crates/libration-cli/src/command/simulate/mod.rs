@@ -217,7 +217,7 @@ impl Simulate {
         }
     }
 
-    /// Why no errors are estimated, if none are.
+    /// The reason why no errors are estimated, if none are.
     fn reason_for_no_errors(&self) -> Option<&'static str> {
         match () {
             () if self.each.is_some() => Some("--each"),
@@ -227,7 +227,7 @@ impl Simulate {
         }
     }
 
-    /// What is asked of a motion that begins in this state.
+    /// The question about a motion that begins in this state.
     fn question(&self, model: &Model, watched: &Watched, initial: Vec<f64>) -> Question {
         Question {
             system: model.key().map(str::to_owned),

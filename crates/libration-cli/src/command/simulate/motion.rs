@@ -16,15 +16,15 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) watched: &'a Watched,
     /// Formulas whose values stand beside the state.
     pub(super) observables: Option<&'a Observables>,
-    /// How it changes with parameters and initial values.
+    /// Sensitivities to parameters and initial values.
     pub(super) sensitivities: Option<&'a Sensitivities>,
     pub(super) earlier: Option<Earlier>,
-    /// Why no errors of the states are wanted, if they are not.
+    /// Reason why no errors of the states are wanted, if they are not.
     pub(super) no_errors: Option<&'static str>,
 }
 
 impl SimulatedMotion<'_> {
-    /// What the system is called: its key, or the equations as they were understood.
+    /// The name of the system: its key, or the equations as they were understood.
     pub(super) fn name(&self) -> String {
         self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)
     }
@@ -41,7 +41,7 @@ impl SimulatedMotion<'_> {
         }
     }
 
-    /// What these are called.
+    /// The names of the columns.
     pub(super) fn column_names(&self) -> Vec<String> {
         let formulas = self.observables.map_or(&[][..], |observables| observables.names());
         [formulas, &self.sensitivities.map_or(vec![], Sensitivities::names)].concat()
@@ -63,7 +63,7 @@ impl SimulatedMotion<'_> {
         self.sensitivities.map_or_else(|| Moment { time: 0.0, state: state.clone() }, |it| it.start(state))
     }
 
-    /// Where it is gone on from.
+    /// The mark from which the motion is continued.
     pub(super) fn mark(&self) -> Option<&Mark> {
         self.earlier.as_ref().and_then(Earlier::mark)
     }

@@ -1,16 +1,16 @@
-//! How well the states of a motion are known.
+//! Precision of the states of a motion.
 
 use super::motion::SimulatedMotion;
 use libration::taylor::{Moment, StateErrors, System};
 
-/// What is known of a whole motion.
+/// The precision of a whole motion.
 #[derive(Clone, Debug)]
 pub(super) enum Precision {
     /// The errors are estimated.
     Estimated {
         /// The time of the last state that is determined in double precision, where not all are.
         determined_until: Option<f64>,
-        /// How far half a unit in the last place of the start moves the last state that is determined.
+        /// Change of the last determined state that half a unit in the last place of the start causes.
         start_effect: Moment,
     },
     /// No error is: why.
@@ -21,7 +21,7 @@ pub(super) enum Precision {
 const MOST_NUMBERS: usize = 64;
 
 impl SimulatedMotion<'_> {
-    /// Why no errors are estimated, if none are.
+    /// The reason why no errors are estimated, if none are.
     pub(super) fn no_errors(&self) -> Option<&'static str> {
         self.no_errors.or_else(|| {
             let numbers = self.beginning().state.len();
@@ -40,7 +40,7 @@ impl SimulatedMotion<'_> {
         Some(kept.unwrap_or_else(|| StateErrors::new(system, &start, &effort)))
     }
 
-    /// What is known of the whole.
+    /// The precision of the whole motion.
     pub(super) fn precision(&self, errors: Option<&StateErrors>) -> Precision {
         match errors {
             Some(errors) => Precision::Estimated {
@@ -57,7 +57,7 @@ impl SimulatedMotion<'_> {
         self.own(&Moment { time: 0.0, state }).state
     }
 
-    /// That of an event, with the error of its time.
+    /// The error of an event, with that of its time.
     pub(super) fn own_event_error(&self, error: Option<Moment>) -> Moment {
         let time = error.as_ref().map_or(f64::NAN, |error| error.time);
         Moment { time, state: self.own_error(error.map(|error| error.state)) }

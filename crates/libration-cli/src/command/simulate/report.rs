@@ -21,17 +21,17 @@ pub(super) trait AnswerWriter {
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,
-    /// By how much each number may be wrong, where that is estimated; not numbers where the state is not determined.
+    /// Error of each number, where it is estimated; NaN where the state is not determined.
     pub(super) error: Option<Vec<f64>>,
 }
 
-/// What is known when the integration has ended.
+/// The summary at the end of the integration.
 pub(super) struct Summary {
     pub(super) steps: usize,
     /// The drift of the energy and its uncertainty, or why there is none.
     pub(super) drift: Result<[f64; 2], String>,
     pub(super) precision: Precision,
     pub(super) ending: Ending,
-    /// What it takes to go on, where that is kept.
+    /// State needed to continue, where it is kept.
     pub(super) state: Option<State>,
 }

@@ -28,16 +28,16 @@ use std::path::Path;
 pub(super) struct Figure<'a> {
     pub(super) path: &'a Path,
     pub(super) sizes: &'a figure::Sizes,
-    /// What it shows, if not the coordinates against time.
+    /// Axes of the picture, if it does not show the coordinates against time.
     pub(super) axes: Option<[StateAxis; 2]>,
-    /// Whether the bodies move beside the curves.
+    /// `true` if the bodies move beside the curves.
     pub(super) animate: bool,
 }
 
-/// What has become of the question.
+/// The outcome of the run.
 pub(super) struct Outcome {
     pub(super) ending: Ending,
-    /// What it takes to go on.
+    /// State needed to continue.
     pub(super) state: State,
     /// A sentence for each picture.
     pub(super) drawn: Vec<String>,
@@ -100,7 +100,7 @@ impl SimulatedMotion<'_> {
         system_of(self.model, self.sensitivities, self.tolerances, self.watched, &option("set"))
     }
 
-    /// Whether the event came that should end the motion, and where.
+    /// The ending by the event of `--until`: its state, or that it was not reached.
     pub(super) fn until(&self, system: &System, solution: &Solution) -> Result<Ending, QueryError> {
         let Some(name) = self.watched.until() else { return Ok(Ending::Complete) };
         let last = self.times.last();
@@ -204,7 +204,7 @@ fn check_order(times: &Times) -> Result<(), QueryError> {
     Ok(())
 }
 
-/// How it ended, with what was computed.
+/// The ending, with the solution that was computed.
 pub(super) fn ended(
     outcome: Result<Solution, IntegrationError>,
     motion: &SimulatedMotion,

@@ -11,15 +11,15 @@ use libration::systems::Model;
 use libration::taylor::Moment;
 use std::io::{self, Write};
 
-/// What was asked, a table of samples, and what is to be said of the whole.
+/// The run in words, a table of samples, and the summary.
 #[derive(Debug, Default)]
 pub(super) struct Sheet {
     table: Option<Table>,
     titles: Vec<String>,
-    /// Whether the samples are listed; a picture shows them better.
+    /// `true` if the samples are listed; a picture shows them better.
     listed: bool,
     happenings: Vec<Happening>,
-    /// How many samples and events are not determined.
+    /// Number of samples and events that are not determined.
     left_out: usize,
 }
 
@@ -85,7 +85,7 @@ impl Sheet {
         Self { listed, ..Self::default() }
     }
 
-    /// Where an event ended the motion, each number with its error.
+    /// The state at which an event ended the motion, each number with its error.
     fn end_of(&self, EventEnding { name, end, error }: &EventEnding) -> String {
         let number = |title: &String, value: f64, error: f64| {
             let name = name_in(title);
@@ -101,7 +101,7 @@ impl Sheet {
         format!("{} ({name})", all.join(", "))
     }
 
-    /// How well the states are known.
+    /// The precision of the states.
     fn precision(&self, precision: &Precision) -> Vec<(&'static str, String)> {
         let (determined_until, Moment { time, state }) = match precision {
             Precision::Estimated { determined_until, start_effect } => (determined_until, start_effect),
@@ -144,7 +144,7 @@ impl Sheet {
     }
 }
 
-/// What stands above the time, the numbers of a state and the columns.
+/// The titles of the time, the state components and the columns.
 pub(super) fn titles(model: &Model, columns: &[String]) -> Vec<String> {
     let numbers = model.state_names().into_iter().zip(model.state_units());
     let numbers = numbers.map(|(name, unit)| labelled(&name, &unit));

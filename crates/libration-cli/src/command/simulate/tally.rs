@@ -1,4 +1,4 @@
-//! What is written, with how much of it there is.
+//! Output with a count of its bytes.
 
 use super::resume::Checksum;
 use std::io::{self, Write};

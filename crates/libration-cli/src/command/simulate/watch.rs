@@ -1,4 +1,4 @@
-//! What is done with each step of the integration as soon as it is made.
+//! Processing of each step of the integration as soon as it is made.
 
 use super::events::Happening;
 use super::motion::SimulatedMotion;
@@ -25,12 +25,12 @@ pub(super) struct Watch<'a> {
     balance: Option<EnergyBalance<'a>>,
     errors: Option<StateErrors>,
     pub(super) trace: Option<Trace<'a>>,
-    /// What went wrong in writing.
+    /// Error in writing.
     pub(super) failure: Option<QueryError>,
     times: Peekable<Box<dyn Iterator<Item = f64> + 'a>>,
     /// The last of them.
     last: f64,
-    /// How many samples and events are written.
+    /// Numbers of samples and events written.
     rows: [usize; 2],
     state: State,
     keeper: Option<Keeper>,
@@ -118,12 +118,12 @@ impl<'a> Watch<'a> {
         self.balance.as_ref().map_or([f64::NAN; 2], |it| [it.drift(), it.drift_uncertainty()])
     }
 
-    /// How well the motion is known.
+    /// The precision of the motion.
     pub(super) fn precision(&self) -> Precision {
         self.motion.precision(self.errors.as_ref())
     }
 
-    /// What it takes to go on.
+    /// The state needed to continue.
     pub(super) fn state(&self) -> &State {
         &self.state
     }

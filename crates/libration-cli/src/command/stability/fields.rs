@@ -1,4 +1,4 @@
-//! What is said of a chart, its curves and their points.
+//! Fields of a chart, its curves and their points.
 
 use super::Answer;
 use crate::output::description::Answers;
@@ -23,14 +23,14 @@ pub(super) struct Place<'a> {
     is_cusp: bool,
 }
 
-/// Where rest is stable at an end of the first parameter: ranges of the second.
+/// The ranges of the second parameter in which the equilibrium is stable, at an end of the first parameter.
 pub(super) struct AtEnd {
     pub(super) value: f64,
     pub(super) ranges: Vec<[f64; 2]>,
 }
 
 impl Answer {
-    /// At the least value of the first parameter and at its greatest; nothing where the start is no rest.
+    /// The ranges at the least value of the first parameter and at its greatest; empty where the start is not an equilibrium.
     pub(super) fn rest_at_ends(&self) -> Vec<AtEnd> {
         let [from, to] = self.ranges[0];
         let ends = [from.min(to), from.max(to)].into_iter().enumerate();

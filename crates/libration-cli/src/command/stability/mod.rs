@@ -65,7 +65,7 @@ pub(crate) struct StabilityQuestion {
     form: FormOptions,
 }
 
-/// What is written.
+/// The result to write.
 pub(crate) struct Answer {
     model: Model,
     parameters: [String; 2],
@@ -121,7 +121,7 @@ impl StabilityQuestion {
 }
 
 impl Answer {
-    /// What the picture shows.
+    /// The content of the picture.
     fn map(&self) -> Chart<'_> {
         Chart { model: &self.model, parameters: &self.parameters, ranges: self.ranges, chart: &self.chart }
     }

@@ -8,7 +8,7 @@ use crate::output::{Form, csv, json};
 use libration::continuation::{Ending, SpecialKind};
 use std::io::{self, Write};
 
-/// Where lines are broken.
+/// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
 impl Answer {
@@ -65,7 +65,7 @@ impl Answer {
         Ok(())
     }
 
-    /// Where rest is stable at an end of the first parameter.
+    /// A statement of the ranges in which the equilibrium is stable at an end of the first parameter.
     fn told_at(&self, AtEnd { value, ranges }: &AtEnd) -> String {
         let [first, second] = &self.parameters;
         let range =
@@ -78,7 +78,7 @@ impl Answer {
     }
 }
 
-/// What a curve is of, and from where it leads to where.
+/// The kind of a curve, and its ends.
 fn summary(curve: &Numbered<'_>) -> String {
     let (answer, points) = (curve.answer, &curve.curve.points);
     let [before, behind] = curve.curve.endings;
@@ -110,7 +110,7 @@ fn summary(curve: &Numbered<'_>) -> String {
     format!("{kind}, {} points, {ends}{through}", points.len())
 }
 
-/// Why a curve ends, where this is not the edge of the map.
+/// The reason why a curve ends, where this is not the edge of the map.
 fn said(ending: Ending) -> &'static str {
     match ending {
         Ending::RangeEnd | Ending::Closed => "",

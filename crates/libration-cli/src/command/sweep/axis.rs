@@ -15,7 +15,7 @@ pub struct Axis {
     pub values: Vec<String>,
     /// The values as numbers in one unit, where they are numbers.
     pub numbers: Option<Vec<f64>>,
-    /// That unit; empty where there is none.
+    /// Unit of the numbers; empty where there is none.
     pub unit: String,
 }
 
@@ -77,7 +77,7 @@ fn range(start: &str, stop: &str, step: &str) -> Result<Vec<String>, String> {
     Ok(values.into_iter().map(|value| number::exact(value) + unit).collect())
 }
 
-/// A decimal apart from the unit behind it; all of the text where it is no decimal with a unit.
+/// A decimal apart from the unit after it; all of the text where it is not a decimal with a unit.
 fn number_and_unit(text: &str) -> (&str, &str) {
     let text = text.trim();
     let is_decimal = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);

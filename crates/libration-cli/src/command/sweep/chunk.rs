@@ -7,10 +7,10 @@ use crate::output::csv;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What is kept of the answer at a point, or why there is none: exit status and reason.
+/// The kept fields of the result at a point, or the error: exit status and reason.
 pub(crate) type Outcome = Result<Vec<f64>, (u8, String)>;
 
-/// The outcomes at the points of a chunk, in their order. `None` when somebody asks for an early end before.
+/// The outcomes at the points of a chunk, in their order. `None` when the run is cancelled before.
 pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<Outcome>> {
     counted_outcomes(plan, chunk, &AtomicUsize::new(0))
 }

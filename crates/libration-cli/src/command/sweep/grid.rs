@@ -5,17 +5,17 @@ use std::ops::Range;
 /// The points of all combinations of values, cut into chunks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// How many values each axis has.
+    /// Number of values of each axis.
     pub(crate) shape: Vec<usize>,
-    /// How many values of each axis a chunk has, but for the last chunks.
+    /// Number of values of each axis in a chunk, except the last chunks.
     pub(crate) block: Vec<usize>,
 }
 
 impl Grid {
-    /// Without another wish there are about so many chunks.
+    /// Approximate number of chunks by default.
     const CHUNKS: usize = 256;
 
-    /// With chunks of at most so many points; `None` where there are too many points to count.
+    /// Creates a grid with chunks of at most `most` points; `None` where there are too many points to count.
     pub fn new(shape: Vec<usize>, most: Option<usize>) -> Option<Self> {
         let points = shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length))?;
         let mut room = most.unwrap_or(points.div_ceil(Self::CHUNKS)).max(1);
@@ -41,7 +41,7 @@ impl Grid {
         self.pieces().product()
     }
 
-    /// How many chunks there are along each axis.
+    /// Number of chunks along each axis.
     fn pieces(&self) -> impl Iterator<Item = usize> + '_ {
         self.shape.iter().zip(&self.block).map(|(length, own)| length.div_ceil(*own))
     }

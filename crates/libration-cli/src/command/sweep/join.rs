@@ -141,7 +141,7 @@ fn record(plan: &Plan, point: usize, row: &str) -> Record {
     record.with("message", Some(message.as_str()).filter(|it| !it.is_empty()))
 }
 
-/// What is written of a plan.
+/// The fields of a plan.
 pub(crate) const PLAN: &[Row] = &[
     ("format", "1", "version of the format of sweeps"),
     ("version", "", "version of the program"),

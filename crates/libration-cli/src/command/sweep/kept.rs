@@ -2,11 +2,11 @@
 
 use serde_json::Value;
 
-/// A number of an answer, or so many of a list.
+/// A number of a result, or a range of a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept {
     pub(crate) name: String,
-    /// Such as `results[0].ratio`, `state[-1]`, or `points[0:100].state[1]` for a hundred numbers.
+    /// Path such as `results[0].ratio`, `state[-1]`, or `points[0:100].state[1]` for a hundred numbers.
     pub(crate) path: String,
     steps: Vec<Step>,
 }
@@ -45,7 +45,7 @@ impl Kept {
         Self { name: name(&self.path), ..self }
     }
 
-    /// How many numbers it is where it is a list.
+    /// Number of entries where it is a list.
     pub(crate) fn length(&self) -> Option<usize> {
         self.steps.iter().find_map(|step| match step {
             Step::Entries(from, to) => Some(to - from),
@@ -68,7 +68,7 @@ impl Kept {
         numbers
     }
 
-    /// Whether an answer has numbers there, or may have: lists may be longer in other answers.
+    /// Returns `true` if a result has numbers there, or may have: lists may be longer in other results.
     pub fn is_in(&self, answer: &Value) -> bool {
         let mut value = answer;
         for step in &self.steps {
@@ -99,8 +99,8 @@ impl Kept {
     }
 }
 
-/// The ways to all numbers of an answer that stand alone: in no list, or in lists of one entry. What tells how the answer is written, or gone
-/// on with, is no part of it.
+/// The paths to all numbers of a result that stand alone: in no list, or in lists of one entry. Fields about the schema and the continuation
+/// of the result are not included.
 pub fn scalars(answer: &Value) -> Vec<String> {
     let mut found = vec![];
     collect(answer, String::new(), &mut found);
@@ -146,7 +146,7 @@ fn entry(list: &Value, place: i64) -> Option<&Value> {
 
 fn last_key(path: &str) -> String {
     let last = path.rsplit('.').next().unwrap_or(path);
-    // A range is no part of the name: its place is.
+    // A range does not belong to the name: its position does.
     last.split_once('[').map_or(last, |(key, entry)| if entry.contains(':') { key } else { last }).to_owned()
 }
 

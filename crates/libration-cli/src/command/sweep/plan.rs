@@ -1,4 +1,4 @@
-//! What a sweep asks and keeps, as data: enough to answer any of its chunks anywhere.
+//! Command and kept fields of a sweep as data: enough to compute any of its chunks anywhere.
 
 use super::axis::Axis;
 use super::grid::Grid;
@@ -25,7 +25,7 @@ pub(crate) struct Plan {
     pub(crate) grid: Grid,
 }
 
-/// What is kept, with what `libration fields` says of it.
+/// A kept field, with its description in `libration fields`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct KeptField {
     pub(crate) kept: Kept,
@@ -33,10 +33,10 @@ pub(crate) struct KeptField {
     pub(crate) meaning: String,
 }
 
-/// What `libration fields` says of the JSON of the answers to a question.
+/// The description in `libration fields` of the JSON of a command's results.
 pub(crate) type Described = fn(&[String]) -> Vec<Description>;
 
-/// What is asked of each point: words, values along the axes, ways to what is kept, and how many points a chunk has at most.
+/// A sweep as it is requested: words, values along the axes, paths to the kept fields, and the largest number of points of a chunk.
 #[derive(Debug)]
 pub(crate) struct Asked<'a> {
     pub(crate) question: &'a [String],
@@ -73,7 +73,7 @@ impl Plan {
         Ok(Self { template, axes, kept, grid })
     }
 
-    /// As JSON, from which [`Plan::read`] makes it again.
+    /// The plan as JSON, from which [`Plan::read`] makes it again.
     pub(crate) fn to_json(&self) -> Record {
         let axis = |axis: &Axis| {
             let record = Record::new().with("name", axis.name.as_str()).with("unit", axis.unit.as_str());
@@ -105,7 +105,7 @@ impl Plan {
         read_plan(written).ok_or_else(|| "it is no plan of a sweep".to_owned())
     }
 
-    /// What differs from another plan of the same format, in words.
+    /// The difference from another plan of the same format, in words.
     pub(crate) fn difference(&self, other: &Self) -> Option<String> {
         let name = |axis: &Axis| axis.name.clone();
         let names = |plan: &Self| plan.axes.iter().map(name).collect::<Vec<_>>().join(", ");
@@ -236,7 +236,7 @@ fn description_of<'a>(known: &'a [Description], kept: &Kept) -> Option<&'a Descr
     known.iter().find(|it| describes(it, &way))
 }
 
-/// Whether a description is that of the field at a place; capitals stand for any name.
+/// Returns `true` if a description is that of the field at a place; capitals stand for any name.
 fn describes(description: &Description, way: &str) -> bool {
     let (described, way): (Vec<&str>, Vec<&str>) =
         (description.name.split('.').collect(), way.split('.').collect());

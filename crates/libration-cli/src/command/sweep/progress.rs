@@ -1,4 +1,4 @@
-//! How far a sweep is: which chunks are whole, which shards are missing.
+//! Progress of a sweep: the complete chunks, and the missing shards.
 
 use super::shard::Shard;
 use super::store::Store;
@@ -17,7 +17,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Of one sweep in several directories.
+    /// The progress of one sweep in several directories.
     pub(crate) fn of(stores: &[Store]) -> Result<Self, QueryError> {
         let grid = &stores[0].plan.grid;
         let (chunks, points) = (grid.chunks(), grid.points());
@@ -46,7 +46,7 @@ impl Progress {
         Ok(progress)
     }
 
-    /// What is missing, in words: the shards, where all were of one division, or how many chunks.
+    /// The missing parts, in words: the shards, where all were of one division, or the number of chunks.
     pub(crate) fn missing(&self) -> Option<String> {
         let missing: Vec<usize> = (0..self.chunks).filter(|chunk| !self.done.contains(chunk)).collect();
         let first = missing.first()?;

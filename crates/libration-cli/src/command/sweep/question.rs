@@ -54,7 +54,7 @@ impl Template {
         self.0.iter().any(|word| word.contains(&placeholder(name)))
     }
 
-    /// Behind the other options, before a `--`.
+    /// Adds an option after the other options, before a `--`.
     fn add_option(&mut self, name: &str, value: String) {
         let end = self.0.iter().position(|word| word == "--").unwrap_or(self.0.len());
         self.0.splice(end..end, [format!("--{name}"), value]);
@@ -101,12 +101,12 @@ impl Template {
     }
 }
 
-/// Which command a question asks.
+/// The command of a sweep.
 struct Asked<'a> {
     command: &'a Command,
-    /// As it is typed.
+    /// Name as it is typed.
     name: String,
-    /// How many words that takes.
+    /// Number of words of the name.
     words: usize,
 }
 
@@ -137,7 +137,7 @@ enum Place {
     Argument,
 }
 
-/// Where the question takes a value of this name.
+/// The place at which the command takes a value of this name.
 fn place_in(command: &Command, name: &str) -> Option<Place> {
     if let Some(option) = options(command).find(|option| *option == name) {
         return Some(Place::Option(option.to_owned()));

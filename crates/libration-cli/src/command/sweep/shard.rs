@@ -1,6 +1,6 @@
 //! A part of a sweep for one of several machines: `3/64`.
 
-/// Which of how many parts, from 1.
+/// A part of a sweep: its number, from 1, and the number of parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Shard {
     /// The number of shards.
@@ -13,7 +13,7 @@ impl Shard {
     /// The whole sweep.
     pub(crate) const WHOLE: Self = Self { of: 1, number: 1 };
 
-    /// The chunks of this part out of so many: every `of`th, so that parts take about as long.
+    /// The chunks of this part, of `all`: every `of`th, so that parts take about as long.
     pub fn chunks(self, all: usize) -> impl Iterator<Item = usize> {
         (self.number - 1..all).step_by(self.of)
     }

@@ -31,7 +31,7 @@ impl Status {
     }
 }
 
-/// What is asked, and how far it is.
+/// The plan of a sweep, and its progress.
 struct State<'a> {
     plan: &'a Plan,
     progress: Progress,
@@ -47,7 +47,7 @@ impl State<'_> {
     }
 }
 
-/// How far one sweep in several directories is.
+/// Writes the progress of one sweep in several directories.
 pub(crate) fn write(out: &mut dyn Write, form: Form, stores: &[Store]) -> Result<(), QueryError> {
     let state = State { plan: &stores[0].plan, progress: Progress::of(stores)? };
     let fields = of_status();

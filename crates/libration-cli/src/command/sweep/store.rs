@@ -75,7 +75,7 @@ impl Store {
         Ok(Self { directory: directory.to_owned(), plan, version })
     }
 
-    /// What differs in another store, in words.
+    /// The difference from another store, in words.
     pub(crate) fn difference(&self, other: &Self) -> Option<String> {
         if self.version != other.version {
             return Some(format!("libration {} has begun it, and this is {}", other.version, self.version));
@@ -94,7 +94,7 @@ impl Store {
         Ok(names(&self.directory)?.iter().filter_map(|name| Shard::of_note(name)).collect())
     }
 
-    /// Whether the file of a chunk is there, and whole.
+    /// Returns `true` if the file of a chunk is there, and whole.
     pub(crate) fn has(&self, chunk: usize) -> Result<bool, QueryError> {
         Ok(self.rows(chunk)?.is_some())
     }

@@ -2,7 +2,7 @@
 
 /// Points drawn in each interval between two rows, where rows are few.
 const PARTS: u32 = 8;
-/// An interval so many times the usual one is a gap.
+/// An interval that is longer than the usual one by this factor is a gap.
 const GAP: f64 = 2.5;
 
 /// The curve by cubics through four neighbours; broken at gaps by a point that is not a number.

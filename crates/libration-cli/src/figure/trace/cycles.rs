@@ -10,7 +10,7 @@ const SAMPLES: u32 = 400;
 /// With more cycles than this, bars of uncertainty would hide them.
 const MANY: usize = 150;
 
-/// What the cycles of one trace are, with the name of the trace; empty for a trace alone.
+/// The cycles of one trace, with the name of the trace; empty for a trace alone.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Swings<'a> {
     pub(crate) name: &'a str,
@@ -60,11 +60,11 @@ fn measured(number: usize, swing: &Swings<'_>, count: usize) -> Series {
     Series { label: label.to_owned(), points: counted.map(point).collect(), look }
 }
 
-/// How the amplitude falls in the motion fitted by one model.
+/// The decay of the amplitude in the motion fitted by one model.
 #[derive(Clone, Debug)]
 pub(crate) struct Envelope {
     pub(crate) name: String,
-    /// Of each half swing, in radians; NaN where the motion does not turn in it.
+    /// Amplitude of each half swing, in radians; NaN where the motion does not turn in it.
     pub(crate) amplitudes: Vec<f64>,
 }
 

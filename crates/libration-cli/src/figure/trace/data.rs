@@ -8,14 +8,14 @@ use super::curve::smooth;
 use super::thinned::{one_of, representative, thinned};
 use std::ops::Range;
 
-/// Beyond so many periods the curve cannot be seen in a picture of the whole.
+/// Number of periods beyond which the curve cannot be seen in a picture of the whole.
 const LONG: f64 = 12.0;
 /// Periods in each stretch of a long trace.
 const STRETCH: f64 = 4.0;
 /// With more rows than this in view the curve is drawn from row to row.
 const MANY: usize = 1500;
 
-/// Whether single swings cannot be seen in a picture of the whole.
+/// Returns `true` if single swings cannot be seen in a picture of the whole.
 pub(crate) fn is_long(swing: &Fitted<'_>) -> bool {
     duration(swing) > LONG * swing.small_angle_period
 }

@@ -1,4 +1,4 @@
-//! Whether residuals are noise: how alike they are from row to row, and how they are distributed.
+//! Tests of residuals for white noise: their correlation from row to row, and their distribution.
 
 use super::super::chart::{Axis, Panel, Picture, Series, Units};
 use super::super::range::around;

@@ -13,8 +13,8 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.chunks((2 * points.len()).div_ceil(MOST)).flat_map(extremes).collect()
 }
 
-/// One of so many points, each from another place of its stretch so that no rhythm of the rows shows, and all that are further from zero
-/// than four standard deviations, of which chance makes one in 16 000: how the values are distributed is seen as in all of them, which
+/// One point of each stretch, from another place of it each time so that no rhythm of the rows shows, and all that are further from zero
+/// than four standard deviations, of which chance makes one in 16 000: the distribution of the values is seen as in all of them, which
 /// the extremes of each stretch would hide.
 pub fn representative(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     const FAR: f64 = 4.0;
@@ -36,7 +36,7 @@ pub fn representative(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     points.chunks(stretch).enumerate().flat_map(of_stretch).collect()
 }
 
-/// How many points each of those that are shown stands for.
+/// Number of points that each of those shown stands for.
 pub(super) fn one_of(points: usize) -> usize {
     points.div_ceil(MOST).max(1)
 }

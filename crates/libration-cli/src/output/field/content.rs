@@ -1,11 +1,11 @@
-//! What a field holds: a function of the answer, and its value in JSON and CSV.
+//! Content of a field: a function of the result, and its value in JSON and CSV.
 
 use super::Of;
 use crate::output::json::Record;
 use crate::output::number;
 use serde_json::Value;
 
-/// Where the value of a field comes from.
+/// The source of a field's value.
 pub(super) enum Content<A> {
     Number(Of<A, f64>),
     Known(Of<A, Result<f64, String>>),
@@ -14,7 +14,7 @@ pub(super) enum Content<A> {
     Value(Of<A, Value>),
     PresentValue(Of<A, Option<Value>>),
     Note(Of<A, Option<String>>),
-    /// What people see in its place.
+    /// Text that is shown in its place.
     Text(Of<A, String>),
 }
 
@@ -62,7 +62,7 @@ impl Datum {
         }
     }
 
-    /// As a cell of CSV; none where there is nothing.
+    /// The value as a cell of CSV; `None` for an empty cell.
     pub(super) fn to_cell(&self) -> Option<String> {
         match self {
             Self::Number(value) => value.is_finite().then(|| number::exact(*value)),

@@ -141,7 +141,7 @@ impl<A> Fields<A> {
         self.plans.lines(&self.values(answer))
     }
 
-    /// What JSON has at `place`, such as `results[].` or nothing.
+    /// The fields of JSON at `place`, such as `results[].` or nothing.
     pub fn described(&self, place: &str) -> Vec<Description> {
         self.plans.described(place)
     }

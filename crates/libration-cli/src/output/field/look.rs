@@ -1,4 +1,4 @@
-//! How people see a field: in a column of a table, or on a line of a sheet.
+//! Look of a field: in a column of a table, or on a line of a sheet.
 
 use super::content::Values;
 use crate::output::number;
@@ -26,7 +26,7 @@ impl Look {
         matches!(self, Self::Words(_))
     }
 
-    /// The same where so many values stand before those of the field.
+    /// Moves the look's values behind `before` others.
     pub(super) fn behind(&mut self, before: usize) {
         if let Self::Words(place) | Self::Numeral(place) = self {
             *place += before;

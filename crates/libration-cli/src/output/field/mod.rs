@@ -13,7 +13,7 @@ use look::Look;
 use plan::{Plan, key_of};
 use serde_json::Value;
 
-/// What a field of an answer `A` is.
+/// A function that gives the value of a field of a result `A`.
 type Of<A, T> = fn(&A) -> T;
 
 /// A field of an answer `A`.
@@ -89,7 +89,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::PresentValue(value))
     }
 
-    /// What has fields of its own, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
+    /// A value with fields of its own, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
     pub(crate) fn nested<B>(place: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
         Self::with_parts(place, fields, Content::Value(value))
     }
@@ -107,12 +107,12 @@ impl<A> Field<A> {
         Self { plan: Plan::only_described(key_of(place), fields.described(place)), contents: vec![content] }
     }
 
-    /// What is to be said of the fields before it, in the note of JSON.
+    /// A note on the fields before it, in the note of JSON.
     pub(crate) fn note(note: Of<A, Option<String>>) -> Self {
         Self { plan: Plan::only_described("", vec![]), contents: vec![Content::Note(note)] }
     }
 
-    /// What only people see.
+    /// A field that appears in tables and sheets alone.
     pub fn unnamed() -> Self {
         let mut field = Self::value("", "", "", |_| Value::Null).only_json();
         field.plan.in_json = false;
@@ -135,7 +135,7 @@ impl<A> Field<A> {
         self
     }
 
-    /// What stands in tables where there is nothing.
+    /// Sets the text that tables have in place of an empty value.
     pub(crate) fn or(mut self, blank: &'static str) -> Self {
         self.plan.blank = blank;
         self

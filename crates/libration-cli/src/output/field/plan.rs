@@ -1,4 +1,4 @@
-//! What is known of fields without an answer, and what is made of an answer's values: the same work for every answer.
+//! Parts of fields that do not depend on a result, and the formatting of values, which is the same for every result.
 
 use super::content::{Datum, Values};
 use super::look::{Look, Shown};
@@ -48,7 +48,7 @@ impl Plan {
         }
     }
 
-    /// What stands in JSON alone and is described as this.
+    /// A field that appears in JSON alone and is described by these fields.
     pub(super) fn only_described(name: &'static str, described: Vec<Description>) -> Self {
         Self { in_csv: None, described, ..Self::new(name, "", "") }
     }
@@ -61,7 +61,7 @@ impl Plan {
         self.lines.push(Shown { title, look });
     }
 
-    /// The same where so many values stand before its own.
+    /// Moves its values behind `before` others.
     fn behind(&mut self, before: usize) {
         self.value += before;
         for shown in self.columns.iter_mut().chain(&mut self.lines) {
@@ -92,18 +92,18 @@ impl Plan {
 pub(super) struct Plans(Vec<Plan>);
 
 impl Plans {
-    /// A further field whose values come behind so many others.
+    /// Adds a further field whose values come after `before` others.
     pub(super) fn push(&mut self, mut plan: Plan, before: usize) {
         plan.behind(before);
         self.0.push(plan);
     }
 
-    /// Further fields whose values come behind so many others.
+    /// Adds further fields whose values come after `before` others.
     pub(super) fn append(&mut self, others: Self, before: usize) {
         others.0.into_iter().for_each(|plan| self.push(plan, before));
     }
 
-    /// Those for a table with these columns, in their order.
+    /// Keeps the fields for a table with these columns, in their order.
     pub(super) fn keep_for_table(&mut self, titles: &[&str]) {
         let place = |plan: &Plan| {
             let title = plan.columns.first()?.title;
@@ -183,7 +183,7 @@ impl Plans {
         self.0.iter().flat_map(of_plan).collect()
     }
 
-    /// What JSON has at `place`, such as `results[].` or nothing.
+    /// The fields of JSON at `place`, such as `results[].` or nothing.
     pub(super) fn described(&self, place: &str) -> Vec<Description> {
         let described = self.0.iter().filter(|plan| plan.in_json).flat_map(|plan| &plan.described);
         described.map(|it| Description::new(&format!("{place}{}", it.name), it.unit, it.meaning)).collect()

@@ -1,4 +1,4 @@
-//! How the columns of a table share the width there is: side by side, folded, or in several blocks.
+//! Layout of the columns of a table in the width available: side by side, folded, or in several blocks.
 
 use super::{Column, Side};
 use crate::output::screen::{columns_of, folded, padded};
@@ -22,20 +22,20 @@ pub(super) struct ColumnPlace {
     pub(super) width: usize,
 }
 
-/// What a column asks for.
+/// The widths that a column needs.
 #[derive(Clone, Copy, Debug)]
 struct Demand {
     column: usize,
-    /// Without folding anything.
+    /// Width without folding anything.
     natural: usize,
-    /// With its title folded.
+    /// Width with its title folded.
     without_title: usize,
-    /// With its words folded too.
+    /// Width with its words folded too.
     least: usize,
 }
 
 impl Layout {
-    /// The layout of these rows in so many columns of the screen.
+    /// The layout of these rows in `room` columns of the screen.
     pub(super) fn new(columns: &[Column], rows: &[Vec<String>], room: usize) -> Self {
         let demand = |(index, column)| Demand::new(index, column, rows);
         let demands: Vec<Demand> =
@@ -43,12 +43,12 @@ impl Layout {
         Self { blocks: grouped(&demands, room).iter().map(|block| shared(block, room)).collect() }
     }
 
-    /// Whether rows can be written one by one.
+    /// Returns `true` if rows can be written one by one.
     pub(super) fn is_one_block(&self) -> bool {
         self.blocks.len() == 1
     }
 
-    /// Whether a row that was not seen before goes into the widths.
+    /// Returns `true` if a row that was not seen before fits the widths.
     pub(super) fn holds(&self, columns: &[Column], cells: &[String]) -> bool {
         let place = |column| self.blocks.iter().flatten().find(|place| place.column == column);
         cells.iter().zip(columns).enumerate().all(|(index, (cell, column))| {
@@ -81,7 +81,7 @@ fn longest_word(text: &str) -> usize {
     text.split_whitespace().map(columns_of).max().unwrap_or(0)
 }
 
-/// As many columns side by side as there is room for; the first one begins every block.
+/// Groups as many columns side by side as there is room for; the first one begins every block.
 fn grouped(demands: &[Demand], room: usize) -> Vec<Vec<Demand>> {
     let Some((first, rest)) = demands.split_first() else { return vec![vec![]] };
     let mut blocks = vec![vec![*first]];

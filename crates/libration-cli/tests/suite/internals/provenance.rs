@@ -2,7 +2,7 @@
 
 use libration_cli::internals::provenance::{date, quoted};
 
-/// By `date -u -d @SECONDS`.
+/// Dates by `date -u -d @SECONDS`.
 #[test]
 fn dates_are_those_of_the_calendar() {
     for (seconds, expected) in [

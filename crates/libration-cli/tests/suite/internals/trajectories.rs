@@ -1,4 +1,4 @@
-//! What motions have in common is said once.
+//! Common parts of several motions are stated once.
 
 use libration_cli::internals::trajectories::common;
 

@@ -1,4 +1,4 @@
-//! What the text says of the accuracy of single formulas.
+//! Statements of the text on the accuracy of single formulas.
 
 use super::regimes::{amplitude, below};
 use super::text_after;

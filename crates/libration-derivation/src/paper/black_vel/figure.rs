@@ -82,7 +82,7 @@ fn second_mean(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(same, "T = T0/a2 = 4*T0/(1 + sqrt(cos(theta0/2)))^2", evidence))
 }
 
-/// What may be meant under the roots.
+/// The possible readings of the radicands.
 const READINGS: [&str; 5] = [
     "1 + cos(theta0/2)",
     "1 + cos(theta0)/2",

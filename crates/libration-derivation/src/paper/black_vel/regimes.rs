@@ -1,4 +1,4 @@
-//! What the text says of Fig. 1: which formula is the best where.
+//! Statements of the text on Fig. 1: the best formula in each range.
 
 use super::text_after;
 use crate::paper::amplitudes::in_degrees;

@@ -1,4 +1,4 @@
-//! What the text says of the sizes of the coefficients, at every amplitude.
+//! Statements of the text on the sizes of the coefficients, at every amplitude.
 
 use super::text_after;
 use crate::paper::amplitudes::{amplitude_where_zero, at_degrees, in_degrees};

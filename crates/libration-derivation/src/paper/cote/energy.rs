@@ -84,7 +84,7 @@ fn amplitude() -> Option<Angle> {
     Angle::from_degrees(120.0).ok()
 }
 
-/// What the symbols stand for at an instant, for some mass.
+/// The values of the symbols at an instant, for some mass.
 fn values(instant: &Instant, amplitude: f64, mass: f64) -> Vec<(&'static str, f64)> {
     let speed = LENGTH * instant.velocity.abs();
     let kinetic = mass * speed * speed / 2.0;

@@ -120,7 +120,7 @@ fn the_substitution(printed: &Printed) -> Option<StatementFinding> {
     Some(StatementFinding::verified_if(largest < ROUNDING && increasing, "", evidence))
 }
 
-/// Both sides with dψ = 2 and dθ = 2·dθ/dψ by central differences.
+/// Compares both sides with dψ = 2 and dθ = 2·dθ/dψ by central differences.
 fn differential(printed: &Printed) -> Option<StatementFinding> {
     const STEP: f64 = 1e-5;
     let residual = printed.residual(0)?;

@@ -81,7 +81,7 @@ pub(super) fn complete_integral() -> Option<Polynomial> {
     Some((0..).zip(coefficients).fold(Polynomial::zero(), |sum, (n, c)| sum + m.pow(n).scaled(&c)))
 }
 
-/// As `pi/2` for 1.
+/// Formats the sum times π/2, like `pi/2` for 1.
 pub(super) fn times_half_pi(sum: &Polynomial) -> String {
     if *sum == constant(1) { "pi/2".to_owned() } else { format!("({sum})*pi/2") }
 }

@@ -21,7 +21,7 @@ pub(super) struct Records {
     answers: usize,
 }
 
-/// The records of one function, which has so many inputs and answers.
+/// The records of one function of `inputs` inputs and `answers` results.
 pub(super) fn records(function: &str, inputs: usize, answers: usize) -> Records {
     let count = env::var("LIBRATION_LEDGER_COUNT").unwrap_or_else(|_| "1000000".to_owned());
     let seed = env::var("LIBRATION_LEDGER_SEED").unwrap_or_else(|_| "1".to_owned());
@@ -48,7 +48,7 @@ fn binary() -> PathBuf {
     env::var_os("LIBRATION_ORACLE").map_or_else(built, PathBuf::from)
 }
 
-/// None at the end of the stream.
+/// Reads `count` numbers; `None` at the end of the stream.
 fn read_words(stream: &mut impl Read, count: usize) -> Option<Vec<f64>> {
     let mut bytes = vec![0; 8 * count];
     stream.read_exact(&mut bytes).ok()?;

@@ -4,8 +4,8 @@ use super::stride::stride;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{BigFloat, Rational};
 
-/// Where a power series Σ cₙxⁿ converges, as its coefficients suggest. It is an estimate: no finite number of
-/// coefficients decides.
+/// The radius of convergence of a power series Σ cₙxⁿ, estimated from its coefficients: no finite number of
+/// coefficients decides it.
 ///
 /// Ratios of coefficients of one sign, or of alternating signs, go to 1/ρ linearly in 1/n (Domb and Sykes); where the
 /// signs follow another pattern, four successive coefficients tell the distance and the angle of a pair of
@@ -36,7 +36,7 @@ pub struct Convergence {
     pub at_most: f64,
     /// The series has only each stride-th power.
     pub stride: usize,
-    /// Where the singularity is, in the plane of x^stride.
+    /// Position of the nearest singularity, in the plane of x^stride.
     pub singularity: Singularity,
 }
 
@@ -152,7 +152,7 @@ fn pair_of_singularities(coefficients: &[Rational]) -> Option<(Inverse, Singular
     Some((inverse, Singularity::Pair { angle }))
 }
 
-/// Where the straight line through points meets x = 0, by least squares; its uncertainty is that of a few standard
+/// The intercept at x = 0 of a straight line through points, by least squares; its uncertainty is that of a few standard
 /// deviations, and of leaving out the half of the points farther off.
 fn intercept(points: &[(f64, f64)]) -> Option<Inverse> {
     const LEAST: usize = 3;

@@ -57,21 +57,21 @@ pub struct PartialSum {
     pub term: f64,
     /// c₀ + … + cₙxⁿ.
     pub sum: f64,
-    /// How far the sum may be from that of the whole series.
+    /// Bound or estimate of the distance between the sum and that of the whole series.
     pub remainder: Remainder,
 }
 
-/// How much is missing from a sum, in magnitude.
+/// The magnitude of the omitted part of a sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remainder {
-    /// At most so much is missing, or about so much when it is estimated, which is too little in about 1 of 100 cases, at order 5 and below in 2 of 100; infinite where the series does not
-    /// converge, or is not known to.
+    /// Bound of the omitted part, or an estimate of it, which is too small in about 1 of 100 cases, at order 5 and below in 2 of 100;
+    /// infinite where the series does not converge, or is not known to.
     pub size: f64,
-    /// What this rests on.
+    /// Basis of the size.
     pub certainty: Certainty,
 }
 
-/// What a remainder rests on.
+/// The basis of a remainder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {
     /// A theorem.
@@ -141,7 +141,7 @@ impl SeriesEvaluation {
         last.map(size).all(|last| last > size(smallest)).then_some(smallest)
     }
 
-    /// How many terms beyond the first it takes for the remainder to be, and to stay, at most this fraction of the
+    /// The number of terms beyond the first for which the remainder is, and stays, at most this fraction of the
     /// sum; `None` when the terms given do not reach it.
     #[must_use]
     pub fn corrections_needed(&self, tolerance: f64) -> Option<usize> {

@@ -23,7 +23,7 @@ use libration_numbers::{internals::roots::value_and_slope, roots::polynomial_roo
 pub struct Pade {
     numerator: Vec<Rational>,
     denominator: Vec<Rational>,
-    /// What it was made from, and its degrees.
+    /// The series from which the approximant was computed, and its degrees.
     series: Vec<Rational>,
     degrees: (usize, usize),
 }
@@ -31,19 +31,19 @@ pub struct Pade {
 /// A pole of an approximant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pole {
-    /// Where it is.
+    /// Position in the complex plane.
     pub position: Complex,
-    /// What stands before 1/(z − position).
+    /// Residue: the coefficient of 1/(z − position).
     pub residue: Complex,
-    /// Whether it is likely an artefact of this approximant: the next lower one has no pole in that direction, or a zero
+    /// `true` if it is likely an artefact of this approximant: the next lower one has no pole in that direction, or a zero
     /// all but cancels it.
     pub spurious: bool,
 }
 
 impl Pade {
     /// The approximant with a numerator of degree at most m and a denominator of degree at most n that agrees with
-    /// the series Σ cₖzᵏ up to z^(m + n). `None` when fewer than m + n + 1 coefficients are given, or when there
-    /// is no such quotient.
+    /// the series Σ cₖzᵏ up to z^(m + n). `None` when fewer than m + n + 1 coefficients are given, or when such a
+    /// quotient does not exist.
     ///
     /// Reference: G. A. Baker and P. Graves-Morris, *Padé Approximants* (1996), section 2.4.
     #[must_use]
@@ -135,7 +135,7 @@ impl Pade {
     }
 }
 
-/// Whether two points are seen from 0 within a twentieth of a turn.
+/// Returns `true` if two points are seen from 0 within a twentieth of a turn.
 fn same_direction(a: Complex, b: Complex) -> bool {
     let quotient = a / b;
     libm::atan2(quotient.im, quotient.re).abs() < 0.05 * TAU

@@ -1,26 +1,26 @@
-//! What is missing from a power series none of whose coefficients is negative.
+//! Remainder of a power series whose coefficients are all non-negative.
 
 use libration_kernels::elementary::count;
 
 /// Σ cₙxⁿ with cₙ ≥ 0, where n goes in equal strides, to some power.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PositiveSeries {
-    /// By powers from zero.
+    /// Coefficients, indexed by powers from zero.
     coefficients: Vec<f64>,
     first: usize,
     stride: usize,
 }
 
-/// What is missing from it at one place.
+/// The remainder of such a series at one point.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PositiveSeriesAt<'a> {
     series: &'a PositiveSeries,
     x: f64,
-    /// Larger places, with bounds of the whole series there.
+    /// Larger arguments, with bounds of the whole series there.
     larger: Vec<(f64, f64)>,
 }
 
-/// What sums and values may lose by rounding, far more than they do: each has less than 1e5 terms, all positive.
+/// Bound of the relative rounding error of sums and values, far above the actual one: each has less than 1e5 terms, all positive.
 const ROUNDING: f64 = 1e-10;
 
 impl PositiveSeries {
@@ -33,7 +33,7 @@ impl PositiveSeries {
     pub(crate) fn at(&self, x: f64, limit: f64, value: impl Fn(f64) -> f64) -> PositiveSeriesAt<'_> {
         // All coefficients being positive, the remainder at x is at most (x/y)^next of that at a larger y. At x itself rounding would
         // hide a remainder that is small, near the limit the value is large: the best of some is taken.
-        // With so many it is within 2 % of the remainder, where that is the bound itself, up to 0.9999 of the limit
+        // With 24 it is within 2 % of the remainder, where that is the bound itself, up to 0.9999 of the limit
         // (tests/suite/period_majorants.rs).
         const PLACES: u32 = 24;
         let x = x.abs();

@@ -1,4 +1,4 @@
-//! Which powers a series has.
+//! The common stride of the powers of a series.
 
 /// The greatest common divisor of the distances between these powers; zero where there is at most one.
 pub(crate) fn stride(powers: impl IntoIterator<Item = usize>) -> usize {

@@ -7,7 +7,7 @@ use libration_numbers::algebra::BigFloat;
 
 /// The fewest terms beyond the first that tell how a series goes on. With one or two, one estimate in eight was too small.
 const FEWEST: usize = 3;
-/// With so many of them [`Convergence`] is certain enough: with eight to twelve it made one estimate in thirty too small.
+/// Number of terms from which on [`Convergence`] is used: with eight to twelve it made one estimate in thirty too small.
 const MANY: usize = 13;
 /// An estimated radius may be less certain than it says: by itself it made one estimate in a hundred too small, so none.
 const CAUTION: f64 = 1.05;
@@ -16,7 +16,7 @@ const CAUTION: f64 = 1.05;
 /// that are not zero with their powers.
 ///
 /// The terms |t| of the later half are continued with the largest of their mean ratios over at least a third of it, raised by the (1 + 1/n)
-/// that a series like Σ xⁿ/n needs. From 13 terms on the ratio is no larger than the estimated radius of convergence makes it.
+/// that a series like Σ xⁿ/n needs. From 13 terms on the ratio is at most what the estimated radius of convergence makes it.
 ///
 /// All constants here are from 18 600 partial sums (28 oscillators, periods, frequencies, harmonics and offsets, up to 40 powers, between 0.1
 /// and 0.9 of the radius) beside exact values: one estimate in 1000 was too small, one sum in nine had none; half of the others are within a

@@ -9,7 +9,7 @@ use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
 use libration_numbers::algebra::{Polynomial, Rational, Variable};
 use libration_numbers::watch::{Interrupted, Stage, Watch};
 
-/// Which powers of ε the ansatz has.
+/// The powers of ε in the ansatz.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EpsilonPowers {
     /// Odd powers in the harmonics and even ones in Ω, which is enough for an odd force.
@@ -18,7 +18,7 @@ pub enum EpsilonPowers {
     All,
 }
 
-/// What must vanish for the equation of motion to hold in one harmonic at one order.
+/// A condition for the equation of motion to hold in one harmonic at one order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Condition {
     /// The power of ε.
@@ -75,7 +75,7 @@ impl OpenGauge {
         Self::new_watched(restoring_force, order, powers, &Watch::none())
     }
 
-    /// As [`new`](Self::new); `watch` is asked at each order.
+    /// Computes the same as [`new`](Self::new); `watch` is checked at each order.
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`OpenGaugeError::Interrupted`].
@@ -157,13 +157,13 @@ impl OpenGauge {
     }
 }
 
-/// Why there are no equations order by order.
+/// The reason why there are no equations order by order.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum OpenGaugeError {
     /// The order is 0 or too large.
     #[error("the order is {order}; with the gauge left open it can be 1 to {}", OpenGauge::MAX_ORDER)]
     Order {
-        /// What was given.
+        /// The order that was given.
         order: u32,
     },
     /// g₁ ≤ 0.

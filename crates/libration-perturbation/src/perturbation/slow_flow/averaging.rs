@@ -19,7 +19,7 @@ use libration_numbers::series::PowerSeries;
 use libration_numbers::watch::Watch;
 use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 
-/// What A is.
+/// The definition of A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Amplitude {
     /// The first harmonic is A·cos ψ.
@@ -28,7 +28,7 @@ pub(super) enum Amplitude {
     TurningPoint,
 }
 
-/// What is averaged, and how far.
+/// The equation to average, and the orders.
 #[derive(Debug)]
 pub(super) struct Averaging<'a, R: PhaseFunctions> {
     /// The acceleration as a function of x, x′ and ε.
@@ -51,7 +51,7 @@ pub(super) struct Averaged<R: PhaseFunctions> {
     pub(super) frequency: Vec<Vec<Coefficient<R>>>,
 }
 
-/// Why there is no series.
+/// The reason why there are no series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Failed {
     /// A number that is not in the ring, or a force without power series.

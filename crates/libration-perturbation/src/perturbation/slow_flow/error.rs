@@ -1,9 +1,9 @@
-//! Why an equation has no slow flow.
+//! Errors of slow flows.
 
 use libration_motion::oscillator::{OscillatorError, Remedy};
 use libration_numbers::expression::EquationError;
 
-/// Why the amplitude and the phase of a weakly damped oscillator are not expanded.
+/// The reason why the amplitude and the phase of a weakly damped oscillator are not expanded.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SlowFlowError {
@@ -33,7 +33,7 @@ pub enum SlowFlowError {
         /// Their names.
         names: Vec<String>,
     },
-    /// A name that is no letter without a value.
+    /// A name that is not a letter without a value.
     #[error("`{name}` is not a letter without a value in the equation: those are {}", open.join(", "))]
     UnknownParameter {
         /// The name.
@@ -49,10 +49,10 @@ pub enum SlowFlowError {
     Oscillator {
         /// The small parameter.
         parameter: String,
-        /// Why there are none.
+        /// The reason why there is none.
         error: Box<OscillatorError>,
     },
-    /// An equilibrium or a frequency that is no number of the ring.
+    /// An equilibrium or a frequency that is not a number of the ring.
     #[error(
         "at {parameter} = 0 the equilibrium is {equilibrium} and omega0^2 is {omega0_squared}: both must be fractions; \
          choose parameters so that they are"

@@ -17,7 +17,7 @@ pub struct SlowLimitCycle {
     pub frequency: Vec<f64>,
     /// The rate at which a distance from the cycle grows: it attracts where this is below zero.
     pub exponent: Vec<f64>,
-    /// How far the first amplitude may be off.
+    /// Error bound of the first amplitude.
     pub root_error: f64,
 }
 

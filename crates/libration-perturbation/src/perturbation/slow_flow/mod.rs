@@ -72,7 +72,7 @@ pub struct SlowFlow {
     pub order: usize,
     /// The highest power of the parameter.
     pub parameter_order: usize,
-    /// What A is: the turning point or the coefficient of the first harmonic.
+    /// Definition of A: the turning point or the coefficient of the first harmonic.
     pub gauge: Gauge,
     /// The equilibrium, without the small terms; displacements count from it.
     pub equilibrium: Rational,
@@ -145,7 +145,8 @@ fn value(series: &SlowSeries, amplitude: f64, parameter: f64) -> f64 {
 /// but for `abs` and `sign` of the velocity where the acceleration is odd.
 ///
 /// # Errors
-/// Orders out of range; letters without values; no oscillator at zero, or one whose equilibrium or ω0² is no fraction; a force without series.
+/// Orders out of range; letters without values; no oscillator at zero, or one whose equilibrium or ω0² is not a fraction; a force without
+/// series.
 ///
 /// # Examples
 /// ```
@@ -171,7 +172,7 @@ pub fn slow_flow(
     slow_flow_watched(equation, parameter, order, parameter_order, gauge, &Watch::none())
 }
 
-/// As [`slow_flow`], and asks `watch` at each order.
+/// Computes the same as [`slow_flow`]; `watch` is checked at each order.
 ///
 /// # Errors
 /// As [`slow_flow`], or [`SlowFlowError::Interrupted`].

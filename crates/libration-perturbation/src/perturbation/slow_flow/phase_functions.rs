@@ -10,7 +10,7 @@ pub(in crate::perturbation) type Coefficient<R> = <<R as PhaseFunctions>::Number
 
 /// Functions of the phase that can be multiplied, and that force the oscillator y″ + y.
 pub trait PhaseFunctions: Ring {
-    /// Where the coefficients come from.
+    /// Ring of the coefficients.
     type Numbers: Ring;
 
     fn numbers(&self) -> &Self::Numbers;
@@ -26,7 +26,7 @@ pub trait PhaseFunctions: Ring {
     /// The value at ψ = 0.
     fn at_start(&self, a: &Self::Element) -> Coefficient<Self>;
 
-    /// What a forcing makes of an oscillator; `None` when a number is not in the ring.
+    /// The response of an oscillator to a forcing; `None` when a number is not in the ring.
     fn response(&self, forcing: &Self::Element) -> Option<Response<Self>>;
 
     /// Each ψᵖ(c·cos kψ + s·sin kψ) that is present.

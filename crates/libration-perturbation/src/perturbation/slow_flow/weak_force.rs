@@ -10,7 +10,7 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 pub struct WeakForce {
     /// The name of ε.
     pub parameter: String,
-    /// What is left at ε = 0.
+    /// Oscillator at ε = 0.
     pub oscillator: Oscillator,
     /// The acceleration, a formula of x, x′ and ε that is analytic; with kinks at x′ = 0 that of x′ < 0.
     pub acceleration: Expression,
@@ -53,7 +53,7 @@ impl WeakForce {
     }
 }
 
-/// What an equation is at ε = 0, and what it is multiplied with to first order: x″ = F(x, x′) + ε·f(x, x′).
+/// An equation at ε = 0 and the factor of ε to first order: x″ = F(x, x′) + ε·f(x, x′).
 #[derive(Clone, Debug)]
 pub(crate) struct FirstOrder {
     /// The name of ε.
@@ -116,7 +116,7 @@ fn is_symbol(formula: &Expression, symbol: &Symbol) -> bool {
     matches!(formula, Expression::Symbol(own) if own == symbol)
 }
 
-/// Whether the acceleration is proved to be the opposite at the opposite displacement and velocity.
+/// Returns `true` if the acceleration is proved to be the opposite at the opposite displacement and velocity.
 fn is_odd(acceleration: &Expression, oscillator: &Oscillator) -> bool {
     let at_zero = oscillator.equilibrium().exact().is_some_and(libration_numbers::algebra::Rational::is_zero);
     let x = Symbol::plain(oscillator.variable());

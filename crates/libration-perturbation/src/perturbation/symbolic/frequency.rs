@@ -12,7 +12,7 @@ pub(super) struct Frequency<'a> {
     square: &'a LaurentPolynomial,
     /// The place of ω0 among the letters of the ring.
     place: usize,
-    /// What sums are reduced by.
+    /// Term by which sums are reduced.
     leading: Option<Leading>,
 }
 
@@ -99,7 +99,7 @@ impl<'a> Frequency<'a> {
     }
 }
 
-/// How often ω0² is in a power of ω0, given twice the exponent.
+/// The exponent of ω0² in a power of ω0, given twice the exponent.
 fn whole_squares(half_power: i64) -> Option<i64> {
     (half_power % 4 == 0).then_some(half_power / 4)
 }

@@ -95,7 +95,7 @@ fn check_gauge(gauge: &Gauge, oscillator: &SymbolicOscillator) -> Result<(), Exp
     }
 }
 
-/// Whether the acceleration is −ω0²·sin x.
+/// Returns `true` if the acceleration is −ω0²·sin x.
 fn is_pendulum(oscillator: &SymbolicOscillator) -> bool {
     let x = Symbol::plain(oscillator.variable());
     let slope = oscillator.acceleration().derivative(&x).substitute(&x, &Expression::from(0)).simplified();
@@ -156,7 +156,7 @@ impl Question<'_> {
         set.with_numbers(set.numbers().iter().map(|number| self.frequency.reduced(number)))
     }
 
-    /// By the potential in letters where there is one, and by numbers in the place of letters.
+    /// Checks by the potential in letters where there is one, and with numbers in the place of letters.
     fn certificate(
         &self,
         model: &Model<LaurentPolynomial>,
@@ -177,7 +177,7 @@ impl Question<'_> {
         }
     }
 
-    /// Whether the expansion with numbers, modulo primes, has the same coefficients; `None` without such.
+    /// Returns `true` if the expansion with numbers, modulo primes, has the same coefficients; `None` without such an expansion.
     fn agrees_with_numbers(&self, set: &SeriesSet<LaurentPolynomial>, watch: &Watch<'_>) -> Option<bool> {
         let own = set.numbers();
         let largest = own.iter().map(LaurentPolynomial::largest_half_power).max().unwrap_or(0);
@@ -217,14 +217,14 @@ impl Question<'_> {
     }
 }
 
-/// Why there is no expansion in letters.
+/// The reason why there is no symbolic expansion.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SymbolicExpansionError {
-    /// What holds with numbers too.
+    /// An error that expansions in numbers have too.
     #[error(transparent)]
     Expansion(#[from] ExpansionError),
-    /// A coefficient that is no Laurent polynomial.
+    /// A coefficient that is not a Laurent polynomial.
     #[error(
         "the acceleration has no power series about the equilibrium whose coefficients are sums of products of letters, their powers and roots: give some of the letters values"
     )]
@@ -237,7 +237,7 @@ pub enum SymbolicExpansionError {
     /// The computation was interrupted.
     #[error("interrupted")]
     Interrupted {
-        /// What was found by then, not checked by another road.
+        /// Result up to the cancellation, not checked by another method.
         known: Option<Box<SymbolicExpansion>>,
     },
 }

@@ -52,7 +52,7 @@ impl Collocation {
         2 * self.force.len() - 1
     }
 
-    /// Where the last term of the force is as large as the linear one.
+    /// The displacement at which the last term of the force is as large as the linear one.
     pub(super) fn nonlinear_size(&self) -> f64 {
         let last = self.force.last().map_or(1.0, |factor| factor.abs());
         libm::pow(last, -1.0 / count(self.degree() - 1))

@@ -1,9 +1,9 @@
-//! Why a truncated system cannot be set up or solved.
+//! Errors of truncated systems.
 
 use super::TruncatedSystem;
 use libration_numbers::watch::Interrupted;
 
-/// Why a truncated system cannot be set up or solved.
+/// The reason why a truncated system cannot be set up or solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TruncatedSystemError {
     /// g₁ ≤ 0.
@@ -18,7 +18,7 @@ pub enum TruncatedSystemError {
     /// Nothing but the linear term.
     #[error("up to x^{degree} the force is linear; keep at least its next term")]
     Linear {
-        /// Where the force was cut off.
+        /// Degree at which the force was cut off.
         degree: usize,
     },
     /// No harmonic, or too many solutions.
@@ -28,7 +28,7 @@ pub enum TruncatedSystemError {
         TruncatedSystem::MAX_SOLUTIONS
     )]
     Size {
-        /// How many harmonics.
+        /// Number of harmonics.
         harmonics: u32,
         /// The degree of the force.
         degree: usize,
@@ -36,7 +36,7 @@ pub enum TruncatedSystemError {
     /// Not a positive finite number.
     #[error("the amplitude is {amplitude:?}; it must be positive and finite")]
     Amplitude {
-        /// What was given.
+        /// The amplitude that was given.
         amplitude: f64,
     },
     /// Some were not found.
@@ -44,12 +44,12 @@ pub enum TruncatedSystemError {
         "{found} of the {expected} solutions were found; where some coincide try an amplitude a little off"
     )]
     Missing {
-        /// How many were found.
+        /// Number of solutions found.
         found: usize,
-        /// How many there are.
+        /// Number of solutions that exist.
         expected: usize,
     },
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

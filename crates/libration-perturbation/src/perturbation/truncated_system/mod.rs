@@ -57,10 +57,10 @@ pub struct TruncatedSolution {
     pub amplitudes: Vec<Complex>,
     /// Δ² = (Ω/ω0)².
     pub frequency_ratio_squared: Complex,
-    /// How far the solution is from satisfying the equation of motion with the whole force that was given: the root
+    /// Residual of the equation of motion with the whole force that was given: the root
     /// of the mean of |Δ²x″ + g(x)/ω0²|² over a period, in the units of x.
     pub residual: f64,
-    /// Whether it is the motion sought, or why not.
+    /// Verdict: accepted as the motion sought, or the reason for its rejection.
     pub verdict: SolutionVerdict,
 }
 
@@ -107,10 +107,10 @@ impl TruncatedSystem {
         self.numbers().map(projection).collect()
     }
 
-    /// How many solutions there are, complex ones and those with a₁ = 0 included, counted as often as they
-    /// coincide: 1 + d + d² + … with as many terms as harmonics, where d is the degree of the force.
+    /// Number of solutions, including complex ones and those with a₁ = 0, counted with their multiplicity:
+    /// 1 + d + d² + … with as many terms as harmonics, where d is the degree of the force.
     ///
-    /// So many isolated solutions has the condition that two vectors be parallel, here (a₁, 9a₃, 25a₅, …) and the
+    /// This is the number of isolated solutions of the condition that two vectors be parallel, here (a₁, 9a₃, 25a₅, …) and the
     /// projections of the force.
     #[must_use]
     pub fn number_of_solutions(&self) -> u64 {
@@ -129,7 +129,7 @@ impl TruncatedSystem {
         self.solutions_watched(amplitude, &Watch::none())
     }
 
-    /// As [`solutions`](Self::solutions); `watch` is asked for each of them.
+    /// Computes the same as [`solutions`](Self::solutions); `watch` is checked for each of them.
     ///
     /// # Errors
     /// As [`solutions`](Self::solutions), and [`TruncatedSystemError::Interrupted`].

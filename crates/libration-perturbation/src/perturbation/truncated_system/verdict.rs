@@ -1,4 +1,4 @@
-//! Which solution of a truncated system is the motion sought, and why the others are not.
+//! Verdicts on the solutions of a truncated system: the motion sought, or the reason for a rejection.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use super::newton::{newton, refine, target};
 use super::tracking::Root;
 use libration_numbers::algebra::Complex;
 
-/// What is to be thought of a solution of a truncated system.
+/// The verdict on a solution of a truncated system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SolutionVerdict {
     /// It grows out of small oscillations: followed to amplitude 0 it has a₁ = amplitude and Δ = 1.
@@ -23,7 +23,7 @@ pub enum SolutionVerdict {
     Complex,
 }
 
-/// As `rejected: Δ² is not positive, so nothing oscillates`.
+/// Formats like `rejected: Δ² is not positive, so nothing oscillates`.
 impl fmt::Display for SolutionVerdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {

@@ -36,9 +36,9 @@ struct Place<'a> {
     sine: BigFloat,
     /// cosⁿχ.
     cosines: Vec<BigFloat>,
-    /// Of θ′(χ).
+    /// Series of θ′(χ).
     rate: Vec<BigFloat>,
-    /// Of θ − χ.
+    /// Series of θ − χ.
     delta: Vec<BigFloat>,
 }
 

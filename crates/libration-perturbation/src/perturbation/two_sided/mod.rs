@@ -35,7 +35,7 @@ pub(crate) const MAX_PI_ORDER: usize = 15;
 /// A force with two sides, and what is asked about it.
 #[derive(Debug)]
 pub(crate) struct TwoSided<'a> {
-    /// Of the distance from the equilibrium.
+    /// Force as a function of the distance from the equilibrium.
     above: Tape,
     below: Tape,
     equilibrium: &'a Rational,
@@ -45,7 +45,7 @@ pub(crate) struct TwoSided<'a> {
     order: usize,
 }
 
-/// How the integrals over a side are found: from the coefficients of X and Ω/ω0, those of (1/π)∫ X·cos kθ dθ for each k of the list.
+/// Computes the integrals over a side: from the coefficients of X and Ω/ω0, those of (1/π)∫ X·cos kθ dθ for each k of the list.
 type Integrals<'a, R> =
     &'a dyn Fn(&Side<'_, <R as Ring>::Element>, &[usize]) -> Option<Vec<Vec<<R as Ring>::Element>>>;
 
@@ -59,7 +59,7 @@ pub(super) struct Side<'a, E> {
 }
 
 impl<'a> TwoSided<'a> {
-    /// `None` where the oscillator has not two sides, or its equilibrium or ω0² is no fraction.
+    /// Creates the family; `None` where the oscillator has not two sides, or its equilibrium or ω0² is not a fraction.
     pub(crate) fn new(oscillator: &'a Oscillator, order: usize, gauge: &'a Gauge) -> Option<Self> {
         let sides = oscillator.sides()?;
         let x = Symbol::plain(oscillator.variable());
@@ -134,7 +134,7 @@ impl<'a> TwoSided<'a> {
         displacement(ring, side, values, &ring.rational(self.omega0_squared)?, self.order)
     }
 
-    /// Those up to the order: aₖ is the sum of both sides' integrals, which have opposite signs where k is even.
+    /// The harmonics up to the order: aₖ is the sum of both sides' integrals, which have opposite signs where k is even.
     fn harmonics<R: Ring>(
         &self,
         ring: &R,
@@ -204,7 +204,7 @@ fn period_ratio<R: Ring>(ring: &R, [above, below]: [&[R::Element]; 2]) -> Option
     Some(ratio)
 }
 
-/// Whether series with π are those in digits, to 30 digits of what is above one.
+/// Returns `true` if the series with π equal those in digits, to 30 digits, relative for numbers above one and absolute for others.
 pub(crate) fn agree(with_pi: &SeriesSet<LaurentPolynomial>, in_digits: &SeriesSet<Rational>) -> bool {
     const BITS: usize = 400;
     const AGREEING_BITS: isize = 100;

@@ -25,11 +25,11 @@ struct Swing<'a> {
     side: &'a Side<'a, Number>,
     /// cosⁿχ.
     cosines: Vec<Function>,
-    /// Of X′.
+    /// Series of X′.
     slope: Vec<Function>,
-    /// Of θ′(χ).
+    /// Series of θ′(χ).
     rate: Vec<Function>,
-    /// Of θ − χ.
+    /// Series of θ − χ.
     delta: Vec<Function>,
 }
 
@@ -62,7 +62,7 @@ impl<'a> Swing<'a> {
         Some(Self { ring, side, cosines, slope, rate, delta })
     }
 
-    /// As a mean of X·cos kθ·θ′ for k = 0, of sin kθ·sin χ·ρX′/k else.
+    /// The integral as a mean of X·cos kθ·θ′ for k = 0, of sin kθ·sin χ·ρX′/k otherwise.
     fn integral(&self, k: usize) -> Option<Vec<Number>> {
         let (ring, length) = (&self.ring, self.side.displacement.len());
         if k == 0 {

@@ -1,4 +1,4 @@
-//! What differs between programming languages in a formula.
+//! Differences between programming languages in a formula.
 
 use libration::algebra::Rational;
 
@@ -43,7 +43,7 @@ impl Language {
         }
     }
 
-    /// Whether no variable may have this name.
+    /// Returns `true` if no variable may have this name.
     pub(super) fn is_reserved(self, name: &str) -> bool {
         let words = match self {
             Self::C => C_WORDS,

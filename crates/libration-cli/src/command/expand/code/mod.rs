@@ -35,7 +35,7 @@ struct Series<'a, C> {
 }
 
 impl<'a, C: Coefficient> Series<'a, C> {
-    /// By powers of the largest displacement, of a limit cycle by those of its parameter.
+    /// The series by powers of the largest displacement, of a limit cycle by those of its parameter.
     fn new(answer: &'a Answer<C>) -> Self {
         let expansion = &answer.expansion;
         let present = |series: &[C]| series.iter().any(|coefficient| !coefficient.is_zero());

@@ -39,7 +39,7 @@ impl Names {
         letters.find(|(own, _)| own == name).map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
     }
 
-    /// The name of an argument that is no letter.
+    /// The name of an argument that is not a letter.
     pub(super) fn argument(&self, name: &str) -> String {
         let argument = self.arguments.iter().find(|(own, _)| *own == name);
         argument.map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
@@ -190,7 +190,7 @@ fn broken(text: &str, language: Language) -> String {
     lines.join(end) + "\n"
 }
 
-/// Words in lines of so many characters.
+/// Words in lines of at most `columns` characters.
 fn folded(text: &str, columns: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
     for word in text.split_whitespace() {

@@ -1,4 +1,4 @@
-//! What is said of a series at one amplitude, of each of its terms, and of Padé approximants.
+//! Fields of a series at one amplitude, of each of its terms, and of Padé approximants.
 
 use super::{NOT_REACHED, Numbers, Quotient};
 use crate::output::description::Answers;
@@ -117,7 +117,7 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
     ])
 }
 
-/// What the bounds rest on stands for `KEY`.
+/// The fields of a term; `KEY` stands for the basis of the bounds.
 pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
     type Of<'a> = Field<Term<'a>>;
     Fields::from([
@@ -191,7 +191,7 @@ pub(in crate::command::expand) fn answers() -> Answers {
 }
 
 impl Term<'_> {
-    /// What is left out, where it is known so well.
+    /// The remainder, where it is known with this certainty.
     fn remainder(&self, certainty: Certainty) -> Option<f64> {
         Some(self.step.remainder).filter(|it| it.certainty == certainty).map(|it| it.size)
     }

@@ -72,7 +72,7 @@ pub(super) fn write(
     Ok(numbers.missing())
 }
 
-/// Which harmonics there are in the place of one that is not.
+/// A statement of the nonzero harmonics, for a harmonic that is zero.
 fn absent(answer: &Answer) -> String {
     let present: Vec<String> =
         answer.expansion.harmonics.iter().take(6).map(|harmonic| format!("a{}", harmonic.k)).collect();
@@ -107,12 +107,12 @@ impl<'a> Numbers<'a> {
         self.exact.as_ref()?.as_ref().ok()
     }
 
-    /// How far a value is from the exact one; `None` when there is none.
+    /// The difference between a value and the exact one; `None` when there is none.
     fn error(&self, value: f64) -> Option<f64> {
         self.known().map(|exact| value - exact.value)
     }
 
-    /// That the exact motion is not what the series is for.
+    /// A note that the exact motion does not belong to the family of the series.
     fn other_family(&self) -> Option<String> {
         let place = self.known()?.encloses?;
         Some(format!(
@@ -140,7 +140,7 @@ impl<'a> Numbers<'a> {
         Some(format!("no periodic orbit is near the limit cycle that the series gives here: {reason}"))
     }
 
-    /// What Ctrl-C came before; `None` when nothing lacks.
+    /// The parts that were cancelled by Ctrl-C; `None` when nothing is missing.
     fn missing(&self) -> Option<String> {
         let parts = [
             ("the exact value", self.exact.is_none()),

@@ -41,7 +41,7 @@ fn name(quantity: SeriesQuantity, letter: &str) -> String {
     }
 }
 
-/// What the table is of, and where.
+/// The quantity of the table, and the amplitude.
 fn subject(numbers: &Numbers<'_>) -> String {
     let symbol = symbol(numbers);
     let place = if numbers.answer.expansion.variable.is_strength() {
@@ -149,7 +149,7 @@ fn convergence(numbers: &Numbers<'_>) -> String {
     }
 }
 
-/// Where the series is at its best when its terms grow.
+/// The power at which the series is at its best when its terms grow.
 fn after(numbers: &Numbers<'_>, smallest: &PartialSum) -> String {
     let error = match numbers.error(smallest.sum) {
         Some(error) => format!("; the error there is {}", rounded(error, 2)),

@@ -1,4 +1,4 @@
-//! What is said of a slow flow: its polynomials as lists of lists of coefficients, each a text.
+//! Fields of a slow flow: its polynomials as lists of lists of coefficients, each a text.
 
 use super::super::subject::of_subject;
 use super::{Answer, leading_cycles};
@@ -117,7 +117,7 @@ pub(super) fn answers() -> Answers {
     Answers { command: "expand", option: "--damping-order", json, csv }
 }
 
-/// Those that are not zero.
+/// The coefficients that are not zero.
 pub(super) fn coefficients(answer: &Answer) -> Vec<Coefficient> {
     let mut all = vec![];
     let mut add = |quantity: String, series: &SlowSeries| {

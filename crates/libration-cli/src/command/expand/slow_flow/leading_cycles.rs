@@ -69,7 +69,7 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
     ])
 }
 
-/// Where the small terms take and give over exact orbits.
+/// Writes the limit cycles at which the small terms take and give the same energy over exact orbits.
 pub(super) fn write(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
     writeln!(out)?;
     match &answer.leading {

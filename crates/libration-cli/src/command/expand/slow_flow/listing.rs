@@ -115,7 +115,7 @@ fn function_name(term: &PhaseTerm, function: &str, style: Style) -> String {
     }
 }
 
-/// How the terms of polynomials are written.
+/// The notation of the terms of polynomials.
 struct Names<'a> {
     parameter: &'a str,
     style: Style,

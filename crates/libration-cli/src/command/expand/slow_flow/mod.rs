@@ -22,7 +22,7 @@ pub(super) const DAMPING_ORDER: usize = 2;
 pub(super) struct Answer {
     subject: Subject,
     flow: SlowFlow,
-    /// By the work over exact orbits.
+    /// Limit cycles by the work over exact orbits.
     leading: Result<LeadingLimitCycles, NoLeadingLimitCycles>,
 }
 

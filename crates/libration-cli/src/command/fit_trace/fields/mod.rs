@@ -1,4 +1,4 @@
-//! What is said of measured swings, of their rows, cycles and traces, and of the models that were compared.
+//! Fields of measured swings, of their rows, cycles and traces, and of the models that were compared.
 
 mod cycle;
 mod model;
@@ -34,7 +34,7 @@ pub(super) fn record(answer: &Answer<'_>) -> Record {
     of_doubts().added_to(record, answer)
 }
 
-/// What stands before the pendulum.
+/// The fields before those of the pendulum.
 fn of_fit<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
@@ -132,7 +132,7 @@ fn of_length() -> Fields<Uncertain> {
     ])
 }
 
-/// What is doubtful, and by what it may be judged.
+/// The warnings, and the tests by which the fit may be judged.
 fn of_doubts<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     let warnings = warnings::fields(

@@ -41,7 +41,7 @@ impl DampingModel<'_> {
         self.weight > 0.0
     }
 
-    /// How it stands, and which coefficients are negative.
+    /// The standing of the model, and its negative coefficients.
     fn remark(&self) -> String {
         let standing = match self.comparison.standing(self.place) {
             Standing::Preferred => "preferred",

@@ -67,7 +67,7 @@ pub(in super::super) fn shown<'a>() -> Fields<Row<'a>> {
     of_parameter().for_table(&COLUMNS)
 }
 
-/// Which trace it belongs to.
+/// The trace that the parameter belongs to.
 pub(super) fn trace<'a>() -> Field<Row<'a>> {
     let meaning = "number of the trace it belongs to, from 0, if to one";
     Field::present_value("trace", "1", meaning, |it: &Row<'a>| it.parameter.trace.map(Into::into))

@@ -1,4 +1,4 @@
-//! The report of a measurement, for a student in the first year and for whoever marks it.
+//! Report of a measurement, for a student in the first year and for the person who marks it.
 
 pub(super) mod pictures;
 mod tables;
@@ -36,7 +36,7 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
     Document { title, sections: sections.into_iter().flatten().collect() }
 }
 
-/// What is doubtful about the result.
+/// The warnings about the result.
 fn doubts(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.warnings.is_empty() {
         true => vec![],

@@ -21,7 +21,7 @@ fn swing<'a>(answer: &'a Answer<'_>, trace: usize) -> Fitted<'a> {
     }
 }
 
-/// What `--figure` draws: the data of all traces with the motion, and what is left.
+/// The picture of `--figure`: the data of all traces with the motion, and the residuals.
 pub(in super::super) fn of_all(answer: &Answer<'_>) -> Picture {
     let count = answer.measured.traces.len();
     let pictures: Vec<Picture> = (0..count).map(|trace| of_one_of(answer, trace)).collect();
@@ -116,7 +116,7 @@ fn of_amplitudes(answer: &Answer<'_>, trace: usize) -> Option<Block> {
     Some(figure(&format!("amplitudes{}", suffix(answer, trace)), caption, picture))
 }
 
-/// How far the fitted motion of a model goes in each half swing.
+/// The amplitude of a model's fitted motion in each half swing.
 fn of_model(
     answer: &Answer<'_>,
     fit: &TraceFit,

@@ -30,7 +30,7 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
     })]
 }
 
-/// Where the uncertainty of gravity comes from.
+/// The sources of the uncertainty of gravity.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     let FittedPendulum::Gravity { budget, .. } = &answer.swings.pendulum else { return vec![] };
     vec![Block::Table(DocumentTable {

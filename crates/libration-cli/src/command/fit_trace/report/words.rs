@@ -1,4 +1,4 @@
-//! What the report says in words.
+//! Text of the report.
 
 use super::super::answer::Answer;
 use super::super::{sheet, units};
@@ -34,14 +34,14 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
     vec![Block::Table(table)]
 }
 
-/// What the result means.
+/// The meaning of the result.
 pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
     let meaning = "The number after ± is the standard uncertainty: the true value lies within it with a probability of 68 %, \
                    and within twice as much with 95 %, if the errors are random.";
     vec![Block::words(meaning), Block::words(formula(answer))]
 }
 
-/// How gravity or the length follow.
+/// The formula by which gravity or the length follow.
 fn formula(answer: &Answer<'_>) -> &'static str {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => {
@@ -54,7 +54,7 @@ fn formula(answer: &Answer<'_>) -> &'static str {
     }
 }
 
-/// How to read the budget.
+/// An explanation of the budget.
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => vec![Block::words(
@@ -66,7 +66,7 @@ pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     }
 }
 
-/// How to read the inputs of the budget.
+/// An explanation of the inputs of the budget.
 pub(super) fn inputs(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => vec![Block::words(

@@ -1,4 +1,4 @@
-//! What is said of the harmonics of each trace, of its windows and of each harmonic.
+//! Fields of the harmonics of each trace, of its windows and of each harmonic.
 
 use super::Answer;
 use crate::figure::measured_spectrum::{MeasuredSpectrum, unit_scale};
@@ -15,7 +15,7 @@ pub(super) struct Line<'a> {
     observable: Observable,
     /// From 1; none for the mean.
     window: Option<(usize, f64)>,
-    /// Of the first harmonic, in Hz.
+    /// Frequency of the first harmonic, in Hz.
     fundamental: f64,
     harmonic: &'a Harmonic,
 }

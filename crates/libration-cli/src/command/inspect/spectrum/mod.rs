@@ -48,7 +48,7 @@ struct Answer {
     file: String,
     findings: Vec<String>,
     found: Vec<MeasuredSpectrum>,
-    /// Why other traces have none.
+    /// Reasons why other traces have none.
     left_out: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What is said of the motions of a table.
+//! Fields of the motions of a table.
 
 use super::super::fields::{EVENT, of_end, of_event_alone, of_integration, of_sample_alone, of_time};
 use super::super::report::Summary;
@@ -40,7 +40,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     ])
 }
 
-/// Which motion it is.
+/// The fields that identify a motion.
 pub(super) fn of_number<'a>() -> Fields<Numbered<'a>> {
     type Of<'a> = Field<Numbered<'a>>;
     Fields::from([
@@ -56,7 +56,7 @@ pub(super) fn of_number<'a>() -> Fields<Numbered<'a>> {
     ])
 }
 
-/// What the file says of it.
+/// The fields of the values that the file gives to it.
 pub(super) fn of_values<'a>() -> Fields<Numbered<'a>> {
     type Of<'a> = Field<Numbered<'a>>;
     Fields::from([

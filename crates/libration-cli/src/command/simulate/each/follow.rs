@@ -29,7 +29,7 @@ struct Piece<'m, 'a> {
     motions: Vec<(usize, &'m Listed<'a>)>,
 }
 
-/// So many motions are one piece of work at most.
+/// Largest number of motions that are one piece of work.
 const PIECE: usize = 32;
 
 /// All motions, but those that have not begun when somebody asks for an early end.
@@ -96,12 +96,12 @@ impl<'a> Piece<'_, 'a> {
     }
 }
 
-/// What is noted of a motion on its way.
+/// The account of a motion during the integration.
 struct Account<'m, 'a> {
     motion: &'m SimulatedMotion<'a>,
     balance: Option<EnergyBalance<'a>>,
     trace: Option<Trace<'a>>,
-    /// Of its progress, in thousandths.
+    /// Progress already reported, in thousandths.
     told: u64,
 }
 
@@ -160,7 +160,7 @@ fn both_ways<'a>(listed: &Listed<'a>, progress: &Progress) -> Followed<'a> {
     Followed { solution, ending, drift, trace: None }
 }
 
-/// How a motion ended.
+/// The ending of a motion.
 fn concluded(listed: &Listed<'_>, outcome: Result<Solution, IntegrationError>) -> (Ending, Solution) {
     let nothing = || Solution { samples: vec![], events: vec![], end: listed.motion.beginning(), steps: 0 };
     match ended(outcome, &listed.motion) {
@@ -177,9 +177,9 @@ fn go_on() -> ControlFlow<()> {
     if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// How far all motions are.
+/// The progress of all motions.
 struct Progress {
-    /// Of the time to the last sample, added up.
+    /// Progress of the motions, in thousandths of the time to the last sample, added up.
     thousandths: AtomicU64,
     last: f64,
 }

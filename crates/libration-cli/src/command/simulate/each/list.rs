@@ -50,7 +50,7 @@ pub(super) fn listed<'a>(
 }
 
 impl Listed<'_> {
-    /// What it is called, if it has a name.
+    /// The name of the motion, if it has one.
     pub(super) fn name<'t>(&'t self, table: &'t MotionTable) -> Option<&'t str> {
         table.cells_of(self.row, Meaning::Name).next().map(|(_, name)| name).filter(|name| !name.is_empty())
     }

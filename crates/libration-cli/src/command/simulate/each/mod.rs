@@ -165,7 +165,7 @@ impl Answer<'_> {
         }
     }
 
-    /// What is left to be said when the answer is written: which of so many motions did not come to their ends.
+    /// The error after the result is written: the motions, of `all`, that did not come to their ends.
     fn into_result(self, all: usize) -> Result<(), QueryError> {
         /// More are not listed.
         const MOST: usize = 3;

@@ -19,7 +19,7 @@ pub(super) struct Setting {
     pub(super) sensitivities: Option<Sensitivities>,
     pub(super) watched: Watched,
     pub(super) observables: Option<Observables>,
-    /// That which is conserved, or why there is none.
+    /// Conserved energy, or the reason why there is none.
     pub(super) energy: Result<Energy, String>,
 }
 

@@ -85,7 +85,7 @@ impl Answer<'_> {
         Ok(())
     }
 
-    /// What each motion is, and how it ended.
+    /// Writes each motion, and its ending.
     fn write_motions(&self, out: &mut dyn Write) -> io::Result<()> {
         let own = self.table.columns.iter().map(|column| match column.meaning {
             Meaning::Name => Column::words(&column.title),

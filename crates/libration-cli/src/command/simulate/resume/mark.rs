@@ -1,4 +1,4 @@
-//! How far an answer is certain whatever comes behind it, and what is needed to go on from there.
+//! Part of a result that is certain for any later times, and the data needed to continue from there.
 
 use crate::output::field::{Field, Fields};
 use crate::output::json;
@@ -12,12 +12,12 @@ pub(crate) struct Mark {
     pub(crate) checkpoint: Checkpoint,
     pub(crate) samples: usize,
     pub(crate) events: usize,
-    /// Of a CSV file.
+    /// Length of a CSV file in bytes.
     pub(crate) bytes: u64,
     pub(crate) checksum: u64,
     /// The account of the energy, where there is one.
     pub(crate) energy: Option<EnergyAccount>,
-    /// What the errors of the states come from, where they are estimated.
+    /// State of the error estimate, where errors are estimated.
     pub(crate) errors: Option<Vec<f64>>,
 }
 

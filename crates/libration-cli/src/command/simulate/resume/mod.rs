@@ -31,17 +31,17 @@ use rows::Rows;
 /// The most bytes of an earlier JSON answer: memory ends before. CSV files are read line by line.
 const LARGEST: usize = 1 << 30;
 
-/// What an earlier answer holds.
+/// The content of an earlier result.
 #[derive(Debug)]
 pub(super) struct Earlier {
     question: Question,
-    /// What is kept of it; nothing when it did not come through its first step.
+    /// Part that is kept of it; `None` when it did not come through its first step.
     known: Option<(Mark, Rows)>,
     /// The unfinished file of a run that was ended by force, if that is what is gone on from.
     _leftover: Option<Leftover>,
 }
 
-/// Why an answer cannot be gone on from.
+/// The reason why a result cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
     #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file beside it", .0.display())]
@@ -165,7 +165,7 @@ impl Earlier {
         }
     }
 
-    /// Where it is gone on from.
+    /// The mark from which it is continued.
     pub(super) fn mark(&self) -> Option<&Mark> {
         self.known.as_ref().map(|(mark, _)| mark)
     }
@@ -196,7 +196,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
     })
 }
 
-/// Why a file is not gone on from.
+/// The reason why a file is not continued.
 #[derive(Debug)]
 enum Unusable {
     /// It cannot be read at all.

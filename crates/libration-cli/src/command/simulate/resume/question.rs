@@ -1,26 +1,26 @@
-//! What was asked, by which an earlier answer is known to be about the same motion.
+//! Parameters of a run, by which an earlier result is known to be about the same motion.
 
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use serde_json::Value;
 
-/// What decides the numbers of a motion, the times apart.
+/// The parameters that decide the numbers of a motion, except the times.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Question {
     /// The key of the system; `None` for equations as typed.
     pub(crate) system: Option<String>,
-    /// With the values of all parameters.
+    /// Equations with the values of all parameters.
     pub(crate) equations: String,
     /// The names of the numbers of a state.
     pub(crate) state: Vec<String>,
     /// The state at t = 0.
     pub(crate) initial: Vec<f64>,
     pub(crate) tolerance: f64,
-    /// Those that coordinates have of their own.
+    /// Tolerances that coordinates have of their own.
     pub(crate) own_tolerances: Vec<(String, f64)>,
-    /// What is looked for.
+    /// Events.
     pub(crate) events: Vec<String>,
-    /// Whether errors of the states are estimated.
+    /// `true` if errors of the states are estimated.
     pub(crate) errors: bool,
     /// Formulas that stand beside the state.
     pub(crate) columns: Vec<String>,
@@ -56,7 +56,7 @@ fn listed(names: &[String]) -> String {
 }
 
 impl Question {
-    /// What speaks against an answer to one question as the beginning of that to another, the start apart.
+    /// Checks that an earlier result is the beginning of that of this run, the initial state apart.
     pub(crate) fn check(&self, earlier: &Self) -> Result<(), Difference> {
         if earlier.equations != self.equations || earlier.state != self.state {
             let (earlier, asked) = (earlier.equations.clone(), self.equations.clone());

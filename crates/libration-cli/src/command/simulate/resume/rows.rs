@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
-/// Where they are.
+/// The storage of the rows.
 #[derive(Clone, Debug)]
 pub(crate) enum Rows {
     /// In memory, in the order of time.
@@ -17,12 +17,12 @@ pub(crate) enum Rows {
     Csv { path: PathBuf, bytes: u64, cells: Cells },
 }
 
-/// What stands in a line.
+/// The cells of a line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cells {
     /// The numbers of a state.
     numbers: usize,
-    /// How many columns of formulas stand behind the state; they are computed again.
+    /// Number of columns of formulas after the state; they are computed again.
     columns: usize,
     with_errors: bool,
     with_events: bool,
@@ -40,7 +40,7 @@ impl Rows {
         Self::Csv { path: path.to_owned(), bytes: mark.bytes, cells }
     }
 
-    /// Those of a JSON answer that a mark counts.
+    /// The rows of a JSON result that a mark counts.
     pub(super) fn of_json(document: &Value, mark: &Mark) -> Option<Self> {
         let list = |name: &str, most: usize| -> Option<Vec<Happening>> {
             let all = document[name].as_array().filter(|all| all.len() >= most)?;

@@ -1,4 +1,4 @@
-//! What an answer must say to be gone on from: in a JSON answer a field, beside a CSV file a file `NAME.csv.state`.
+//! Data that a result must contain to be continued: in a JSON result a field, next to a CSV file a file `NAME.csv.state`.
 
 use super::{Mark, Question, ResumeError};
 use crate::output::field::{Field, Fields};
@@ -72,10 +72,10 @@ pub(crate) struct Keeper {
 }
 
 impl Keeper {
-    /// How much work may be lost.
+    /// Longest work that may be lost.
     const PAUSE: Duration = Duration::from_secs(1);
 
-    /// Of the file beside an unfinished one.
+    /// Creates the keeper of the state file next to an unfinished file.
     pub(crate) fn new(path: PathBuf) -> Self {
         Self { path, due: now() + Self::PAUSE }
     }

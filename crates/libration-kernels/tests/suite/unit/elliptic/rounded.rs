@@ -39,7 +39,7 @@ fn worst(nearer: &Nearer, p: BigFloat) -> f64 {
     a.max(b)
 }
 
-/// Of every size on both sides, many next to one half, where the series are longest.
+/// Parameters of every size on both sides, many next to one half, where the series are longest.
 #[test]
 fn k_and_e_are_rounded_from_six_more_hundredths() {
     let sizes = (1..=3000).flat_map(|i| {

@@ -22,7 +22,7 @@ fn ratio(cosine: &BigFloat) -> BigFloat {
     one.clone() / one.agm(cosine)
 }
 
-/// How far two words are from the truth, in units in the last place of a result in [1, 2), [2, 4), ….
+/// The distance of two words from the true value, in units in the last place of a result in [1, 2), [2, 4), ….
 fn error(words: DoubleDouble, truth: &BigFloat) -> f64 {
     let unit = libm::ldexp(f64::EPSILON, libm::ilogb(truth.to_f64()));
     (exactly(words) - truth.clone()).to_f64().abs() / unit

@@ -111,8 +111,8 @@ impl MajorantAt<'_> {
     }
 }
 
-/// Where a sum that grows with the amplitude from zero on is one; `None` where there is no such place that squares and their
-/// inverses can be formed of.
+/// The amplitude at which a sum that grows from zero with the amplitude is one; `None` where there is none whose square and inverse square
+/// are finite.
 fn place_of_one(sum: impl Fn(f64) -> f64) -> Option<f64> {
     let mut high = 1.0;
     while sum(high) < 1.0 && high < 1e150 {

@@ -31,7 +31,7 @@ fn amplitudes_count_from_the_centre() {
     assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
 }
 
-/// By mpmath, from the beta function of a force −uⁿ.
+/// Frequencies by mpmath, from the beta function of a force −uⁿ.
 #[test]
 fn amplitudes_count_from_a_centre_without_expansion() {
     for (equation, centre, frequency) in [

@@ -154,7 +154,7 @@ fn every_coefficient_of_an_asymmetric_well_is_fixed_but_the_gauge() {
     assert_eq!(solution.free_constants().len(), 7);
 }
 
-/// As the documentation says.
+/// The numbers of terms are those that the documentation states.
 #[test]
 fn the_whole_system_grows_very_fast() {
     let terms = |order| {
