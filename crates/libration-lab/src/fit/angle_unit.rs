@@ -29,8 +29,7 @@ impl MistakenUnit {
                 follows_exact_law(table, DEGREES_PER_RADIAN, stated(table), 1.0).then_some(Self::Radians)
             }
             // Where degrees are taken for radians the sizes of errors belong to another shape of swing, so that the scatter of the periods is used
-            // instead. A
-            // β of zero would be as near to one as that of degrees, were its uncertainty one.
+            // instead. A β of zero would be as near to one as that of degrees, were its uncertainty one.
             _ if beta.abs() < 1.0 / BETA_OF_RADIANS => {
                 follows_exact_law(table, 1.0 / DEGREES_PER_RADIAN, [None, None], 0.3).then_some(Self::Degrees)
             }

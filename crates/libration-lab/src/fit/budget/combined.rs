@@ -63,7 +63,7 @@ pub struct CombinedUncertainty {
     pub correlations: Vec<Correlation>,
     /// The standard uncertainty, in m/s²; unknown uncertainties are not in it.
     pub standard: f64,
-    /// The effective degrees of freedom; infinite where every uncertainty is taken as known; where the statistical ones contribute nothing, those of
+    /// The effective degrees of freedom; infinite where every uncertainty that contributes is taken as known; where none contributes, those of
     /// the fewest data.
     pub degrees_of_freedom: f64,
 }
@@ -126,7 +126,7 @@ impl CombinedUncertainty {
     }
 }
 
-/// The degrees of freedom of uncertainties whose statistics found none: infinite where one that is judged is there.
+/// The degrees of freedom where statistics found no uncertainty: infinite where a judged one contributes, otherwise those of the fewest data.
 fn known_by(contributions: &[Contribution]) -> f64 {
     if contributions.iter().any(|each| each.degrees_of_freedom.is_infinite() && each.change().abs() > 0.0) {
         return f64::INFINITY;

@@ -11,8 +11,7 @@ use libration::quantity::{rounded, short};
 #[non_exhaustive]
 pub enum BudgetWarning {
     /// No model is refuted, and g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period
-    /// is the
-    /// easier one of its two inputs to measure, so that the length is suspected.
+    /// is the easier one of its two inputs to measure, so that the length is suspected.
     GravityContradicted {
         /// The length that was given, in m.
         length: f64,

@@ -160,7 +160,7 @@ fn t0_of_velocities(found: &Found, period: f64) -> f64 {
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
         let half_swings = found.half_swings(Observable::AngularVelocity, TAU / t0);
         let rows = found.rows(&half_swings);
-        // Cycles that would lead over the top say that T0 is smaller, whatever their number.
+        // Cycles that would lead over the top imply a smaller T0, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
         let said = rows.iter().map(Row::small_angle_period).chain(beyond).collect();
         median(said).is_some_and(|said| said > t0)

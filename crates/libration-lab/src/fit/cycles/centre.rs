@@ -4,7 +4,7 @@ use super::turning_point::Extreme;
 use crate::fit::Uncertain;
 use crate::statistics::{count, median, robust_deviation};
 
-/// Fewer middles of swings than this do not tell a wandering centre from noise. With 3 one recording by an encoder was said to wander
+/// Fewer middles of swings than this do not distinguish a wandering centre from noise. With 3 one recording by an encoder seemed to wander
 /// (`mod.rs`); with 9 one by a camera, of eight cycles, had a β of 12 for 1.0 ± 0.5.
 const FEWEST_TO_FOLLOW: usize = 5;
 /// Scatter of the middles, over that expected from noise, above which the centre is taken as wandering. With 2 nothing changed; with 5 β of the

@@ -30,9 +30,8 @@ const FEWEST: usize = 5;
 pub struct Coefficient {
     /// Kind of damping, which determines the unit.
     pub term: DampingKind,
-    /// Estimate in the unit of the term; its uncertainty comes from the scatter of the extremes, which may be correlated, and from the pivot where it
-    /// was
-    /// fitted.
+    /// Estimate in the unit of the term; its uncertainty comes from the scatter of the extremes, which may be correlated, and from the pivot where
+    /// it was fitted.
     pub estimate: Uncertain,
 }
 

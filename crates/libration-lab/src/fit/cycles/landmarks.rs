@@ -61,7 +61,7 @@ pub(super) fn landmarks(
     found
 }
 
-/// Guesses the passages, half way between turning points, and the extremes from the rows themselves.
+/// Guesses the passages of the centre between turning points, and the extremes, from the rows themselves.
 fn first_guess(trace: &Trace, stretch: &Stretch) -> Option<Guess> {
     let (times, values, centre) = (trace.times(), trace.values(), stretch.centre);
     let passed = |pair: &[usize]| {

@@ -152,8 +152,7 @@ impl Search<'_> {
     }
 
     /// Iterates with the bob, which makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below
-    /// any that
-    /// belongs to a bob further down: from there it falls, and once the bob reaches the pivot there is none.
+    /// any that belongs to a bob further down: from there it falls, and once the bob reaches the pivot there is none.
     fn with_bob(&self, line: (Solution, f64), radius: f64) -> Result<Option<(Solution, f64)>, FitError> {
         let shortest = self.table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
         let (mut found, mut settled) = (line, false);

@@ -93,7 +93,7 @@ const SUBSTANTIAL: f64 = 2.0;
 ///
 /// # Accuracy
 /// Uncertainties are those of least squares with effective variances; where amplitudes have errors of a few per cent they cover the truth as
-/// often as they say, folds and points next to them included.
+/// often as stated, folds and points next to them included.
 ///
 /// Fails for too few rows, amplitudes of π or more for a pendulum alone, rows that do not determine the parameters or that no model comes close to,
 /// and a cancellation by the caller.

@@ -1,10 +1,9 @@
 //! Scatter of amplitudes and phases where no uncertainties are stated: each kind by its own residuals, amplitudes all by the same
 //! amount or all by the same part.
 //!
-//! A kind of data with the residuals r, in standard deviations, is enlarged by √(Σr²/(n − Σh)): h, the leverage of a datum, is the part of it
-//! that the parameters take up, so that the degrees of freedom which both kinds lose to them are shared as they were used. Once nothing changes
-//! any more the likelihood of the residuals is the greatest:
-//! H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
+//! A kind of data with the residuals r, in standard deviations, is enlarged by √(Σr²/(n − Σh)): h, the leverage of a datum, is the part of it that
+//! the parameters take up, so that the degrees of freedom which both kinds lose to them are shared as they were used. Once nothing changes any more
+//! the likelihood of the residuals is the greatest: H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 //!
 //! All phases count alike. Those of sines through a noisy trace scatter by one over the amplitude, so that their uncertainties are rather too
 //! large; few rows do not decide between the two: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike about ten were

@@ -45,8 +45,8 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// The parameters, with the damping that is one standard deviation of its square where that is larger: without damping, amplitudes
-    /// do not determine in which direction it grows.
+    /// The parameters, with the damping replaced by the root of its square's standard deviation where that is larger: at zero damping, amplitudes
+    /// do not depend on it to first order.
     pub(super) fn with_damping(&self) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
         let of_square = 2.0 * parameters[1].abs() * self.covariance[(1, 1)].sqrt();

@@ -6,7 +6,7 @@ use crate::fit::cycles::Cycles;
 use crate::measurement::Trace;
 use crate::statistics::{count, median};
 
-/// Windows may have less swings than wanted by a tenth: nearly ten swings are two windows of five.
+/// Windows may have fewer swings than wanted by a tenth: nearly ten swings are two windows of five.
 const AT_LEAST: f64 = 0.9;
 /// Least number of rows in a window, per coefficient.
 const ROWS_PER_COEFFICIENT: f64 = 1.5;

@@ -31,9 +31,8 @@ pub struct SwingsFit {
 
 impl SwingsFit {
     /// T0, in s: averaged over the models that are not ruled out, with the contributions of runs and contradicting fits to its uncertainty. A scale
-    /// of
-    /// the angles that is wrong by a few per cent is seen, and so in the uncertainty, where swings begin at 0.5 rad or more; from smaller ones the
-    /// uncertainty of the scale has to be [stated](super::SwingsOptions::angle_scale).
+    /// of the angles that is wrong by a few per cent is seen, and so in the uncertainty, where swings begin at 0.5 rad or more; from smaller ones
+    /// the uncertainty of the scale has to be [stated](super::SwingsOptions::angle_scale).
     #[must_use]
     pub fn small_angle_period(&self) -> Uncertain {
         let model = self.contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);

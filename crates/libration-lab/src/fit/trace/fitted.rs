@@ -101,8 +101,7 @@ impl TraceFit {
     #[must_use]
     pub fn dissipates(&self) -> bool {
         /// Number of speeds: between two of them a parabola dips by at most the 256th part of its quadratic term at the greatest speed. With 3
-        /// nothing
-        /// changed in 21 fits, with 50 one that was excluded already was found to give energy.
+        /// nothing changed in 21 fits, with 50 one that was excluded already was found to give energy.
         const SPEEDS: usize = 9;
         let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
         (0..SPEEDS).all(|n| {

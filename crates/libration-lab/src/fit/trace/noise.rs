@@ -35,8 +35,7 @@ const SHORTEST: f64 = 0.4;
 /// Ratio of successive correlation times.
 pub const FACTOR: f64 = 1.6;
 /// Longest correlation time relative to a trace; longer ones are drift, and ones longer than `LONGEST_ROWS` cannot be distinguished from it. With
-/// 0.06 the
-/// uncertainty of T0 fell by 15 % in one of the twelve, with 0.25 it rose by 5 %; with 100 and 1600 rows nothing changed.
+/// 0.06 the uncertainty of T0 fell by 15 % in one of the twelve, with 0.25 it rose by 5 %; with 100 and 1600 rows nothing changed.
 const LONGEST_PART: f64 = 0.125;
 const LONGEST_ROWS: f64 = 400.0;
 /// Least degrees of freedom, since fewer cannot carry an interval: Student's quantile at 95 % is then 4.3.

@@ -71,8 +71,7 @@ pub fn from_scratch(
 }
 
 /// Returns whether the search failed. The model has failed instead where it describes the beginning and fails later on; the search has succeeded
-/// where
-/// the motion is in phase with all parts of the data, or where another search leads to the same end.
+/// where the motion is in phase with all parts of the data, or where another search leads to the same end.
 fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
     found.end.unexplained > GOOD
         && found.end.least_correlation < IN_PHASE

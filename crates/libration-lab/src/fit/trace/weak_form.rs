@@ -150,10 +150,9 @@ fn window(samples: &[Sample], gaps: &[usize], centre: f64, half: f64) -> Option<
     Some(sums)
 }
 
-/// The angles of angular velocities, up to a constant, and the measured velocity at rest: the mean over whole cycles, from
-/// the first turning point on one side, where the velocity crosses its mean, to the last one on the same side. The amplitude falls, so that the mean
-/// for
-/// one side deviates upwards and that for the other downwards: their average does not.
+/// The angles of angular velocities, up to a constant, and the measured velocity at rest: the mean over whole cycles, from the first turning point
+/// on one side, where the velocity crosses its mean, to the last one on the same side. The amplitude falls, so that the mean for one side deviates
+/// upwards and that for the other downwards: their average does not.
 fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
     let mean = |from: usize, to: usize| {
         integral(&times[from..=to], &velocities[from..=to]) / (times[to] - times[from]).max(f64::MIN_POSITIVE)
