@@ -34,7 +34,7 @@ impl Comparison {
     pub const UNSUPPORTED: f64 = 10.0;
     /// Difference from the least criterion below which models have substantial support (ibidem); the simplest of them is preferred.
     pub const SUBSTANTIAL: f64 = 2.0;
-    /// Number of its uncertainties beyond which the change of a coefficient is not chance, which exceeds it one in 370 times.
+    /// Number of its uncertainties beyond which the change of a coefficient is not chance, which exceeds it once in 370 times.
     pub const MOVED: f64 = 3.0;
     /// Number of its uncertainties from zero within which a coefficient counts as zero.
     pub const ZERO: f64 = 2.0;
