@@ -1,4 +1,4 @@
-//! Amplitudes in another unit than was said: as numbers of the right unit they follow the exact law.
+//! Amplitudes in a unit other than the stated one: as numbers of the right unit they follow the exact law.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ const BETA_OF_RADIANS: f64 = 1000.0;
 /// With the right unit β is 1 within this, or within three of its uncertainties.
 const BETA_OF_A_PENDULUM: f64 = 0.15;
 
-/// A unit that amplitudes have and are not said to have.
+/// A unit of the amplitudes that was mistaken for another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MistakenUnit {
     /// The numbers are radians, and were taken for degrees.
@@ -22,14 +22,14 @@ pub enum MistakenUnit {
 }
 
 impl MistakenUnit {
-    /// Of amplitudes with which β is this.
+    /// Returns the mistaken unit of amplitudes that give this β.
     pub(super) fn of(beta: f64, table: &PeriodTable) -> Option<Self> {
         match beta {
             _ if beta > BETA_OF_RADIANS => {
                 follows_exact_law(table, DEGREES_PER_RADIAN, stated(table), 1.0).then_some(Self::Radians)
             }
-            // Where degrees are called radians the sizes of errors are those of another shape of swing, so that the scatter tells. A β of nothing
-            // would be as near to one as that of degrees, were its uncertainty one.
+            // Where degrees are taken for radians the sizes of errors belong to another shape of swing, so that the scatter of the periods is used
+            // instead. A β of zero would be as near to one as that of degrees, were its uncertainty one.
             _ if beta.abs() < 1.0 / BETA_OF_RADIANS => {
                 follows_exact_law(table, 1.0 / DEGREES_PER_RADIAN, [None, None], 0.3).then_some(Self::Degrees)
             }
@@ -51,7 +51,7 @@ fn stated(table: &PeriodTable) -> Columns {
     [Some(column(table, |row| row.amplitude_uncertainty)), is_stated.then_some(of_periods)]
 }
 
-/// Whether the periods follow the exact law where the amplitudes are multiplied by this factor, with a β that is not more uncertain than this.
+/// Returns whether the periods follow the exact law where the amplitudes are multiplied by this factor, with an uncertainty of β below the given one.
 fn follows_exact_law(table: &PeriodTable, factor: f64, uncertainties: Columns, most_uncertain: f64) -> bool {
     let [of_amplitudes, of_periods] = uncertainties;
     let of_amplitudes =

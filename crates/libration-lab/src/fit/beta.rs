@@ -5,19 +5,19 @@ use nalgebra::{DMatrix, DVector};
 use super::significance::SIGNIFICANT;
 use super::uncertain::Uncertain;
 
-/// β, with the period of small swings that goes with it.
+/// β with the period of small swings that was fitted with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beta {
     /// β, the factor on the law's excess R − 1: 1 is the law, 0 a constant period.
     pub factor: Uncertain,
     /// The period of small swings, in seconds.
     pub t0: Uncertain,
-    /// Of T0 and β.
+    /// Correlation coefficient of T0 and β.
     pub correlation: f64,
 }
 
 impl Beta {
-    /// By the line T = T0 + (T0β)·(R − 1): its two coefficients, with their covariance.
+    /// Computes β from the line T = T0 + (T0β)·(R − 1): its two coefficients, with their covariance.
     #[doc(hidden)]
     pub fn from_line(coefficients: &DVector<f64>, covariance: &DMatrix<f64>) -> Self {
         let [t0, slope] = [coefficients[0], coefficients[1]];
@@ -31,7 +31,7 @@ impl Beta {
         }
     }
 
-    /// With an independent error more, by what it makes of both.
+    /// Adds an independent error, which changes both values to those of `moved`.
     #[doc(hidden)]
     pub fn with_error(self, moved: &Self) -> Self {
         let [of_t0, of_beta] = [moved.t0.value - self.t0.value, moved.factor.value - self.factor.value];
@@ -40,20 +40,20 @@ impl Beta {
         Self { factor, t0, correlation: both / (t0.uncertainty * factor.uncertainty) }
     }
 
-    /// By how many of its uncertainties it differs from that of the exact law.
+    /// Distance of β from that of the exact law, in standard uncertainties.
     #[must_use]
     pub fn deviation(&self) -> f64 {
         self.factor.deviation_from(1.0)
     }
 
-    /// Whether that is more than chance: [`SIGNIFICANT`].
+    /// Returns whether that distance is more than chance: [`SIGNIFICANT`].
     #[must_use]
     pub fn differs_from_one(&self) -> bool {
         self.deviation() > SIGNIFICANT
     }
 
-    /// By which part of them the angles are too small, if a wrong scale is why β is not 1, since R − 1 goes with the square of the
-    /// amplitude; none above a fifth, which no camera, protractor or gyroscope is wrong by.
+    /// Relative error of the angles (positive where they are too small), if a wrong scale is why β is not 1, since R − 1 goes with the square of the
+    /// amplitude; `None` above a fifth, which no camera, protractor or gyroscope is wrong by.
     #[must_use]
     pub fn scale_error(&self) -> Option<f64> {
         const MOST: f64 = 0.2;

@@ -6,7 +6,7 @@ use super::significance::SIGNIFICANT;
 use super::uncertain::Uncertain;
 use libration::quantity::rounded;
 
-/// Estimates that differ by more than so many of their uncertainties contradict each other.
+/// Difference, in standard uncertainties, above which estimates contradict each other.
 const CONTRADICTS: f64 = 2.0;
 
 /// An estimate of T0 with its name.
@@ -21,7 +21,7 @@ pub(super) struct Estimate {
 pub struct Contradiction {
     /// The estimates, by their names.
     pub between: [String; 2],
-    /// Both values of T0, in s.
+    /// Values of T0 of the two estimates, in s.
     pub values: [f64; 2],
     /// Their difference in standard uncertainties.
     pub deviation: f64,
@@ -40,26 +40,26 @@ impl Contradiction {
         self.half_width() / 3.0_f64.sqrt()
     }
 
-    /// `true` where the difference is beyond chance, so that the model is refuted.
+    /// Returns whether the difference is beyond chance, so that the model is refuted.
     #[must_use]
     pub fn refutes(&self) -> bool {
         self.deviation > SIGNIFICANT
     }
 
-    /// Of two estimates that differ by so many standard uncertainties.
+    /// Returns the contradiction of two estimates that differ by this many standard uncertainties; `None` where they agree.
     pub(super) fn of(pair: [&Estimate; 2], deviation: f64) -> Option<Self> {
         let between = pair.map(|estimate| estimate.name.clone());
         let values = pair.map(|estimate| estimate.t0.value);
         (deviation > CONTRADICTS).then_some(Self { between, values, deviation })
     }
 
-    /// Of two estimates with independent errors.
+    /// Returns the contradiction of two estimates with independent errors.
     pub(super) fn of_independent(pair: [&Estimate; 2]) -> Option<Self> {
         let [one, other] = pair.map(|estimate| estimate.t0);
         Self::of(pair, one.with_error(other.uncertainty).deviation_from(other.value))
     }
 
-    /// The one with the largest difference.
+    /// Returns the contradiction with the largest difference.
     pub(super) fn largest(found: impl Iterator<Item = Self>) -> Option<Self> {
         found.max_by(|a, b| a.half_width().total_cmp(&b.half_width()))
     }

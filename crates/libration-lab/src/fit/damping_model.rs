@@ -1,11 +1,11 @@
-//! Which kinds of damping a model has.
+//! Kinds of damping in a model.
 
 use std::fmt;
 use std::str::FromStr;
 
 use libration::decay::DampingKind;
 
-/// Which kinds of damping a model has: any of the three, or none.
+/// Kinds of damping in a model: any of the three, or none.
 ///
 /// # Examples
 /// ```
@@ -18,11 +18,11 @@ use libration::decay::DampingKind;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct DampingModel([bool; 3]);
 
-/// Why a text is not a damping model.
+/// Reasons why a text is not a damping model.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DampingModelError {
-    /// A name of no kind of damping.
+    /// A name that is not a kind of damping.
     #[error(
         "`{0}` is not a damping model: give undamped, dry, linear, quadratic, or a sum such as dry+linear"
     )]
@@ -36,7 +36,7 @@ impl DampingModel {
     /// No damping at all.
     pub const UNDAMPED: Self = Self([false; 3]);
 
-    /// All eight, simpler ones first.
+    /// All eight models, simpler ones first.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let mut all: Vec<Self> =
@@ -45,30 +45,30 @@ impl DampingModel {
         all
     }
 
-    /// With one kind.
+    /// Returns the model with one kind.
     #[must_use]
     pub fn only(term: DampingKind) -> Self {
         Self(DampingKind::ALL.map(|other| other == term))
     }
 
-    /// Whether this kind is there.
+    /// Returns whether the model has this kind.
     #[must_use]
     pub fn has(self, term: DampingKind) -> bool {
         self.iter().any(|other| other == term)
     }
 
-    /// The kinds that are there.
+    /// The kinds in the model.
     pub fn iter(self) -> impl Iterator<Item = DampingKind> + Clone {
         DampingKind::ALL.into_iter().zip(self.0).filter(|(_, there)| *there).map(|(term, _)| term)
     }
 
-    /// How many there are.
+    /// Number of kinds in the model.
     #[must_use]
     pub fn count(self) -> usize {
         self.iter().count()
     }
 
-    /// Whether all kinds that are here are there too.
+    /// Returns whether all kinds of this model are in the other one too.
     #[must_use]
     pub fn is_part_of(self, other: Self) -> bool {
         self.iter().all(|term| other.has(term))

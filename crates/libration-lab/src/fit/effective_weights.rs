@@ -1,4 +1,4 @@
-//! Weights that belong to what they are to find: effective variances depend on by how much the period changes with the amplitude.
+//! Weights that depend on the result: effective variances depend on the change of the period with the amplitude.
 
 use super::law::Point;
 use super::{FitError, Weighting};
@@ -6,20 +6,20 @@ use super::{FitError, Weighting};
 /// The weights settle by a factor of (σ of T0)/T0 or so each time.
 const MOST_ROUNDS: usize = 100;
 
-/// What is found with weights.
+/// Results of a fit with weights.
 pub trait Weighted {
-    /// By what the slope of the law is multiplied: T0, or T0β.
+    /// Factor of the slope of the law: T0, or T0β.
     fn scale(&self) -> f64;
 
-    /// A change of the scale that is none: rounding makes less of one, and so would the next round.
+    /// The largest change of the scale that is negligible: rounding makes a smaller one, and would do so again in the next round.
     fn negligible(&self) -> f64;
 }
 
-/// What `solve` finds with the weights that belong to it, one over standard deviations, and the variances; with unit weights, and no
-/// variances, without uncertainties.
+/// Solves with the weights that belong to the result, one over standard deviations, and returns it with the variances; without uncertainties
+/// with unit weights, and without variances.
 ///
 /// # Errors
-/// [`FitError::NoConvergence`] of these parameters, or what `solve` says.
+/// Fails with [`FitError::NoConvergence`] of these parameters, and with the errors of `solve`.
 pub fn settled<S: Weighted>(
     points: &[Point],
     weighting: Weighting,

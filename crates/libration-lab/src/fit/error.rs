@@ -1,55 +1,55 @@
-//! What can be wrong with a fit.
+//! Errors of a fit.
 
-/// Why a table cannot be fitted; rows are counted from one.
+/// Reasons why a table cannot be fitted; rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FitError {
     /// Columns of different lengths.
     #[error("the {column} have {found} rows, the amplitudes {expected}: give one for each")]
     LengthMismatch {
-        /// Which column.
+        /// Name of the column.
         column: &'static str,
-        /// Its rows.
+        /// Number of its rows.
         found: usize,
-        /// The rows of the amplitudes.
+        /// Number of rows of the amplitudes.
         expected: usize,
     },
     /// An amplitude that no libration has.
     #[error("row {row}: the amplitude {amplitude:?} rad is not below pi: check the unit of the amplitudes")]
     Amplitude {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// In radians.
+        /// Amplitude in radians.
         amplitude: f64,
     },
     /// A period that is not a positive finite number.
     #[error("row {row}: the period {period:?} s is not a positive number: remove the row")]
     Period {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// In seconds.
+        /// Period in seconds.
         period: f64,
     },
-    /// A standard deviation that is none.
+    /// A number that is not a standard deviation.
     #[error("row {row}: the uncertainty {uncertainty:?} of the {of} is not usable: {hint}")]
     Uncertainty {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// Of the amplitude or of the period.
+        /// Name of the quantity: amplitude or period.
         of: &'static str,
-        /// As given.
+        /// Uncertainty as given.
         uncertainty: f64,
-        /// What would do.
+        /// Description of a usable value.
         hint: &'static str,
     },
-    /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
+    /// Fewer rows than needed for the parameters, and for the scatter where it is needed.
     #[error("give at least {needed} rows: {found} cannot determine {parameters} and its uncertainty")]
     TooFewRows {
-        /// Rows.
+        /// Number of rows.
         found: usize,
-        /// Rows that would do.
+        /// Number of rows that are needed.
         needed: usize,
-        /// What is to be determined.
+        /// Parameters that are to be determined.
         parameters: &'static str,
     },
     /// All amplitudes have the same period ratio.
@@ -58,9 +58,9 @@ pub enum FitError {
     /// A law that has no positive finite value at a measured amplitude.
     #[error("the law `{key}` has no value at the amplitude {amplitude:?} rad: leave out the law or the row")]
     LawUndefined {
-        /// Of the law.
+        /// Key of the law.
         key: String,
-        /// In radians.
+        /// Amplitude in radians.
         amplitude: f64,
     },
     /// The weights did not settle.
@@ -68,28 +68,28 @@ pub enum FitError {
         "the iteration of the weights of {0} did not converge: check the uncertainties of the amplitudes"
     )]
     NoConvergence(&'static str),
-    /// A length or its uncertainty that is none.
+    /// A number that is not a length, or not its uncertainty.
     #[error(
         "a length of {value:?} ± {uncertainty:?} m is not usable: give a positive length and an uncertainty of at least zero"
     )]
     Length {
-        /// In metres.
+        /// Length in metres.
         value: f64,
-        /// In metres.
+        /// Standard uncertainty in metres.
         uncertainty: f64,
     },
     /// A length in a table that is not a positive finite number.
     #[error("row {row}: the length {length:?} m is not a positive number: remove the row")]
     LengthOfRow {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// In metres.
+        /// Length in metres.
         length: f64,
     },
-    /// An uncertainty of the clock that is none.
+    /// A number that is not an uncertainty of the clock.
     #[error("a relative uncertainty of the clock of {0} is not usable: give a finite number of zero or more")]
     Clock(f64),
-    /// Lengths that do not tell g from their offset.
+    /// Lengths that do not separate g from their offset.
     #[error(
         "the lengths are all the same, which does not determine their offset: measure with different lengths"
     )]
@@ -100,24 +100,24 @@ pub enum FitError {
          pendulum of these lengths"
     )]
     PeriodsWithoutLength,
-    /// A bob that reaches to the pivot where the lengths, with their offset, are shortest.
+    /// A bob that reaches the pivot where the lengths, with their offset, are shortest.
     #[error(
         "a bob of radius {radius:?} m reaches the pivot of the shortest pendulum, whose centre the periods put at most \
          {distance:.4} m below it: check the radius and the unit of the lengths"
     )]
     BobTooLarge {
-        /// In metres.
+        /// Radius in metres.
         radius: f64,
-        /// From the pivot to the centre of the bob at most, in metres.
+        /// Largest distance from the pivot to the centre of the bob, in metres.
         distance: f64,
     },
-    /// A bob with which the periods leave the offset open: none or several go with them.
+    /// A bob with which the periods do not determine the offset: none or several agree with them.
     #[error(
         "with a bob of radius {radius:?} m, which nearly reaches the pivot, the periods do not determine the offset of the lengths: \
          check the radius"
     )]
     BobRadius {
-        /// In metres.
+        /// Radius in metres.
         radius: f64,
     },
 }

@@ -1,4 +1,4 @@
-//! β of a law by a table of periods.
+//! β of a law, fitted to a table of periods.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,37 +12,37 @@ use crate::statistics::{LinearFit, Undetermined, count, weighted_least_squares};
 /// β with T0 left free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExcessScaleFit {
-    /// With uncertainties from those of the rows, [enlarged](Scatter) where they scatter more; without them from the scatter.
+    /// β with uncertainties from those of the rows, [enlarged](Scatter) where they scatter more; without them from the scatter.
     pub beta: Beta,
-    /// The uncertainty of β by the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, be it
-    /// above or below one. None without a degree of freedom.
+    /// The uncertainty of β by the scatter in any case: the standard deviation if all uncertainties were wrong by one factor, above
+    /// or below one. `None` without a degree of freedom.
     pub uncertainty_scaled: Option<f64>,
-    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    /// The sum of the squared residuals over their effective variances; `None` without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom: rows less two.
     pub dof: usize,
 }
 
 impl ExcessScaleFit {
-    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    /// χ² per degree of freedom; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         self.scatter().map(Scatter::chi2_per_dof)
     }
 
-    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
         Scatter::new(self.chi2, self.dof)
     }
 }
 
-/// β and T0 in T = T0·[1 + β(R − 1)].
+/// Fits β and T0 in T = T0·[1 + β(R − 1)].
 ///
 /// The model is the line T = T0 + (T0β)·(R − 1), solved with its full covariance; β is the quotient.
 ///
 /// # Errors
-/// Fewer than two rows (three without uncertainties), all amplitudes equal, a law without a value.
+/// Fails for fewer than two rows (three without uncertainties), equal amplitudes, and a law without a value.
 pub fn excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 3 } else { 2 };
     if table.len() < needed {
@@ -61,7 +61,7 @@ impl Weighted for Line {
         self.0.coefficients[1]
     }
 
-    /// Far less than its own uncertainty, of a slope that may be zero.
+    /// A change far below the uncertainty of the slope, which may be zero.
     fn negligible(&self) -> f64 {
         1e-12 * (self.scale().abs() + self.0.covariance[(1, 1)].sqrt())
     }

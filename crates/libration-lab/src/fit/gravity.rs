@@ -1,4 +1,4 @@
-//! What gravity can be.
+//! Plausible values of gravity.
 
 use super::significance::SIGNIFICANT;
 use super::uncertain::Uncertain;
@@ -7,7 +7,7 @@ use super::uncertain::Uncertain;
 /// (2013), doi:10.1002/grl.50838.
 pub const GRAVITY_ON_EARTH: [f64; 2] = [9.7639, 9.8337];
 
-/// Whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, which chance makes of a
+/// Returns whether gravity is outside [`GRAVITY_ON_EARTH`] by more than three of its standard uncertainties, which happens by chance to a
 /// right one less often than once in 700 times.
 #[must_use]
 pub fn is_nowhere_on_earth(gravity: Uncertain) -> bool {

@@ -57,7 +57,7 @@ impl<'a> Law<'a> {
     }
 
     /// The derivative of T/T0 with respect to the amplitude, by a central difference; zero where the law has
-    /// no finite value beside the amplitude.
+    /// no finite value next to the amplitude.
     #[must_use]
     pub fn slope_at(&self, amplitude: f64) -> f64 {
         let step = RELATIVE_STEP * amplitude.max(SMALL_AMPLITUDE).min(std::f64::consts::PI - amplitude);

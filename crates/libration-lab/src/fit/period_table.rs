@@ -7,24 +7,24 @@ use super::FitError;
 /// The standard deviations of the columns, where there are any.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Uncertainties<'a> {
-    /// Of the amplitudes, in radians; zero where an amplitude is exact.
+    /// Standard deviations of the amplitudes, in radians; zero where an amplitude is exact.
     pub amplitudes: Option<&'a [f64]>,
-    /// Of the periods, in seconds; positive.
+    /// Standard deviations of the periods, in seconds; positive.
     pub periods: Option<&'a [f64]>,
 }
 
-/// Where the weights of the rows come from.
+/// Source of the weights of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weighting {
     /// The uncertainties of periods and amplitudes, together the effective variance.
     PeriodsAndAmplitudes,
     /// The uncertainties of the periods.
     Periods,
-    /// None: all rows alike, their uncertainty from the scatter.
+    /// No uncertainties: all rows count alike, with their uncertainty from the scatter.
     Scatter,
 }
 
-/// What the weights mean, as a sentence for the reader of a fit.
+/// Description of the weights, as a sentence for the report of a fit.
 impl fmt::Display for Weighting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -57,11 +57,11 @@ pub struct Row {
 }
 
 impl PeriodTable {
-    /// Amplitudes in radians, whose sign does not count, and periods in seconds.
+    /// Checks amplitudes in radians, whose sign does not count, and periods in seconds.
     ///
     /// # Errors
-    /// Columns of different lengths, an amplitude of π or more, a period that is not positive, an uncertainty
-    /// that is not positive (of an amplitude: negative), anything NaN or infinite.
+    /// Fails for columns of different lengths, an amplitude of π or more, a period that is not positive, an uncertainty
+    /// that is not positive (of an amplitude: negative), and anything NaN or infinite.
     pub fn new(
         amplitudes: &[f64],
         periods: &[f64],
@@ -98,7 +98,7 @@ impl PeriodTable {
         self.rows.len()
     }
 
-    /// Whether there are no rows.
+    /// Returns whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -109,7 +109,7 @@ impl PeriodTable {
         self.rows.iter().map(|row| row.amplitude)
     }
 
-    /// Where the weights come from.
+    /// Source of the weights.
     #[must_use]
     pub fn weighting(&self) -> Weighting {
         self.weighting

@@ -1,4 +1,4 @@
-//! A table of periods explained: every law, the test of the exact one, and what does not belong.
+//! Analysis of a table of periods: every law, the test of the exact one, and outliers.
 
 use super::angle_unit::MistakenUnit;
 use super::budget::{MeasuredPeriod, PeriodDamping};
@@ -13,20 +13,20 @@ use super::{Beta, FitError, PeriodTable, Uncertain, Weighting};
 use libration::quantity::rounded;
 use std::fmt;
 
-/// How a table is fitted.
+/// Options for the fit of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PeriodsOptions {
-    /// Leaves out the rows that lie further from the exact law than this many robust standard deviations;
+    /// Leaves out the rows whose distance from the exact law is more than this many robust standard deviations;
     /// every row is kept when not given, and outliers are only counted.
     pub reject_outliers: Option<f64>,
 }
 
-/// What a table of periods says.
+/// The results of a fit to a table of periods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodFit {
     /// The rows that were fitted.
     pub table: PeriodTable,
-    /// Where the weights come from.
+    /// Source of the weights.
     pub weighting: Weighting,
     /// The outliers among the rows given, counted from zero, by [`PeriodsOptions::reject_outliers`] or
     /// [`DEFAULT_OUTLIER_THRESHOLD`].
@@ -35,29 +35,29 @@ pub struct PeriodFit {
     pub exact: LawFit,
     /// T0 with β = 1 and with β free, where they contradict each other.
     pub contradiction: Option<Contradiction>,
-    /// The unit of the amplitudes, where it is not the one that was said.
+    /// The unit of the amplitudes, where it is not the stated one.
     pub mistaken_unit: Option<MistakenUnit>,
     /// The standard uncertainty of T0 under the exact law by the rows alone, in s.
     pub uncertainty_of_rows: f64,
     /// T0 under the constant period.
     pub constant: LawFit,
-    /// T0 under each other law, or why there is none.
+    /// T0 under each other law, or the reason why there is none.
     pub others: Vec<(String, Result<LawFit, FitError>)>,
-    /// The test of the exact law, or why there is none.
+    /// The test of the exact law, or the reason why there is none.
     pub beta: Result<ExcessScaleFit, FitError>,
 }
 
-/// What a reader should know of a table of periods.
+/// A warning about a table of periods.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PeriodsWarning {
-    /// The amplitudes are in another unit than was said.
+    /// The amplitudes are in a unit other than the stated one.
     MistakenUnit(MistakenUnit),
     /// β differs from 1 by more than [chance](super::SIGNIFICANT) makes it.
     ModelRefuted {
         /// β.
         beta: Uncertain,
-        /// T0 with it and without.
+        /// T0 with β = 1 and with β free.
         contradiction: Contradiction,
     },
     /// The scatter of the rows.
@@ -65,7 +65,7 @@ pub enum PeriodsWarning {
 }
 
 impl PeriodsWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -100,10 +100,10 @@ impl fmt::Display for PeriodsWarning {
 }
 
 impl PeriodFit {
-    /// What a reader should know of the law and of the rows, the gravest first.
+    /// Warnings about the law and the rows, the gravest first.
     #[must_use]
     pub fn warnings(&self) -> Vec<PeriodsWarning> {
-        /// Of T0: rounding errors leave less than this of rows that are alike.
+        /// Uncertainty relative to T0 below which it is rounding, with rows that are alike.
         const ROUNDING: f64 = 1e-12;
         let of_scatter = self.exact.scatter().and_then(|scatter| scatter.warning("T₀"));
         let is_without =
@@ -148,7 +148,7 @@ impl PeriodFit {
 /// Fits the exact law, the constant period and these other laws to the table.
 ///
 /// # Errors
-/// No rows, or a single one without an uncertainty; also when no more are left without outliers.
+/// Fails for no rows, or a single one without an uncertainty; also when too few are left without outliers.
 pub fn periods(
     table: &PeriodTable,
     others: &[Law<'_>],
@@ -179,7 +179,7 @@ pub fn periods(
     })
 }
 
-/// T0 with β = 1 and with β free are of the same rows: how far β is from 1 tells whether they contradict each other.
+/// Compares T0 with β = 1 and with β free, which come from the same rows: they contradict each other where β is far from 1.
 fn contradiction(of_exact: Uncertain, free: &Beta) -> Option<Contradiction> {
     let exact = Estimate { name: "β = 1".to_owned(), t0: of_exact };
     let free_t0 = Estimate { name: "β free".to_owned(), t0: free.t0 };

@@ -1,4 +1,4 @@
-//! Whether rows scatter as their stated uncertainties say, and what is done where they scatter more: one rule for all tables.
+//! Comparison of the rows' scatter with their stated uncertainties, and enlargement of the latter where it is larger: one rule for all tables.
 //!
 //! The measure is the Birge ratio √(χ²/dof). Where it is above one every uncertainty of the fit is multiplied by it, as if all
 //! stated uncertainties were too small by one factor. Where it is below one nothing is made smaller: uncertainties that are common
@@ -13,11 +13,11 @@ use crate::statistics::chi_squared::probability_beyond;
 use crate::statistics::count;
 use libration::quantity::rounded;
 
-/// A scatter is told to be another than the stated one when chance makes it so large, or so small, less often than this: one
+/// A scatter counts as different from the stated one when chance makes it so large, or so small, less often than this: in one
 /// table in a hundred whose uncertainties are right.
 const BY_CHANCE: f64 = 0.01;
 
-/// How rows scatter beside their stated uncertainties.
+/// Result of the comparison of the rows' scatter with their stated uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScatterVerdict {
     /// Chance explains the difference.
@@ -28,12 +28,12 @@ pub enum ScatterVerdict {
     Less,
 }
 
-/// The Birge ratio that an uncertainty has been multiplied by, and why it is above one.
+/// The Birge ratio that an uncertainty has been multiplied by, and the reason why it is above one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Enlargement {
     /// The rows scatter by more than chance explains.
     ByScatter(f64),
-    /// The rows scatter as stated: so few of them give a ratio above one as often as not.
+    /// The rows scatter as stated: for few of them the ratio is above one as often as not.
     WithinChance(f64),
 }
 
@@ -52,20 +52,20 @@ impl fmt::Display for Enlargement {
     }
 }
 
-/// What a reader should know of rows whose scatter chance does not explain.
+/// A warning about rows whose scatter is not explained by chance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ScatterWarning {
-    /// They scatter more than stated: of right uncertainties one table in a hundred does.
+    /// They scatter more than stated: with right uncertainties one table in a hundred does.
     More {
-        /// Birge's.
+        /// The Birge ratio.
         ratio: f64,
     },
-    /// They scatter less than stated: of right uncertainties one table in a hundred does.
+    /// They scatter less than stated: with right uncertainties one table in a hundred does.
     Less {
-        /// Birge's.
+        /// The Birge ratio.
         ratio: f64,
-        /// What takes up an error that all rows share.
+        /// Quantity that takes up an error common to all rows.
         common: &'static str,
     },
     /// No uncertainties are stated and the rows do not scatter: by less than 1e-12 of themselves, which is rounding.
@@ -73,7 +73,7 @@ pub enum ScatterWarning {
 }
 
 impl ScatterWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -113,7 +113,7 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Of rows with uncertainties; none without them, or without a degree of freedom.
+    /// Returns the scatter of rows with uncertainties; `None` without them, or without a degree of freedom.
     #[must_use]
     pub fn new(chi2: Option<f64>, dof: usize) -> Option<Self> {
         chi2.filter(|chi2| dof > 0 && chi2.is_finite()).map(|chi2| Self { chi2, dof })
@@ -125,13 +125,13 @@ impl Scatter {
         self.chi2_per_dof().sqrt()
     }
 
-    /// By what the uncertainties of the fit are multiplied: the Birge ratio where it is above one, else one.
+    /// Factor of the uncertainties of the fit: the Birge ratio where it is above one, otherwise one.
     #[must_use]
     pub fn enlargement(self) -> f64 {
         self.birge_ratio().max(1.0)
     }
 
-    /// Whether chance explains it.
+    /// Returns whether chance explains the scatter.
     #[must_use]
     pub fn verdict(self) -> ScatterVerdict {
         let as_large = probability_beyond(self.chi2, self.dof);
@@ -142,7 +142,7 @@ impl Scatter {
         }
     }
 
-    /// Of the uncertainties of the fit: those of the scatter, where it is what they come from, else infinite, since stated
+    /// Degrees of freedom of the fit's uncertainties: those of the scatter, where they come from it, otherwise infinite, since stated
     /// uncertainties are taken as known.
     #[must_use]
     pub fn degrees_of_freedom(self) -> f64 {
@@ -155,7 +155,7 @@ impl Scatter {
         self.chi2 / count(self.dof)
     }
 
-    /// The enlargement with its reason; none where nothing is enlarged.
+    /// The enlargement with its reason; `None` where nothing is enlarged.
     #[must_use]
     pub fn enlarged(self) -> Option<Enlargement> {
         let ratio = Some(self.birge_ratio()).filter(|ratio| *ratio > 1.0)?;
@@ -165,7 +165,7 @@ impl Scatter {
         })
     }
 
-    /// What a reader should know where chance does not explain the scatter; `common` is what takes up an error that all rows share.
+    /// Returns a warning where chance does not explain the scatter; `common` is the quantity that takes up an error common to all rows.
     #[must_use]
     pub fn warning(self, common: &'static str) -> Option<ScatterWarning> {
         let ratio = self.birge_ratio();

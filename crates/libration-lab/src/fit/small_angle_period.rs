@@ -10,12 +10,12 @@ use nalgebra::{DMatrix, DVector};
 /// T0 under one law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LawFit {
-    /// Of the law.
+    /// Key of the law.
     pub key: String,
-    /// The period of small swings, in seconds; uncertain by the uncertainties of the rows, [enlarged](Scatter) where they scatter
-    /// more, or without them by the scatter.
+    /// The period of small swings, in seconds; its uncertainty comes from those of the rows, [enlarged](Scatter) where they scatter
+    /// more, or without them from the scatter.
     pub t0: Uncertain,
-    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    /// The sum of the squared residuals over their effective variances; `None` without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom: rows less one.
     pub dof: usize,
@@ -29,29 +29,29 @@ pub struct LawFit {
 }
 
 impl LawFit {
-    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    /// χ² per degree of freedom; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         self.scatter().map(Scatter::chi2_per_dof)
     }
 
-    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
         Scatter::new(self.chi2, self.dof)
     }
 
-    /// Of the uncertainty of T0: infinite where it comes from stated uncertainties.
+    /// Degrees of freedom of the uncertainty of T0: infinite where it comes from stated uncertainties.
     #[must_use]
     pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
         scatter::degrees_of_freedom(self.chi2, self.dof)
     }
 }
 
-/// T0 under the law.
+/// Fits T0 under the law.
 ///
 /// # Errors
-/// No rows, a single row without an uncertainty, a law without a value at one of the amplitudes.
+/// Fails for no rows, a single row without an uncertainty, and a law without a value at one of the amplitudes.
 pub fn small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 2 } else { 1 };
     if table.len() < needed {

@@ -22,19 +22,19 @@ pub struct Uncertain {
 }
 
 impl Uncertain {
-    /// By how many of its uncertainties it differs from a number.
+    /// Distance from a number, in standard uncertainties.
     #[must_use]
     pub fn deviation_from(self, other: f64) -> f64 {
         (self.value - other).abs() / self.uncertainty
     }
 
-    /// The uncertainty as a part of the value.
+    /// The uncertainty relative to the value.
     #[must_use]
     pub fn relative(self) -> f64 {
         self.uncertainty / self.value.abs()
     }
 
-    /// With an independent error of this standard deviation more.
+    /// Adds an independent error of this standard deviation.
     #[must_use]
     pub fn with_error(self, deviation: f64) -> Self {
         Self { uncertainty: libm::hypot(self.uncertainty, deviation), ..self }

@@ -1,4 +1,4 @@
-//! What a laboratory knows of its pendulum: sizes, masses, and the period it has found.
+//! Known properties of a laboratory's pendulum: sizes, masses, and the measured period.
 
 use libration::quantity::Quantity;
 
@@ -8,21 +8,21 @@ pub const AIR_DENSITY: Quantity = Quantity { value: 1.20, uncertainty: Some(0.02
 /// The pendulum: a ball on a rod or string. Lengths are metres, masses kilograms, densities kg/m³.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apparatus {
-    /// From the pivot to the centre of the bob.
+    /// Distance from the pivot to the centre of the bob.
     pub length: Quantity,
-    /// Of the bob, a ball.
+    /// Radius of the bob, a ball.
     pub bob_radius: Option<Quantity>,
-    /// Of the bob.
+    /// Mass of the bob.
     pub bob_mass: Option<Quantity>,
-    /// Of the bob; by its mass and radius where it is not given.
+    /// Density of the bob; computed from its mass and radius where it is not given.
     pub bob_density: Option<Quantity>,
-    /// Of the rod or string, which is as thick everywhere.
+    /// Mass of the rod or string, whose thickness is uniform.
     pub rod_mass: Option<Quantity>,
-    /// From the pivot to its end; to the surface of the bob where it is not given.
+    /// Distance from the pivot to the rod's end; to the surface of the bob where it is not given.
     pub rod_length: Option<Quantity>,
-    /// Of the air.
+    /// Density of the air.
     pub air_density: Quantity,
-    /// By how much the bob at rest stretches the string.
+    /// Length by which the bob at rest stretches the string.
     pub stretch: Option<Quantity>,
 }
 
@@ -43,7 +43,7 @@ impl Apparatus {
     }
 }
 
-/// The period of small swings, and what was done to find it.
+/// The period of small swings, and the method by which it was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredPeriod {
     /// T0, in seconds.
@@ -58,23 +58,23 @@ pub struct MeasuredPeriod {
     pub model: Option<f64>,
     /// The degrees of freedom of the uncertainty of T0; infinite where that is taken as known.
     pub degrees_of_freedom: f64,
-    /// What is known of the damping.
+    /// Known damping.
     pub damping: PeriodDamping,
 }
 
-/// What damping has to do with a period.
+/// Relation of the damping to a period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PeriodDamping {
-    /// Nothing is known of it.
+    /// The damping is unknown.
     Unknown,
-    /// T0 contains it: this is the coefficient of the linear one, in 1/s.
+    /// T0 contains the effect of linear damping with this coefficient, in 1/s.
     Contained(Quantity),
-    /// A fit of the damped motion gave T0, which contains none: the coefficient of the linear one, in 1/s, zero for other kinds.
+    /// A fit of the damped motion gave T0, which excludes damping: the coefficient of linear damping, in 1/s, zero for other kinds.
     Fitted(f64),
 }
 
 impl MeasuredPeriod {
-    /// T0 of which nothing else is known.
+    /// Returns T0 alone, with nothing else known.
     #[must_use]
     pub fn of_small_swings(t0: Quantity) -> Self {
         Self {

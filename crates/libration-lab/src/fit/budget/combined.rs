@@ -1,4 +1,4 @@
-//! Uncertainties of inputs → that of g, as the Guide to the Expression of Uncertainty in Measurement has it.
+//! Propagation of the uncertainties of the inputs to that of g, as in the Guide to the Expression of Uncertainty in Measurement.
 //!
 //! u² = Σ cᵢcⱼ r(xᵢ, xⱼ) uᵢuⱼ with the sensitivity coefficients cᵢ = ∂g/∂xᵢ (5.2.2), effective degrees of freedom after Welch and
 //! Satterthwaite (G.4.1), and U = k·u with Student's k for 95 % (G.6.4).
@@ -13,10 +13,10 @@ use crate::statistics::student::quantile;
 /// The probability that the true value is within the expanded uncertainty.
 pub const COVERAGE_PROBABILITY: f64 = 0.95;
 
-/// What an input contributes.
+/// Contribution of an input to the uncertainty of g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contribution {
-    /// Which one.
+    /// The input.
     pub input: BudgetInput,
     /// Its value, in its SI unit.
     pub value: f64,
@@ -24,46 +24,46 @@ pub struct Contribution {
     pub uncertainty: Option<f64>,
     /// ∂g/∂x.
     pub sensitivity: f64,
-    /// How its uncertainty was found.
+    /// Type of evaluation of its uncertainty.
     pub evaluation: Evaluation,
-    /// Of its uncertainty; infinite where that is taken as known.
+    /// Degrees of freedom of its uncertainty; infinite where that is taken as known.
     pub degrees_of_freedom: f64,
 }
 
 impl Contribution {
-    /// An input whose uncertainty was judged.
+    /// Returns the contribution of an input whose uncertainty was judged.
     #[doc(hidden)]
     pub fn judged(input: BudgetInput, value: f64, uncertainty: Option<f64>, sensitivity: f64) -> Self {
         let (evaluation, degrees_of_freedom) = (Evaluation::Judgement, f64::INFINITY);
         Self { input, value, uncertainty, sensitivity, evaluation, degrees_of_freedom }
     }
 
-    /// What g changes by with one standard uncertainty of it, in m/s²; zero where that is not known.
+    /// Change of g with one standard uncertainty of the input, in m/s²; zero where that is not known.
     #[must_use]
     pub fn change(&self) -> f64 {
         self.sensitivity * self.uncertainty.unwrap_or(0.0)
     }
 }
 
-/// That two inputs are known by what they have in common.
+/// Correlation of two inputs that are known by what they have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
-    /// Different ones.
+    /// The two inputs, different ones.
     pub between: [BudgetInput; 2],
-    /// From −1 to 1.
+    /// Correlation coefficient, from −1 to 1.
     pub coefficient: f64,
 }
 
-/// The uncertainty of g with all that it comes from.
+/// The uncertainty of g with all contributions to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CombinedUncertainty {
-    /// Of all inputs.
+    /// Contributions of all inputs.
     pub contributions: Vec<Contribution>,
-    /// Of pairs of them.
+    /// Correlations of pairs of inputs.
     pub correlations: Vec<Correlation>,
-    /// The standard uncertainty, in m/s²; of what is not known it knows nothing.
+    /// The standard uncertainty, in m/s²; unknown uncertainties are not in it.
     pub standard: f64,
-    /// The effective ones; infinite where every uncertainty is taken as known, and where statistics found none at all those of
+    /// The effective degrees of freedom; infinite where every uncertainty that contributes is taken as known; where none contributes, those of
     /// the fewest data.
     pub degrees_of_freedom: f64,
 }
@@ -126,7 +126,7 @@ impl CombinedUncertainty {
     }
 }
 
-/// The degrees of freedom of uncertainties whose statistics found none: infinite where one that is judged is there.
+/// The degrees of freedom where statistics found no uncertainty: infinite where a judged one contributes, otherwise those of the fewest data.
 fn known_by(contributions: &[Contribution]) -> f64 {
     if contributions.iter().any(|each| each.degrees_of_freedom.is_infinite() && each.change().abs() > 0.0) {
         return f64::INFINITY;

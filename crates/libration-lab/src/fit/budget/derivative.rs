@@ -1,6 +1,6 @@
-//! Derivatives of what is computed from the inputs.
+//! Numerical derivatives of functions of the inputs.
 
-/// Of the distance to the next place where the function ends, or of the value itself: the five-point rule then errs by the fourth
+/// Step relative to the distance to the next point where the function ends, or to the value itself: the five-point rule then errs by the fourth
 /// power of this, and rounding by 1e-16 over it.
 const PART: f64 = 1e-3;
 

@@ -1,4 +1,4 @@
-//! What makes g more or less than 4π²L/T0²: the moment of inertia over the torque of a ball on a rod in air.
+//! Effects that make g differ from 4π²L/T0²: the moment of inertia over the torque of a ball on a rod in air.
 //!
 //! In units of mL² and mgL the moment is 1 + 2r²/5L² + μλ²/3 + kσ and the torque 1 + μλ/2 − σ, with μ the mass of the rod over
 //! that of the bob, λ its length over L, σ the density of the air over that of the bob, and k the mass of the air that
@@ -11,7 +11,7 @@ use libration::pendulum::period_ratio;
 /// The kinematic viscosity of air at 20 °C, in m²/s.
 const VISCOSITY_OF_AIR: f64 = 1.51e-5;
 
-/// What the rows of a budget are about besides length and time.
+/// Effect of a budget's row, other than length and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Effect {
     Amplitude,
@@ -27,31 +27,31 @@ pub(super) enum Effect {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Values {
     pub(super) length: f64,
-    /// As the clock showed it.
+    /// Period of small swings by the clock's reading.
     pub(super) t0: f64,
-    /// By which all times are to be multiplied.
+    /// Factor by which all times are to be multiplied.
     pub(super) clock: f64,
-    /// By which T0 is to be multiplied where the model is another.
+    /// Factor by which T0 is to be multiplied where the model is another.
     pub(super) model: f64,
     pub(super) amplitude: f64,
-    /// By which all angles are to be multiplied; T0 was found with 1.
+    /// Factor by which all angles are to be multiplied; T0 was found with 1.
     pub(super) angle_scale: f64,
     pub(super) radius: f64,
     pub(super) bob_mass: f64,
-    /// By mass and radius where it is zero.
+    /// Density of the bob; computed from mass and radius where it is zero.
     pub(super) bob_density: f64,
     pub(super) rod_mass: f64,
-    /// To the surface of the bob where it is zero.
+    /// Length of the rod; to the surface of the bob where it is zero.
     pub(super) rod_length: f64,
     pub(super) air_density: f64,
-    /// By which the added mass is multiplied.
+    /// Factor by which the added mass is multiplied.
     pub(super) added_mass: f64,
     pub(super) stretch: f64,
     pub(super) damping: f64,
 }
 
 impl Values {
-    /// g with all effects but one.
+    /// Computes g with all effects but one.
     pub(super) fn gravity_without(&self, left_out: Option<Effect>) -> f64 {
         let on = |effect: Effect| if left_out == Some(effect) { 0.0 } else { 1.0 };
         let air = self.air_over_bob();
@@ -79,7 +79,7 @@ impl Values {
         self.t0 * self.clock * self.model
     }
 
-    /// What divides g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.
+    /// Divisor of g: T0 was corrected for the amplitude as it was read, and the true one is `angle_scale` times that.
     fn amplitude_correction(&self, left_out: Option<Effect>) -> f64 {
         let read = period_ratio(self.amplitude);
         if left_out == Some(Effect::Amplitude) {
@@ -103,7 +103,8 @@ impl Values {
         self.added_mass * (0.5 + self.viscous_part())
     }
 
-    /// Flow about a bob that swings further than its radius is neither ideal nor laminar: half of what viscosity adds.
+    /// Relative uncertainty of the added mass: half of the viscous part, as flow about a bob that swings further than its radius is not ideal or
+    /// laminar.
     pub(super) fn uncertainty_of_added_mass(&self) -> f64 {
         if self.radius > 0.0 { 0.5 * self.viscous_part() / self.added_mass_over_displaced() } else { 0.5 }
     }

@@ -1,4 +1,4 @@
-//! What g is computed from.
+//! Inputs from which g is computed.
 
 use super::effects::Values;
 
@@ -6,40 +6,40 @@ use super::effects::Values;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BudgetInput {
-    /// From the pivot to the centre of the bob.
+    /// Distance from the pivot to the centre of the bob.
     Length,
     /// T0.
     Period,
     /// The slope of T²/4π² against the length.
     Slope,
-    /// By which all times are to be multiplied.
+    /// Factor by which all times are to be multiplied.
     Clock,
-    /// By which T0 is to be multiplied where the model is another.
+    /// Factor by which T0 is to be multiplied where the model is another.
     Model,
-    /// By which all angles are to be multiplied.
+    /// Factor by which all angles are to be multiplied.
     AngleScale,
-    /// Of the bob, a ball.
+    /// Radius of the bob, a ball.
     BobRadius,
-    /// Of the bob.
+    /// Mass of the bob.
     BobMass,
-    /// Of the bob.
+    /// Density of the bob.
     BobDensity,
-    /// Of the rod or string.
+    /// Mass of the rod or string.
     RodMass,
-    /// From the pivot to its end.
+    /// Distance from the pivot to the rod's end.
     RodLength,
-    /// Of the air.
+    /// Density of the air.
     AirDensity,
-    /// By which the mass of the air that moves along is to be multiplied.
+    /// Factor by which the mass of the air that moves along is to be multiplied.
     AddedMass,
-    /// Of the string, by the bob at rest.
+    /// Stretch of the string by the bob at rest.
     Stretch,
     /// The coefficient of linear damping.
     Damping,
 }
 
 impl BudgetInput {
-    /// All of them.
+    /// All inputs.
     pub const ALL: [Self; 15] = [
         Self::Length,
         Self::Period,
@@ -58,7 +58,7 @@ impl BudgetInput {
         Self::Damping,
     ];
 
-    /// `length`, `bob radius` and so on.
+    /// Name of the input: `length`, `bob radius` and so on.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -80,7 +80,7 @@ impl BudgetInput {
         }
     }
 
-    /// Of its value; `1` for a factor.
+    /// Unit of the input's value; `1` for a factor.
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
@@ -94,7 +94,7 @@ impl BudgetInput {
         }
     }
 
-    /// Of ∂g/∂x.
+    /// Unit of ∂g/∂x.
     #[must_use]
     pub fn unit_of_sensitivity(self) -> &'static str {
         match self {
@@ -108,7 +108,7 @@ impl BudgetInput {
         }
     }
 
-    /// Where it stands among the values; none of the slope of a line, which takes the place of all of them.
+    /// Slot of the input among the values; `None` for the slope of a line, which replaces all of them.
     pub(super) fn place(self, values: &mut Values) -> Option<&mut f64> {
         match self {
             Self::Length => Some(&mut values.length),

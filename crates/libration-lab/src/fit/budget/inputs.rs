@@ -1,4 +1,4 @@
-//! The inputs of a budget with their uncertainties, checked once, and what each contributes.
+//! The inputs of a budget with their uncertainties, checked once, and the contribution of each.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ use libration::quantity::Quantity;
 pub(super) struct Inputs {
     pub(super) values: Values,
     uncertain: Vec<(BudgetInput, Option<f64>)>,
-    /// Of the uncertainty of T0.
+    /// Degrees of freedom of the uncertainty of T0.
     degrees_of_freedom: f64,
     pub(super) damping: PeriodDamping,
 }
@@ -88,7 +88,7 @@ impl Inputs {
         Contribution { evaluation, degrees_of_freedom, ..judged }
     }
 
-    /// By how much the mean of g is off because g bends over the uncertainties: Σ ½ ∂²g/∂x² u².
+    /// Shift of the mean of g because g is not linear over the uncertainties: Σ ½ ∂²g/∂x² u².
     pub(super) fn curvature(&self) -> f64 {
         let bend = |&(input, spread): &(BudgetInput, Option<f64>)| {
             let spread = spread.unwrap_or(0.0);
@@ -98,12 +98,12 @@ impl Inputs {
         self.uncertain.iter().map(bend).sum()
     }
 
-    /// What a function of the values changes by with one standard uncertainty of an input; zero where there is none.
+    /// Change of a function of the values with one standard uncertainty of an input; zero where there is none.
     pub(super) fn change(&self, input: BudgetInput, of: impl Fn(&Values) -> f64) -> f64 {
         self.uncertainty(input).map_or(0.0, |spread| spread * self.slope(input, of))
     }
 
-    /// Of an input that was given with one.
+    /// Standard uncertainty of an input that was given with one.
     pub(super) fn uncertainty(&self, input: BudgetInput) -> Option<f64> {
         self.uncertain.iter().find(|uncertain| uncertain.0 == input)?.1
     }
@@ -112,7 +112,7 @@ impl Inputs {
         self.uncertain.iter().any(|uncertain| uncertain.0 == input)
     }
 
-    /// The size of changes by all inputs of which this holds; none where those that matter have no uncertainty.
+    /// Computes the size of the changes by all inputs of which this holds; `None` where those that matter have no uncertainty.
     pub(super) fn changes(
         &self,
         of: impl Fn(&Values) -> f64,
@@ -132,7 +132,7 @@ impl Inputs {
         derivative(self.value(input), self.reach(input), self.along(input, of))
     }
 
-    /// A function of the values as one of this input.
+    /// Returns a function of the values as a function of this input.
     fn along(&self, input: BudgetInput, of: impl Fn(&Values) -> f64) -> impl Fn(f64) -> f64 {
         let values = self.values;
         move |x| {
@@ -149,7 +149,7 @@ impl Inputs {
         input.place(&mut values).map_or(f64::NAN, |place| *place)
     }
 
-    /// How far the functions go on: to zero, and for amplitudes to the top.
+    /// Distance over which the functions are defined: to zero, and for amplitudes to the top.
     fn reach(&self, input: BudgetInput) -> f64 {
         let amplitude = self.values.amplitude;
         match input {

@@ -1,7 +1,7 @@
-//! An uncertainty budget for g as a laboratory writes it: what each effect does to g and how uncertain it leaves it.
+//! An uncertainty budget for g as a laboratory writes it: the size of each effect on g and its contribution to the uncertainty.
 //!
-//! g = (4π²L/T0²)·(1 + 2r²/5L² + μλ²/3 + kσ)/(1 + μλ/2 − σ), a ball on a rod in air (see the rows for the letters). What is not
-//! given is not corrected; the budget then says how large it is for a usual pendulum, if that can be said at all.
+//! g = (4π²L/T0²)·(1 + 2r²/5L² + μλ²/3 + kσ)/(1 + μλ/2 − σ), a ball on a rod in air (see the rows for the letters). Effects whose inputs are not
+//! given are not corrected; the budget then states their size for a usual pendulum, if it can be estimated at all.
 //!
 //! Reference: R. A. Nelson and M. G. Olsson, *The pendulum – Rich physics from a simple system*, Am. J. Phys. 54, 112 (1986),
 //! doi:10.1119/1.14703; the mass of air that moves along: G. G. Stokes, Trans. Cambridge Philos. Soc. 9, part II, 8 (1851), with
@@ -24,56 +24,56 @@ pub use warning::BudgetWarning;
 
 use super::uncertain::Uncertain;
 
-/// Why there is no budget.
+/// Reasons for the lack of a budget.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BudgetError {
     /// A quantity that must be above zero.
     #[error("the {name} is {value:?}: give a finite number above zero")]
     NotPositive {
-        /// Which one.
+        /// Name of the quantity.
         name: &'static str,
-        /// What was got.
+        /// The given value.
         value: f64,
     },
     /// An uncertainty below zero.
     #[error("the uncertainty of the {name} is {value:?}: give a finite number of zero or more")]
     Uncertainty {
-        /// Of which quantity.
+        /// Name of the quantity.
         name: &'static str,
-        /// What was got.
+        /// The given value.
         value: f64,
     },
-    /// A bob that reaches to the pivot.
+    /// A bob that reaches the pivot.
     #[error(
         "a bob of radius {radius:?} m does not fit a pendulum of {length:?} m: the length goes to the centre of the bob"
     )]
     BobTooLarge {
-        /// In metres.
+        /// Radius of the bob, in metres.
         radius: f64,
-        /// In metres.
+        /// Length of the pendulum, in metres.
         length: f64,
     },
-    /// A bob that air carries.
+    /// A bob that floats in air.
     #[error("the bob is not denser than the air: check its mass and radius, or its density")]
     BobTooLight,
-    /// An amplitude that is none.
+    /// A number that is not an amplitude.
     #[error("the amplitude {0:?} rad is not below pi")]
     Amplitude(f64),
-    /// The mass of the rod counts relative to that of the bob.
+    /// A mass of the rod without that of the bob, relative to which it counts.
     #[error("a mass of the rod without one of the bob tells nothing: give the mass of the bob too")]
     RodWithoutBob,
-    /// Of an input that the budget does not have.
+    /// A correlation of an input that the budget does not have.
     #[error(
         "the {0} is correlated with another input and was not given: give it too, or leave out the correlation"
     )]
     CorrelationWithNothing(&'static str),
-    /// A coefficient that is none, or one of an input with itself.
+    /// A number that is not a correlation coefficient, or a correlation of an input with itself.
     #[error(
         "a correlation of {coefficient} cannot be: give a number from -1 to 1 between two different inputs"
     )]
     Correlation {
-        /// What was got.
+        /// The given value.
         coefficient: f64,
     },
     /// A pair of inputs with two coefficients.
@@ -92,12 +92,12 @@ pub enum BudgetError {
     Correlations,
 }
 
-/// How an uncertainty was found (Guide to the Expression of Uncertainty in Measurement, 4.2 and 4.3).
+/// Type of evaluation of an uncertainty (Guide to the Expression of Uncertainty in Measurement, 4.2 and 4.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluation {
-    /// A: by the scatter of measurements.
+    /// Type A: by the scatter of measurements.
     Statistics,
-    /// B: by what is known of instruments and theory.
+    /// Type B: by knowledge of instruments and theory.
     Judgement,
 }
 
@@ -112,14 +112,14 @@ impl Evaluation {
     }
 }
 
-/// What is done about an effect.
+/// Correction for an effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Correction {
     /// g is larger by this part of itself than without the correction.
     Applied(f64),
-    /// Nothing is known of it, but for a usual pendulum it would be about this part of g.
+    /// The effect is not known here; for a usual pendulum it is about this part of g.
     Typical(f64),
-    /// Neither is known.
+    /// Neither the effect nor its typical size is known.
     Unknown,
     /// An input, which corrects nothing.
     Input,
@@ -128,34 +128,34 @@ pub enum Correction {
 /// A row of a budget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BudgetRow {
-    /// Of the effect.
+    /// Name of the effect.
     pub name: &'static str,
-    /// By what g is multiplied, or where its uncertainty comes from.
+    /// Factor of g, or source of the uncertainty.
     pub formula: &'static str,
-    /// Of g.
+    /// Correction of g.
     pub correction: Correction,
-    /// What it contributes to the standard uncertainty of g, in m/s²; none where it is not known.
+    /// Contribution to the standard uncertainty of g, in m/s²; `None` where it is not known.
     pub uncertainty: Option<f64>,
-    /// How that was found.
+    /// Type of evaluation of that contribution.
     pub evaluation: Evaluation,
-    /// With what numbers, or what would be needed.
+    /// Numbers that were used, or inputs that would be needed.
     pub note: String,
 }
 
-/// g and where its uncertainty comes from.
+/// g and the sources of its uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
-    /// In the order in which a laboratory writes them.
+    /// Rows in the order in which a laboratory writes them.
     pub rows: Vec<BudgetRow>,
-    /// The length it is found with, in m.
+    /// The length that g is computed with, in m.
     pub length: f64,
-    /// With the corrections that are applied, in m/s².
+    /// g with the corrections that are applied, in m/s².
     pub g: f64,
-    /// The standard uncertainty of g, in m/s², from the inputs that are known; of those that are not it knows nothing.
+    /// The standard uncertainty of g, in m/s², from the inputs whose uncertainty is known.
     pub uncertainty: f64,
-    /// The same input by input.
+    /// The same uncertainty input by input.
     pub combined: CombinedUncertainty,
-    /// By how much the mean of g would be off because g is not a straight line over the uncertainties of its inputs, in m/s².
+    /// Shift of the mean of g because g is not linear over the uncertainties of its inputs, in m/s².
     pub curvature: f64,
 }
 
@@ -166,19 +166,19 @@ impl Budget {
         Uncertain { value: self.g, uncertainty: self.uncertainty }
     }
 
-    /// Whether g is nearly a straight line over the uncertainties of its inputs: the bend is below a tenth of the uncertainty.
-    /// Where it is not, ± is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
+    /// Returns whether g is nearly linear over the uncertainties of its inputs: the shift of its mean is below a tenth of the uncertainty.
+    /// Otherwise the uncertainty is rough (Guide to the Expression of Uncertainty in Measurement, 5.1.2, note).
     #[must_use]
     pub fn is_linear(&self) -> bool {
         self.curvature.abs() <= 0.1 * self.uncertainty
     }
 }
 
-/// The budget of this pendulum with this period; inputs are independent but for these correlations.
+/// Computes the budget of this pendulum with this period; inputs are independent except for these correlations.
 ///
 /// # Errors
-/// A length, mass, density or period that is not above zero, an uncertainty below zero, a bob that does not fit or floats,
-/// correlations that cannot be.
+/// Fails for a length, mass, density or period that is not above zero, an uncertainty below zero, a bob that does not fit or floats,
+/// and impossible correlations.
 ///
 /// # Examples
 /// ```

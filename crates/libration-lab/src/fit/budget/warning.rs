@@ -1,4 +1,4 @@
-//! What is doubtful about g and its uncertainty.
+//! Warnings about g and its uncertainty.
 
 use std::fmt;
 
@@ -6,12 +6,12 @@ use super::{Budget, BudgetInput};
 use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use libration::quantity::{rounded, short};
 
-/// What is doubtful about g and its uncertainty.
+/// A warning about g and its uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BudgetWarning {
-    /// No model is refuted, and g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period is the
-    /// easier one of its two inputs to measure, so that the length is suspected.
+    /// No model is refuted, and g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties. The period
+    /// is the easier one of its two inputs to measure, so that the length is suspected.
     GravityContradicted {
         /// The length that was given, in m.
         length: f64,
@@ -20,15 +20,15 @@ pub enum BudgetWarning {
     },
     /// Inputs without an uncertainty, which count as exact.
     WithoutUncertainty {
-        /// Which ones.
+        /// The inputs.
         inputs: Vec<BudgetInput>,
     },
-    /// g is [no straight line](Budget::is_linear) over the uncertainties of its inputs.
+    /// g is [not linear](Budget::is_linear) over the uncertainties of its inputs.
     NotLinear,
 }
 
 impl BudgetWarning {
-    /// A name that stays; `budget` for what is about the uncertainty alone.
+    /// A stable name; `budget` for warnings about the uncertainty alone.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -63,7 +63,7 @@ impl fmt::Display for BudgetWarning {
 }
 
 impl Budget {
-    /// What a reader should know of g and its uncertainty, the gravest first.
+    /// Warnings about g and its uncertainty, the gravest first.
     #[must_use]
     pub fn warnings(&self) -> Vec<BudgetWarning> {
         let likely = 0.5 * (GRAVITY_ON_EARTH[0] + GRAVITY_ON_EARTH[1]);

@@ -1,4 +1,4 @@
-//! From the landmarks of all stretches to cycles and what they say.
+//! From the landmarks of all stretches to cycles and their results.
 
 use std::f64::consts::TAU;
 
@@ -30,10 +30,10 @@ pub fn cycles(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesEr
     cycles_watched(trace, options, &Watch::none())
 }
 
-/// [`cycles`], asking `watch` at each passage and extreme, and at each step of the fits.
+/// Computes [`cycles`], with a check of `watch` at each passage and extreme, and at each step of the fits.
 ///
 /// # Errors
-/// As [`cycles`], and [`CyclesError::Interrupted`] where it was stopped.
+/// Fails as [`cycles`] does, and with [`CyclesError::Interrupted`] where it was stopped.
 pub fn cycles_watched(
     trace: &Trace,
     options: &CyclesOptions,
@@ -56,7 +56,7 @@ fn of_pivot_with_errors(
     Ok(found)
 }
 
-/// The same as if the values were those of the pendulum's angle.
+/// Computes the cycles as if the values were those of the pendulum's angle.
 fn about_a_known_pivot(
     trace: &Trace,
     options: &CyclesOptions,
@@ -111,7 +111,7 @@ fn about_a_known_pivot(
     })
 }
 
-/// The exact law through the rows, and which of them are outliers.
+/// Fits the exact law to the rows, and returns it with the indices of outliers.
 fn law(rows: &[Row], options: &CyclesOptions, watch: &Watch<'_>) -> Option<(PeriodLaw, Vec<usize>)> {
     let outliers = period_law::outliers(rows, options.outlier_threshold);
     let law = period_law::exact(&without(rows, &outliers), watch)?;
@@ -122,7 +122,7 @@ fn without(rows: &[Row], outliers: &[usize]) -> Vec<Row> {
     (0..rows.len()).filter(|row| !outliers.contains(row)).map(|row| rows[row].clone()).collect()
 }
 
-/// The rows without what the damping of the preferred law and the local fits do to their periods.
+/// Removes from the periods what the damping of the preferred law and the local fits do to them.
 fn unbiased(rows: Vec<Row>, apparatus: Apparatus, envelope: &Envelope, watch: &Watch<'_>) -> Vec<Row> {
     let amplitudes = || rows.iter().map(Row::amplitude);
     let range = [amplitudes().fold(f64::INFINITY, f64::min), amplitudes().fold(0.0, f64::max)];
@@ -137,7 +137,7 @@ fn rows_per_period(trace: &Trace, period: f64) -> f64 {
     median(steps).map_or(f64::INFINITY, |step| period / step)
 }
 
-/// One where rows have none.
+/// Median uncertainty of the values; one where rows have none.
 fn typical_uncertainty(trace: &Trace) -> f64 {
     trace.uncertainties().and_then(|column| median(column.to_vec())).unwrap_or(1.0)
 }
@@ -153,14 +153,14 @@ fn settled(found: &Found, observable: Observable, longest: f64) -> (Vec<Option<H
     (half_swings, rows)
 }
 
-/// The T0 that the cycles have by the amplitudes that the fastest velocities have by this T0. With a larger T0 the
-/// amplitudes are larger and the cycles say a smaller one, so that there is one answer between 0 and the period.
+/// Computes the T0 that agrees with that of the cycles, whose amplitudes follow from their fastest velocities and this T0. With a larger T0 the
+/// amplitudes are larger and the cycles give a smaller one, so that there is one solution between 0 and the period.
 fn t0_of_velocities(found: &Found, period: f64) -> f64 {
     let complete = found.rows(&found.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
         let half_swings = found.half_swings(Observable::AngularVelocity, TAU / t0);
         let rows = found.rows(&half_swings);
-        // Cycles that would lead over the top say that T0 is smaller, whatever their number.
+        // Cycles that would lead over the top imply a smaller T0, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
         let said = rows.iter().map(Row::small_angle_period).chain(beyond).collect();
         median(said).is_some_and(|said| said > t0)
@@ -187,7 +187,7 @@ impl Cycle {
     }
 }
 
-/// What a reader should know about how the cycles were come by.
+/// Warnings about the way the cycles were found.
 fn warnings(
     found: &Found,
     rows: &[Row],

@@ -1,10 +1,10 @@
-//! The bias of measured cycles: what damping does to a period in second order, and what the local fits miss.
+//! The bias of measured cycles: the effect of damping on a period in second order, and the error of the local fits.
 //!
-//! A half swing that loses the part p of its amplitude lasts longer than the exact law says at its extreme by a part of the order p²:
+//! A half swing that loses the part p of its amplitude lasts longer than the exact law gives for its extreme by a part of the order p²:
 //! for small amplitudes p²/2π² under linear damping, more under dry friction, whose two equilibria lie on both sides of the centre
-//! that is passed. No closed form holds at all amplitudes for all kinds of damping together, and none has what the local fits
-//! miss. Both are measured instead: on simulated cycles of a pendulum that obeys the exact law with the damping that the envelope
-//! shows, seen with the same number of rows and measured by the same local fits.
+//! that is passed. No closed form holds at all amplitudes for all kinds of damping together, and none includes the error of the local
+//! fits. Both are measured instead: on simulated cycles of a pendulum that obeys the exact law with the damping of the
+//! envelope, sampled with the same number of rows and measured by the same local fits.
 
 use std::f64::consts::TAU;
 
@@ -25,7 +25,7 @@ use libration::watch::Watch;
 const NODES: u32 = 12;
 /// Cycles of each. The first and the last that are measured do not count: beyond their passages no extreme is known.
 const CYCLES: f64 = 6.0;
-/// The most rows in a simulated period: with more the local fits miss nothing.
+/// The most rows in a simulated period: with more the local fits have no error.
 const MOST_ROWS: f64 = 100.0;
 /// The relative error of a step of the integration, far below the noise of any instrument.
 const TOLERANCE: f64 = 1e-12;
@@ -42,12 +42,12 @@ pub(super) struct Apparatus {
     pub(super) noise: f64,
 }
 
-/// The part of T0 by which measured periods are longer than the exact law says, at some amplitudes in radians, which increase.
+/// The part of T0 by which measured periods are longer than those of the exact law, at some amplitudes in radians, which increase.
 #[derive(Clone, Debug)]
 pub(super) struct Bias(Vec<(f64, f64)>);
 
 impl Bias {
-    /// The bias between the smallest and the largest amplitude under this damping; none where it cannot be measured.
+    /// Measures the bias between the smallest and the largest amplitude under this damping; `None` where it cannot be measured.
     pub(super) fn new(
         apparatus: Apparatus,
         damping: &EnvelopeFit,
@@ -73,7 +73,7 @@ impl Bias {
         (nodes.len() > 1).then_some(Self(nodes))
     }
 
-    /// The row without its bias.
+    /// Returns the row without its bias.
     pub(super) fn removed_from(&self, row: &Row, omega0: f64) -> Row {
         Row { period: row.period - TAU / omega0 * self.at(row.amplitude()), ..row.clone() }
     }
@@ -89,7 +89,7 @@ impl Bias {
 
 impl Apparatus {
     /// The times of the rows, the first at the release and the second this part of a step later. A half period has a whole number of steps, so
-    /// that passages of one swing are missed by the same time: what differs from passage to passage in a measured trace cancels there in the sum of many.
+    /// that passages of one swing have the same error: errors that differ between passages of a measured trace cancel in the sum of many.
     fn times(&self, amplitude: f64, part: f64) -> Vec<f64> {
         let period = TAU / self.omega0 * period_ratio(amplitude);
         let step = 0.5 * period / libm::round(0.5 * self.rows_per_period.min(MOST_ROWS));

@@ -1,13 +1,13 @@
-//! About what the values swing: a fixed value, or one that is followed where it wanders.
+//! The centre about which the values swing: fixed, or followed where it wanders.
 
 use super::turning_point::Extreme;
 use crate::fit::Uncertain;
 use crate::statistics::{count, median, robust_deviation};
 
-/// Fewer middles of swings than this do not tell a wandering centre from noise. With 3 one recording by an encoder was said to wander
+/// Fewer middles of swings than this do not distinguish a wandering centre from noise. With 3 one recording by an encoder seemed to wander
 /// (`mod.rs`); with 9 one by a camera, of eight cycles, had a β of 12 for 1.0 ± 0.5.
 const FEWEST_TO_FOLLOW: usize = 5;
-/// Middles that scatter by so many times what the noise lets expect make a wandering centre. With 2 nothing changed; with 5 β of the
+/// Scatter of the middles, over that expected from noise, above which the centre is taken as wandering. With 2 nothing changed; with 5 β of the
 /// recording that begins over the top moved by two uncertainties.
 const WANDERING: f64 = 3.0;
 
@@ -15,7 +15,7 @@ const WANDERING: f64 = 3.0;
 /// exponential one that takes a part d from one to the next, d⁴/16 is left. By three it is d²/4, which looks like a centre that wanders: with damping
 /// of 0.2/s from 50°, 0.1°.
 const FIVE: [f64; 5] = [0.0625, 0.25, 0.375, 0.25, 0.0625];
-/// Where there are too few extremes for five: a linear decay drops out.
+/// Weights where there are too few extremes for five: a linear decay drops out.
 const THREE: [f64; 3] = [0.25, 0.5, 0.25];
 
 /// The centre of a stretch.
@@ -23,14 +23,14 @@ const THREE: [f64; 3] = [0.25, 0.5, 0.25];
 pub struct Centre {
     /// The middle one of the centres of all swings.
     pub value: Uncertain,
-    /// How far the centres of single swings are from it, as a standard deviation; zero where noise explains it.
+    /// Standard deviation of the centres of single swings from it; zero where noise explains it.
     pub wander: f64,
     /// Times and centres of single swings, where the centre is followed.
     followed: Vec<(f64, f64)>,
 }
 
 impl Centre {
-    /// A centre that does not move and is known.
+    /// Returns a centre that does not move and is known.
     pub fn fixed(value: f64) -> Self {
         Self { value: Uncertain { value, uncertainty: 0.0 }, wander: 0.0, followed: vec![] }
     }
@@ -47,7 +47,7 @@ impl Centre {
         }
     }
 
-    /// The centre by extremes that were measured from this one.
+    /// Computes the centre from extremes that were measured from this one.
     pub fn renewed(&self, extremes: &[Option<Extreme>]) -> Self {
         let absolute = |extreme: &Extreme| extreme.value + self.at(extreme.time);
         let smooth = self.middles(extremes, &FIVE);
@@ -65,7 +65,7 @@ impl Centre {
         Self::through(middles, squares, noise.unwrap_or(0.0))
     }
 
-    /// Times and centres of single swings, by as many extremes as there are weights, one behind the other.
+    /// Times and centres of single swings, each from as many consecutive extremes as there are weights.
     fn middles(&self, extremes: &[Option<Extreme>], weights: &[f64]) -> Vec<(f64, f64)> {
         let middle = |window: &[Option<Extreme>]| {
             let known: Vec<Extreme> = window.iter().copied().collect::<Option<_>>()?;
@@ -76,7 +76,7 @@ impl Centre {
         extremes.windows(weights.len()).filter_map(middle).collect()
     }
 
-    /// The centre with these of single swings, by weights with this sum of squares of extremes that are so uncertain.
+    /// Computes the centre from those of single swings, by weights with this sum of squares of extremes with this uncertainty.
     fn through(middles: Vec<(f64, f64)>, squares: f64, noise: f64) -> Self {
         let Some(value) = median(middles.iter().map(|middle| middle.1).collect()) else {
             return Self::fixed(0.0);

@@ -1,4 +1,4 @@
-//! How fast each kind of damping lets the amplitude fall, at any amplitude: dA/dt = −Σ cₙ φₙ(A) with
+//! Decay rates of the amplitude for each kind of damping, at any amplitude: dA/dt = −Σ cₙ φₙ(A) with
 //! φₙ = ω0ⁿ⁻¹·∮|θ′|ⁿ⁺¹dt/(T sin A), from the exact loss of energy in a cycle.
 
 use std::f64::consts::PI;
@@ -9,9 +9,9 @@ use libration::decay::{cycle_integral, small_cycle_integral};
 use libration::pendulum::{Amplitude, period_ratio};
 use libration::quantity::Angle;
 
-/// Places in a table; what it is interpolated by errs by 1e-7 of the rate below 150°.
+/// Number of points of a table; interpolation errs by 1e-7 of the rate below 150°.
 const PLACES: usize = 400;
-/// Where shapes end too (`shape.rs`): with 3.0 and 3.14 no law of four recordings from 2.95 to 3.135 rad changed.
+/// Largest amplitude of the table, where shapes end too (`shape.rs`): with 3.0 and 3.14 no law of four recordings from 2.95 to 3.135 rad changed.
 const LARGEST_AMPLITUDE: f64 = 3.13;
 
 /// Tables of φₙ over its limit for small amplitudes, which for dry friction is constant, for linear damping A/2, and for
@@ -24,14 +24,14 @@ pub struct DecayRates {
 }
 
 impl DecayRates {
-    /// The rates up to this amplitude, in radians.
+    /// Tabulates the rates up to this amplitude, in radians.
     pub fn new(omega0: f64, largest: f64) -> Self {
         let step = (1.05 * largest).clamp(0.01, LARGEST_AMPLITUDE) / count(PLACES);
         let table = |exponent: f64| (0..=PLACES).map(|place| enhancement(exponent, step, place)).collect();
         Self { step, tables: [0.0, 1.0, 2.0].map(table), omega0 }
     }
 
-    /// φₙ at this amplitude; for amplitudes beyond the table that of its end.
+    /// φₙ at this amplitude; for amplitudes beyond the table the value at its end.
     pub fn at(&self, term: DampingKind, amplitude: f64) -> f64 {
         let amplitude = amplitude.max(0.0);
         match term {
@@ -43,7 +43,7 @@ impl DecayRates {
         }
     }
 
-    /// By the cubic through four neighbours.
+    /// Interpolates by the cubic through four neighbours.
     fn interpolated(&self, exponent: usize, amplitude: f64) -> f64 {
         let table = &self.tables[exponent];
         let place = amplitude / self.step;

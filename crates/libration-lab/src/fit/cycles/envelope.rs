@@ -1,8 +1,8 @@
-//! Which damping the falling amplitude prefers: each combination of dry friction, linear and quadratic damping through
-//! the extremes, by the exact loss of energy at any amplitude, compared by what they leave.
+//! Comparison of damping laws for the falling amplitude: each combination of dry friction, linear and quadratic damping is fitted to
+//! the extremes, by the exact loss of energy at any amplitude, and compared by its residuals.
 //!
 //! The comparison is Akaike's, corrected for few data: `AICc` = n ln(χ²/n) + 2k + 2k(k + 1)/(n − k − 1), k counting the
-//! unknown noise too. Residuals that hang together count for fewer: n(1 − ρ)/(1 + ρ).
+//! unknown noise too. Correlated residuals count for fewer: n(1 − ρ)/(1 + ρ).
 //!
 //! Reference: K. P. Burnham and D. R. Anderson, *Model Selection and Multimodel Inference*, 2nd ed., Springer 2002,
 //! doi:10.1007/b97636, sections 2.4 and 2.6.
@@ -21,17 +21,17 @@ use libration::watch::Watch;
 ///
 /// [`Comparison::INDISTINGUISHABLE`]: crate::fit::trace::Comparison::INDISTINGUISHABLE
 pub const SEPARATED: f64 = 4.0;
-/// Fewer extremes than this tell nothing about the law: the correction of `AICc` for a law with one coefficient, whose unknowns with the
+/// Fewer extremes than this do not determine the law: the correction of `AICc` for a law with one coefficient, whose unknowns with the
 /// noise are three, is infinite for four of them.
 const FEWEST: usize = 5;
 
 /// A coefficient of the damping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
-    /// Of which kind; it says the unit.
+    /// Kind of damping, which determines the unit.
     pub term: DampingKind,
-    /// In the unit of the term; uncertain by the scatter of the extremes, which may be correlated, and by the pivot where it was
-    /// fitted.
+    /// Estimate in the unit of the term; its uncertainty comes from the scatter of the extremes, which may be correlated, and from the pivot where
+    /// it was fitted.
     pub estimate: Uncertain,
 }
 
@@ -46,18 +46,18 @@ impl fmt::Display for Coefficient {
     }
 }
 
-/// One law through the extremes.
+/// One law fitted to the extremes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvelopeFit {
-    /// Which kinds of damping it has.
+    /// Kinds of damping in the law.
     pub damping: DampingModel,
-    /// At the time of the first half swing, in radians.
+    /// Amplitude at the time of the first half swing, in radians.
     pub amplitude: f64,
-    /// In the order of the terms.
+    /// Coefficients in the order of the terms.
     pub coefficients: Vec<Coefficient>,
-    /// The root mean square of what it leaves, in radians.
+    /// The root mean square of the residuals, in radians.
     pub rms: f64,
-    /// How much its `AICc` is above that of the best law.
+    /// Difference of its `AICc` from that of the best law.
     pub aicc_difference: f64,
     /// The amplitude at each half swing, in radians.
     pub fitted: Vec<f64>,
@@ -66,18 +66,18 @@ pub struct EnvelopeFit {
 /// The laws of the falling amplitude, the best one first. A law in which a coefficient would be negative is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
-    /// At least one.
+    /// Fits, at least one.
     pub fits: Vec<EnvelopeFit>,
-    /// How many of the extremes are as good as independent.
+    /// Effective number of independent extremes.
     pub independent_half_swings: f64,
-    /// How many extremes are far from every law and do not count.
+    /// Number of extremes that are far from every law and do not count.
     pub outliers: usize,
-    /// Of the extremes: one over their uncertainties, zero for outliers.
+    /// Weights of the extremes: one over their uncertainties, zero for outliers.
     pub(super) weights: Vec<f64>,
 }
 
 impl Envelope {
-    /// The law that the data prefer.
+    /// The law preferred by the data.
     #[must_use]
     pub fn preferred(&self) -> &EnvelopeFit {
         &self.fits[0]
@@ -88,7 +88,7 @@ impl Envelope {
         self.fits[1..].iter().filter(|fit| fit.aicc_difference < SEPARATED)
     }
 
-    /// What the data say, as a sentence.
+    /// The verdict of the comparison, as a sentence.
     #[must_use]
     pub fn verdict(&self) -> String {
         let preferred = named(self.preferred().damping);
@@ -107,7 +107,7 @@ fn named(damping: DampingModel) -> String {
     if damping == DampingModel::UNDAMPED { "no damping".to_owned() } else { format!("{damping} damping") }
 }
 
-/// The laws through these half swings of a pendulum of this ω0.
+/// Fits the laws to these half swings of a pendulum of this ω0.
 pub(super) fn envelope(
     half_swings: &[HalfSwing],
     omega0: f64,
@@ -144,7 +144,7 @@ pub(super) fn envelope(
     })
 }
 
-/// (1 − ρ)/(1 + ρ) with the correlation of neighbouring residuals; that of either side counts half, so that a centre a
+/// (1 − ρ)/(1 + ρ) with the correlation ρ of residuals, the mean of those at lags one and two, so that a centre a
 /// little off does not pass for independence.
 fn independence(fall: &Fall<'_>, best: &Curve) -> f64 {
     let residuals: Vec<f64> = fall.residuals(&best.fitted);

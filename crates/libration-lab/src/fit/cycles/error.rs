@@ -1,8 +1,8 @@
-//! Why a trace has no cycles to measure.
+//! Reasons why a trace has no cycles to measure.
 
 use libration::watch::Interrupted;
 
-/// Why a trace has no cycles to measure.
+/// Reasons why a trace has no cycles to measure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CyclesError {
@@ -44,10 +44,10 @@ pub enum CyclesError {
         counted(*cycles, "cycle")
     )]
     EqualAmplitudes {
-        /// How many there are.
+        /// Number of cycles.
         cycles: usize,
     },
-    /// Amplitudes that scatter by their noise so much, beside what they change by, that β would be drawn towards 0.
+    /// Amplitudes whose noise is so large compared with their change that β would be drawn towards 0.
     #[error(
         "the amplitudes change by too little beside their noise, which is {:.0} % of the variance of T/T0, and would draw \
          beta towards 0: record until the amplitude has fallen, or begin with a larger one",
@@ -57,15 +57,15 @@ pub enum CyclesError {
         /// The part of the variance of the T/T0 by the amplitudes that is noise.
         noise_part: f64,
     },
-    /// The callback said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
-    /// Too few extremes to tell how the amplitude falls.
+    /// Too few extremes to determine the fall of the amplitude.
     #[error("{} are too few to determine the damping: record at least {needed}", counted(*found, "turning point"))]
     TooFewHalfSwings {
-        /// How many there are.
+        /// Number of extremes that were found.
         found: usize,
-        /// How many would do.
+        /// Number of extremes that are needed.
         needed: usize,
     },
 }

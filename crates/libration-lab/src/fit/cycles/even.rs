@@ -1,11 +1,11 @@
-//! An even function as a sum of Chebyshev's polynomials of its square, for where it is asked for more often than it takes to find them.
+//! An even function as a sum of Chebyshev polynomials of its square, for functions that are evaluated more often than it takes to find the sum.
 
 use crate::statistics::count;
 use std::f64::consts::PI;
 
-/// How many polynomials there are: enough for the shapes of swings up to 2.5 rad; nearer to the top a sum may not do.
+/// Number of polynomials: enough for the shapes of swings up to 2.5 rad; nearer to the top a sum may not do.
 const TERMS: usize = 48;
-/// Where the last terms are a larger part of the largest the sum does not do.
+/// Largest size of the last terms, relative to the largest one, with which the sum is accepted.
 const LAST: f64 = 1e-12;
 
 /// The sum, for arguments up to a largest one.
@@ -16,12 +16,12 @@ pub struct Even {
 }
 
 impl Even {
-    /// So many arguments are worth a sum, which asks the function itself for 48.
+    /// Number of arguments from which a sum is worthwhile, which evaluates the function itself 48 times.
     pub const WORTH: usize = 4 * TERMS;
 
-    /// The function up to the largest argument; nothing where it is not smooth enough.
+    /// Expands the function up to the largest argument; `None` where it is not smooth enough.
     pub fn new(largest: f64, function: impl Fn(f64) -> f64) -> Option<Self> {
-        // Cosines of all multiples of half the angle between nodes, by whole turns.
+        // Cosines of all multiples of half the angle between nodes, over whole turns.
         let turn = 4 * TERMS;
         let cosines: Vec<f64> = (0..turn).map(|n| libm::cos(2.0 * PI * count(n) / count(turn))).collect();
         let node = |n: usize| function(largest * (0.5 * (1.0 + cosines[2 * n + 1])).sqrt());
@@ -36,7 +36,7 @@ impl Even {
         coefficients[TERMS - 4..].iter().all(is_small).then_some(Self { coefficients, largest })
     }
 
-    /// The value there; nothing beyond the largest argument.
+    /// The value at `x`; `None` beyond the largest argument.
     pub fn at(&self, x: f64) -> Option<f64> {
         if x.abs() > self.largest {
             return None;

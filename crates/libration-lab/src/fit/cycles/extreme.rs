@@ -1,4 +1,4 @@
-//! How far the pendulum goes between two passages: the shape of a swing times a curve of a few coefficients.
+//! Fit of the extreme between two passages: the shape of a swing times a polynomial of a few coefficients.
 
 use super::local_fit::{Points, powers};
 use super::shape::Shape;
@@ -8,15 +8,15 @@ use super::window::Window;
 /// The part of the quarter periods before and after the extreme that is used. With 0.5 amplitudes were less certain by a tenth to a
 /// fifth in 15 of 24 recordings (`mod.rs`), with 0.95 more certain in none.
 const REACH: f64 = 0.75;
-/// From so many points on the swing may be askew: with 2 and 8 nothing changed in any recording.
+/// Number of points from which on the swing may be askew: with 2 and 8 nothing changed in any recording.
 const POINTS_FOR_SKEWNESS: usize = 4;
-/// From so many on it may be longer or shorter than the passages say: with 4 the coarsest recording, of ten rows in a period, had
-/// amplitudes and β less certain by a quarter; with 12 β moved by half of its uncertainty in two.
+/// Number of points from which on the swing may be longer or shorter than the passages suggest: with 4 the coarsest recording, of ten rows in a
+/// period, had amplitudes and β less certain by a quarter; with 12 β moved by half of its uncertainty in two.
 const POINTS_FOR_LENGTH: usize = 6;
-/// In quarter periods, how far from the middle the extreme may be: with 0.1 and 0.6 nothing changed.
+/// Largest distance of the extreme from the middle, in quarter periods: with 0.1 and 0.6 nothing changed.
 const FURTHEST: f64 = 0.3;
 
-/// The extreme between the passages at these two times, with the residuals in units of the noise.
+/// Fits the extreme between the passages at these two times, and returns it with the residuals in units of the noise.
 pub(super) fn extreme(
     window: &Window<'_>,
     shape: &Shape,

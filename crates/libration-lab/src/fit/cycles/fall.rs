@@ -1,4 +1,4 @@
-//! The falling amplitude, and the curves that laws of damping draw through it.
+//! The falling amplitude, and the curves of the laws of damping that are fitted to it.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };
 const STEP: f64 = 1e-5;
 /// Rounding errors over that step, with those of hundreds of steps of the integration.
 const EXACTNESS: f64 = 1e-8;
-/// Extremes further from the curve than so many robust standard deviations do not count: among normal errors one in 5e8.
+/// Distance from the curve, in robust standard deviations, above which extremes do not count: among normal errors one in 5e8.
 const OUTLIER: f64 = 6.0;
 
 /// The falling amplitude.
@@ -27,9 +27,9 @@ pub(super) struct Fall<'a> {
     pub(super) rates: DecayRates,
     /// One over the uncertainties; zero for outliers.
     pub(super) weights: Vec<f64>,
-    /// Steps of the integration are at most this long.
+    /// Largest step of the integration.
     pub(super) substep: f64,
-    /// Asked at each evaluation of a law.
+    /// Checked at each evaluation of a law.
     pub(super) watch: &'a Watch<'a>,
 }
 
@@ -37,14 +37,14 @@ pub(super) struct Fall<'a> {
 pub(super) struct Curve {
     pub(super) terms: DampingModel,
     pub(super) parameters: Vec<f64>,
-    /// Of the weighted residuals.
+    /// Covariance of the parameters by the weighted residuals.
     pub(super) covariance: DMatrix<f64>,
     pub(super) chi2: f64,
     pub(super) fitted: Vec<f64>,
 }
 
 impl<'a> Fall<'a> {
-    /// Of a pendulum of this ω0; no extreme is an outlier.
+    /// Prepares the fall for a pendulum of this ω0; no extreme is an outlier.
     pub(super) fn new(half_swings: &'a [HalfSwing], omega0: f64, watch: &'a Watch<'a>) -> Self {
         let largest = half_swings.iter().map(|half| half.amplitude.value).fold(0.0, f64::max);
         Self {
@@ -61,8 +61,8 @@ impl<'a> Fall<'a> {
 }
 
 impl Fall<'_> {
-    /// The parameters by least squares, beginning with those of a linear equation; none where the data are too few or leave one
-    /// open.
+    /// Fits the parameters by least squares, beginning with those of a linear equation; `None` where the data are too few or leave one
+    /// undetermined.
     pub(super) fn fit(&self, terms: DampingModel) -> Option<Curve> {
         let found =
             minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
@@ -73,7 +73,7 @@ impl Fall<'_> {
         Some(Curve { terms, parameters, covariance, chi2, fitted })
     }
 
-    /// A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.
+    /// Guesses the parameters by A(t) = A0 − Σ cₙ∫φₙ dt with the measured amplitudes inside the integrals.
     fn guess(&self, terms: DampingModel) -> Option<DVector<f64>> {
         let used = self.weights.iter().filter(|&&weight| weight > 0.0).count();
         if used < terms.count() + 2 {
@@ -95,7 +95,7 @@ impl Fall<'_> {
         Some(weighted_least_squares(matrix, amplitudes, &self.weights).ok()?.coefficients)
     }
 
-    /// What the law says less the amplitudes, over their uncertainties, with its derivatives by differences.
+    /// Differences of the law from the amplitudes, over their uncertainties, with their derivatives by differences.
     fn linearised(&self, terms: DampingModel, parameters: &DVector<f64>) -> Result<Linearised, NoResiduals> {
         self.watch.go_on().map_err(|_| NoResiduals::Stopped)?;
         let fitted = self.amplitudes(terms, parameters.as_slice());
@@ -120,7 +120,7 @@ impl Fall<'_> {
         0.5 * first.amplitude.value / (self.rates.at(term, first.amplitude.value) * (last.time - first.time))
     }
 
-    /// The amplitudes at the half swings, by the rule of Runge and Kutta.
+    /// The amplitudes at the half swings, by the classical Runge–Kutta method.
     fn amplitudes(&self, terms: DampingModel, parameters: &[f64]) -> Vec<f64> {
         let rate = |amplitude: f64| -> f64 {
             terms.iter().zip(&parameters[1..]).map(|(term, c)| -c * self.rates.at(term, amplitude)).sum()
@@ -149,7 +149,7 @@ impl Fall<'_> {
         rows.map(|((half, fitted), weight)| (half.amplitude.value - fitted) * weight).collect()
     }
 
-    /// Takes the weight from extremes far from the law with all kinds of damping, and says how many they are.
+    /// Sets the weight of extremes far from the law with all kinds of damping to zero, and returns their number.
     pub(super) fn drop_outliers(&mut self, full: DampingModel) -> usize {
         let mut dropped = 0;
         for _ in 0..5 {

@@ -1,10 +1,10 @@
-//! Least squares with rows whose errors hang together: neighbours share passages, with the opposite sign, and extremes.
+//! Least squares with correlated rows: neighbours share passages, with the opposite sign, and extremes.
 //!
 //! The covariance has two parts of unknown size: what the noise of the values does to passages and extremes, and real
 //! fluctuations of the half swings, where the cycles scatter more than the noise can explain. Their ratio is that of
 //! the greatest restricted likelihood.
 //!
-//! What single periods scatter is not the size of the whitened residuals: errors of passages that cycles share cancel in
+//! The scatter of single periods is not the size of the whitened residuals: errors of passages that cycles share cancel in
 //! the sum of many, so that the noise alone hardly lets the periods go up or down together, and a slow departure from the
 //! law makes χ² as large as a hundred where no cycle is twice its noise away. The bar of a single period is the square root of
 //! its own entry of the covariance, at the scale of the residuals as they are.
@@ -31,15 +31,15 @@ const FEWEST_TO_TELL: usize = 6;
 #[derive(Clone, Debug)]
 pub(super) struct Generalised {
     pub(super) coefficients: DVector<f64>,
-    /// With the size of the errors that the data show.
+    /// Covariance with the size of the errors that the data show.
     pub(super) covariance: DMatrix<f64>,
-    /// χ² by the noise alone.
+    /// χ² by the noise alone, per degree of freedom.
     pub(super) chi2_per_dof: Option<f64>,
-    /// How much single periods scatter.
+    /// Scatter of single periods.
     pub(super) scatter: Scatter,
 }
 
-/// How much single periods scatter: a variance is that of the noise times the one, plus the other.
+/// Scatter of single periods: the variance is that of the noise times `noise`, plus `fluctuation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fit) struct Scatter {
     pub(in crate::fit) noise: f64,
@@ -54,7 +54,7 @@ pub type Bands = Vec<[f64; 3]>;
 #[derive(Clone, Copy)]
 pub(super) struct Explanation<'a> {
     pub(super) columns: &'a [Vec<f64>],
-    /// Which one.
+    /// Index of that column.
     pub(super) ratio: usize,
 }
 
@@ -66,12 +66,12 @@ struct Equations<'a> {
     fluctuation: Bands,
     /// The mean variance of a row by the noise, in which fluctuations are counted.
     typical: f64,
-    /// What the period changes by with T/T0.
+    /// Derivative of the period with respect to T/T0.
     slope: f64,
     ratio_column: usize,
 }
 
-/// Coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
+/// Fits the coefficients of the columns, when the period changes by `slope`·R′ with the amplitude.
 pub(super) fn fit(
     rows: &[Row],
     slope: f64,
@@ -110,14 +110,14 @@ struct Solution {
     /// (XᵀV⁻¹X)⁻¹.
     inverse: DMatrix<f64>,
     chi2: f64,
-    /// Of the variance of the fluctuations to the typical one of the noise.
+    /// Ratio of the variance of the fluctuations to the typical one of the noise.
     ratio: f64,
-    /// The restricted likelihood: its logarithm less what is the same for all ratios.
+    /// The logarithm of the restricted likelihood, without the terms that are the same for all ratios.
     likelihood: f64,
 }
 
 impl Equations<'_> {
-    /// A solution with the covariance that the scale of the whitened residuals gives.
+    /// Describes a solution with the covariance at the scale of the whitened residuals.
     fn described(&self, solution: Solution, scale: f64, chi2_per_dof: Option<f64>) -> Generalised {
         let scatter = self.scatter(&solution);
         let attenuation = solution.inverse.column(self.ratio_column) * self.mean_score(solution.ratio);
@@ -125,8 +125,8 @@ impl Equations<'_> {
         Generalised { coefficients, covariance: solution.inverse * scale, chi2_per_dof, scatter }
     }
 
-    /// What the noise of the amplitudes adds to xᵀV⁻¹e on the mean, where x is the column of T/T0 and e what is left over: both contain it, so
-    /// that without this the coefficient would be drawn towards 0. It is tr(V⁻¹K) with their covariance K (W. A. Fuller,
+    /// Mean of the amplitude noise's contribution to xᵀV⁻¹e, where x is the column of T/T0 and e the residuals: both contain the noise, so
+    /// that without this correction the coefficient would be drawn towards 0. It is tr(V⁻¹K) with their covariance K (W. A. Fuller,
     /// *Measurement Error Models*, Wiley 1987, section 2.2).
     fn mean_score(&self, ratio: f64) -> f64 {
         let Some(factor) = Factor::new(&self.noise, &self.fluctuation, ratio) else { return 0.0 };
@@ -176,7 +176,7 @@ impl Equations<'_> {
 pub struct Factor(Bands);
 
 impl Factor {
-    /// Of the first matrix and `ratio` times the second.
+    /// Factors the sum of the first matrix and `ratio` times the second.
     pub fn new(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
         let mut factor: Bands = Vec::with_capacity(noise.len());
         for (n, (noise, fluctuation)) in noise.iter().zip(fluctuation).enumerate() {
@@ -193,7 +193,7 @@ impl Factor {
         Some(Self(factor))
     }
 
-    /// L⁻¹ of a column.
+    /// L⁻¹ times a column.
     pub fn whitened(&self, column: &[f64]) -> DVector<f64> {
         let mut white: Vec<f64> = Vec::with_capacity(column.len());
         for (n, (&value, [second, first, own])) in column.iter().zip(&self.0).enumerate() {

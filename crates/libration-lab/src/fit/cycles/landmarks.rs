@@ -1,4 +1,4 @@
-//! Passages of the centre and extremes of one stretch, measured again and again until centre, shape and noise agree.
+//! Passages of the centre and extremes of one stretch, measured repeatedly until centre, shape and noise agree.
 
 use super::centre::Centre;
 use super::extreme::extreme;
@@ -15,17 +15,17 @@ use libration::roots::{Tolerance, bisect};
 use libration::watch::Watch;
 use std::f64::consts::FRAC_PI_2;
 
-/// Rounds of measuring; each divides what the first guess was wrong by through far more than ten. With 8 nothing changed in 24
+/// Rounds of measuring; each reduces the error of the first guess by far more than a factor of ten. With 8 nothing changed in 24
 /// recordings (`mod.rs`), with 2 fourteen changed, one by 22 uncertainties of β.
 const ROUNDS: usize = 4;
 
 /// With fewer rows to a passage its fit is too short to be handed to another core.
 const WORTH_A_CORE: usize = 200;
 
-/// What one stretch shows: extreme k lies between the passages k and k + 1.
+/// Landmarks of one stretch: extreme k lies between the passages k and k + 1.
 #[derive(Clone, Debug)]
 pub(super) struct Landmarks {
-    /// None where too few rows tell it.
+    /// Passages; `None` where too few rows determine one.
     pub(super) passages: Vec<Option<Passage>>,
     pub(super) extremes: Vec<Option<Extreme>>,
     pub(super) centre: Centre,
@@ -36,13 +36,13 @@ pub(super) struct Landmarks {
 /// Guesses that a round of measuring improves.
 struct Guess {
     passages: Vec<f64>,
-    /// Of the extremes between the passages, and one more at either end.
+    /// Values at the extremes between the passages, and one more at either end.
     extremes: Vec<f64>,
     centre: Centre,
     noise: Option<f64>,
 }
 
-/// The landmarks of a stretch, whose noise is found with them where it is not given.
+/// Finds the landmarks of a stretch, and its noise where that is not given.
 pub(super) fn landmarks(
     trace: &Trace,
     stretch: &Stretch,
@@ -61,7 +61,7 @@ pub(super) fn landmarks(
     found
 }
 
-/// Values half way between turning points, by the rows themselves.
+/// Guesses the passages of the centre between turning points, and the extremes, from the rows themselves.
 fn first_guess(trace: &Trace, stretch: &Stretch) -> Option<Guess> {
     let (times, values, centre) = (trace.times(), trace.values(), stretch.centre);
     let passed = |pair: &[usize]| {
@@ -110,7 +110,7 @@ impl Guess {
         Some(Landmarks { passages, extremes, centre, noise })
     }
 
-    /// What is found at each of so many places; on all cores where there are many rows to each.
+    /// Measures the landmark at each position; on all cores where there are many rows per landmark.
     fn each<R: Send>(
         &self,
         places: usize,
@@ -140,7 +140,7 @@ impl Guess {
         for (guess, extreme) in self.extremes[1..].iter_mut().zip(&measured.extremes) {
             *guess = extreme.map_or(*guess, |extreme| extreme.value);
         }
-        // The extremes at the ends have no passage on one side, and are as their neighbours of the same side.
+        // The extremes at the ends have no passage on one side, and are taken to equal their neighbours of the same side.
         let last = self.extremes.len() - 1;
         if measured.extremes.len() > 1 {
             self.extremes[0] = self.extremes[2];
@@ -151,7 +151,7 @@ impl Guess {
     }
 }
 
-/// The landmarks, and all residuals one behind the other.
+/// Separates the landmarks from their residuals, which are appended to `residuals`.
 fn apart<L>(found: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<Option<L>> {
     let one = |found: Option<(L, Vec<f64>)>| {
         found.map(|(landmark, new)| {
@@ -162,8 +162,8 @@ fn apart<L>(found: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<
     found.into_iter().map(one).collect()
 }
 
-/// The amplitude that goes with a fastest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where
-/// the exact law tells ω0 from the quarter.
+/// The amplitude that belongs to a largest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where
+/// ω0 follows from the quarter by the exact law.
 fn amplitude_from_quarter(velocity: f64, quarter: f64) -> f64 {
     let [amplitude, _] = bisect([0.0, LARGEST_AMPLITUDE], Tolerance::absolute(1e-6), |amplitude| {
         let omega0 = FRAC_PI_2 * period_ratio(amplitude) / quarter;

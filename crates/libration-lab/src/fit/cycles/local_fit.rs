@@ -1,20 +1,20 @@
-//! A curve with a few coefficients through a few points, robust to an outlier among them.
+//! A curve with a few coefficients fitted to a few points, robust to an outlier among them.
 
 use crate::statistics::{count, least_squares, triangle};
 use nalgebra::{DMatrix, DVector};
 
 /// Rounds of weighting: with 4 nothing changed in 24 recordings (`mod.rs`), with 16 one uncertainty, by a tenth.
 const ROUNDS: usize = 8;
-/// Points further from the curve than so many standard deviations do not count. With 4 β of one recording by an encoder moved by
+/// Distance from the curve, in standard deviations, above which points do not count. With 4 β of one recording by an encoder moved by
 /// 0.7 uncertainties and one near the top had an outlier; with 9 one uncertainty changed, by an eighth.
 const CUT: f64 = 6.0;
 
-/// What is fitted: rows of basis functions, the values, and the standard deviation of each.
+/// Data of a fit: rows of basis functions, the values, and the standard deviation of each.
 #[derive(Clone, Debug)]
 pub struct Points {
-    /// How many basis functions there are.
+    /// Number of basis functions.
     width: usize,
-    /// Of each point, one behind the other.
+    /// Basis functions of each point, concatenated.
     rows: Vec<f64>,
     values: Vec<f64>,
     deviations: Vec<f64>,
@@ -23,21 +23,21 @@ pub struct Points {
 /// The curve.
 #[derive(Clone, Debug)]
 pub struct LocalFit {
-    /// Of the curve, in the order of its columns.
+    /// Coefficients of the curve, in the order of its columns.
     pub coefficients: Vec<f64>,
-    /// Of the coefficients, if the standard deviations are right.
+    /// Covariance of the coefficients, if the standard deviations are right.
     pub(super) covariance: DMatrix<f64>,
-    /// Residuals over their standard deviations, enlarged to what they would be without having been fitted.
+    /// Residuals over their standard deviations, enlarged to their size had they not been fitted.
     pub(super) residuals: Vec<f64>,
 }
 
 impl Points {
-    /// None yet, of so many basis functions.
+    /// Returns an empty set of points with this number of basis functions.
     pub fn with_width(width: usize) -> Self {
         Self { width, rows: vec![], values: vec![], deviations: vec![] }
     }
 
-    /// One more, with as many basis functions of these as there are.
+    /// Adds a point, with as many of these basis functions as the fit has.
     pub fn push(&mut self, row: impl Iterator<Item = f64>, value: f64, deviation: f64) {
         self.rows.extend(row.take(self.width));
         self.values.push(value);
@@ -48,8 +48,8 @@ impl Points {
         self.values.len()
     }
 
-    /// The curve by least squares, with points beyond `noise` standard deviations counting less and less; all alike when
-    /// the noise is not known yet. Nothing when the points do not determine it.
+    /// Fits the curve by least squares, with points beyond `noise` standard deviations counting less and less; all count alike when
+    /// the noise is not known yet. `None` when the points do not determine the curve.
     pub fn fit(&self, noise: Option<f64>) -> Option<LocalFit> {
         let mut weights = vec![1.0; self.len()];
         let mut fit = self.weighted(&weights)?;
@@ -58,13 +58,13 @@ impl Points {
         };
         for round in 0..ROUNDS {
             for (weight, residual) in weights.iter_mut().zip(self.residuals(&fit.coefficients)) {
-                // First by the absolute deviation, which an outlier cannot draw far, then without the outliers.
+                // First by the absolute deviation, on which an outlier has little influence, then without the outliers.
                 let size = (residual / noise).abs();
                 *weight = if round < ROUNDS / 2 { 1.0 / size.max(1.0) } else { bisquare(size / CUT) };
             }
             match self.weighted(&weights) {
                 Some(renewed) => fit = renewed,
-                // So many points were left out that the others do not determine the curve.
+                // The points that are left do not determine the curve.
                 None => return Some(fit),
             }
         }
@@ -83,7 +83,7 @@ impl Points {
                 *entry = factor * over;
             }
         }
-        // As few rows as there are coefficients say the same.
+        // The triangular factor, with as few rows as there are coefficients and one more, has the same solution.
         let few = triangle(&matrix);
         let values = DVector::from(few.column(width));
         let fit = least_squares(&few.columns(0, width).into_owned(), &values).ok()?;
@@ -101,7 +101,7 @@ impl Points {
     }
 }
 
-/// 1, x, x², … times a factor.
+/// Returns 1, x, x², … times a factor.
 pub fn powers(x: f64, factor: f64) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(factor), move |power| Some(power * x))
 }

@@ -1,8 +1,8 @@
-//! Cycles of a measured swing, one by one: when, how long, how far; what they say about the law of the period and about
-//! the damping, of which nothing is assumed beforehand.
+//! Cycles of a measured swing, one by one: time, period and amplitude; with the test of the law of the period and of
+//! the damping, about which nothing is assumed beforehand.
 //!
 //! Passages of the centre and extremes are placed by local fits whose shape is that of a swing without damping, with
-//! corrections to it where there are points enough. The noise is what the local fits leave. A cycle reaches from a
+//! corrections to it where there are points enough. The noise is estimated from the residuals of the local fits. A cycle reaches from a
 //! passage to the next but one, so that it begins and ends in one direction and a wrong centre hardly matters; there is one
 //! from each passage on, those upwards and those downwards in turn.
 //!
@@ -63,7 +63,7 @@ pub use warning::CyclesWarning;
 use super::{Beta, Uncertain};
 use row::Row;
 
-/// How cycles are analysed.
+/// Options for the analysis of cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CyclesOptions {
     /// Cycles whose period is further from the law than this many robust standard deviations do not count.
@@ -79,62 +79,62 @@ impl Default for CyclesOptions {
 /// A full cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
-    /// Of its middle, in seconds.
+    /// Time of its middle, in seconds.
     pub time: f64,
-    /// From one passage of the centre to the next in the same direction, in seconds; uncertain by the noise of the values, and by
-    /// what the cycles scatter more than that.
+    /// Time from one passage of the centre to the next in the same direction, in seconds; its uncertainty comes from the noise of the values,
+    /// and from the scatter of the cycles beyond that.
     pub period: Uncertain,
-    /// The mean of the two extremes in it, in radians; uncertain by the noise of the values.
+    /// The mean of the two extremes in it, in radians; its uncertainty comes from the noise of the values.
     pub amplitude: Uncertain,
-    /// T/T0 that the exact law gives: the mean of what it gives for the two half swings.
+    /// T/T0 by the exact law: the mean of the ratios of the two half swings.
     pub period_ratio: f64,
-    /// Whether its period is so far from the law that it does not count.
+    /// `true` if its period is so far from the law that it does not count.
     pub outlier: bool,
 }
 
-/// How far the pendulum went on one side.
+/// Amplitude on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfSwing {
-    /// In seconds; for a trace of angular velocities, when the pendulum is fastest.
+    /// Time in seconds; for a trace of angular velocities, when the pendulum is fastest.
     pub time: f64,
-    /// In radians; uncertain by the noise of the values.
+    /// Amplitude in radians; its uncertainty comes from the noise of the values.
     pub amplitude: Uncertain,
 }
 
-/// The cycles of a trace and what they say.
+/// The cycles of a trace and their results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycles {
-    /// In the order of time.
+    /// Cycles in the order of time.
     pub cycles: Vec<Cycle>,
     /// The extremes on both sides, in the order of time.
     pub half_swings: Vec<HalfSwing>,
-    /// About what the values swing: rad, or rad/s.
+    /// Centre of the swings: rad, or rad/s.
     pub offset: Uncertain,
-    /// How far the centres of single swings are from the offset, as a standard deviation, where that is more than the noise
-    /// explains (they are then followed); else zero.
+    /// Standard deviation of the centres of single swings from the offset, where that is more than the noise
+    /// explains (the centres are then followed); otherwise zero.
     pub offset_wander: f64,
-    /// The standard deviation of a value that the local fits leave: rad, or rad/s. Where the trace has uncertainties of its
-    /// own, as a part of these.
+    /// The standard deviation of a value by the residuals of the local fits: rad, or rad/s. Where the trace has uncertainties of its
+    /// own, relative to these.
     pub noise: f64,
-    /// The period of small swings under the exact law, in seconds; uncertain by the scatter of the cycles where that is larger than
-    /// the noise explains, and by the pivot where it was fitted.
+    /// The period of small swings under the exact law, in seconds; its uncertainty comes from the scatter of the cycles where that is larger than
+    /// the noise explains, and from the pivot where it was fitted.
     pub t0: Uncertain,
-    /// How much larger the scatter about the exact law is than the noise explains: χ² per degree of freedom.
+    /// χ² per degree of freedom: the scatter about the exact law relative to that which the noise explains.
     pub chi2_per_dof: Option<f64>,
-    /// The test of the exact law, or why there is none.
+    /// The test of the exact law, or the reason why there is none.
     pub beta: Result<Beta, CyclesError>,
-    /// Which damping the falling amplitude prefers, or why that cannot be said.
+    /// Comparison of damping laws for the falling amplitude, or the reason why there is none.
     pub envelope: Result<Envelope, CyclesError>,
-    /// What a reader should know.
+    /// Warnings about the cycles.
     pub warnings: Vec<CyclesWarning>,
-    /// Those that count, with what their errors come from.
+    /// Rows of the cycles that count, with the sources of their errors.
     rows: Vec<Row>,
-    /// The same with the pivot moved by each of its two errors, where it was fitted.
+    /// The same rows with the pivot moved by each of its two errors, where it was fitted.
     about_moved_pivot: Vec<Vec<Row>>,
 }
 
 impl Cycles {
-    /// T/R(A) of each cycle: what the period of small swings is by this cycle alone, in seconds.
+    /// T/R(A) of each cycle: the period of small swings by this cycle alone, in seconds.
     pub fn small_angle_periods(&self) -> impl Iterator<Item = f64> {
         self.cycles.iter().map(|cycle| cycle.period.value / cycle.period_ratio)
     }

@@ -1,4 +1,4 @@
-//! When the centre is passed: the values near it, through the inverse of the shape of a swing, lie on a line in time, or
+//! Fit of the time at which the centre is passed: the values near it, through the inverse of the shape of a swing, lie on a line in time, or
 //! on a curve that is nearly one.
 
 use super::local_fit::{Points, powers};
@@ -9,15 +9,15 @@ use super::window::Window;
 /// periods were less certain by up to a factor of two in 11 of 24 recordings (`mod.rs`), and the coarsest had 14 cycles for 80; with
 /// 0.95 β moved by up to two uncertainties in the five by an encoder that have one.
 const REACH: f64 = 0.8;
-/// From so many points on the curve has a term of second order: with 4 one recording by a camera had an outlier, with 10 β moved by
+/// Number of points from which on the curve has a term of second order: with 4 one recording by a camera had an outlier, with 10 β moved by
 /// half of its uncertainty in two.
 const POINTS_FOR_SQUARE: usize = 6;
-/// From so many one of third: with 6 one by a camera had less certain periods, with 20 nothing changed but one uncertainty, by a tenth.
+/// Number of points for a term of third order: with 6 one by a camera had less certain periods, with 20 only one uncertainty changed, by a tenth.
 const POINTS_FOR_CUBE: usize = 10;
-/// About the passage the inverse of the shape rises by one in a quarter period; what is so much slower is no passage. With 0.1 and 0.4
+/// Least slope of a passage: there the inverse of the shape rises by one in a quarter period. With 0.1 and 0.4
 /// nothing changed.
 const LEAST_SLOPE: f64 = 0.2;
-/// So near to the extreme, in quarter periods, a row counts as if it were this far from it: with 0.03 and 0.3 nothing changed.
+/// Least distance from the extreme, in quarter periods, with which a row counts: with 0.03 and 0.3 nothing changed.
 const NEAREST: f64 = 0.1;
 /// Rounds: with 2 and 6 nothing changed.
 const ROUNDS: usize = 3;
@@ -25,16 +25,16 @@ const ROUNDS: usize = 3;
 /// A passage of the centre.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage {
-    /// In seconds.
+    /// Time in seconds.
     pub(super) time: f64,
-    /// From the noise, in seconds.
+    /// Standard uncertainty by the noise, in seconds.
     pub(super) uncertainty: f64,
 }
 
-/// The passage between two turning points, with the residuals in units of the noise that is known or is to be found.
+/// Fits the passage between two turning points, and returns it with the residuals in units of the noise that is known or is to be found.
 ///
-/// `extreme` is how far the value goes on the side it comes from and on the one it goes to; `about` is when it passes,
-/// roughly, and `quarter` a quarter of the period.
+/// `extreme` is the mean size of the extremes before and after the passage; `about` is its approximate
+/// time, and `quarter` a quarter of the period.
 pub(super) fn passage(
     window: &Window<'_>,
     shape: &Shape,
@@ -59,7 +59,7 @@ pub(super) fn passage(
     let parts: Vec<f64> = near.iter().map(|row| time_since_zero(row.1 / extreme)).collect();
     let mut centre = about;
     let mut found = None;
-    // The curve is read where it is zero, so it is drawn again about that place.
+    // The curve is read where it is zero, so it is fitted again about that point.
     for _ in 0..ROUNDS {
         let mut points = Points::with_width(order + 1);
         for (&(time, _, deviation), &part) in near.iter().zip(&parts) {

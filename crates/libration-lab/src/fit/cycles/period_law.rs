@@ -1,4 +1,4 @@
-//! T = T0·[1 + β(R − 1)] through the cycles, whose errors are not independent: cycles share passages with those before
+//! T = T0·[1 + β(R − 1)] fitted to the cycles, whose errors are not independent: cycles share passages with those before
 //! and after them, with the opposite sign, and extremes with their neighbours.
 
 use super::CyclesError;
@@ -8,19 +8,19 @@ use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::{mean, median, robust_deviation};
 use libration::watch::Watch;
 
-/// Rounds in which the weights are renewed; what is left falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
+/// Rounds in which the weights are renewed; the error falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
 const ROUNDS: usize = 5;
-/// With more of the variance of T/T0 than this from the noise of the amplitudes, what this does to β is not known well enough to be taken away.
+/// With more of the variance of T/T0 than this from the noise of the amplitudes, its effect on β is not known well enough to be corrected.
 const MOST_NOISE: f64 = 0.05;
 
 /// T0 under the exact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fit) struct PeriodLaw {
-    /// The period of small swings, in seconds; uncertain by the scatter of the cycles where that is larger than the noise explains.
+    /// The period of small swings, in seconds; its uncertainty comes from the scatter of the cycles where that is larger than the noise explains.
     pub(in crate::fit) t0: Uncertain,
-    /// χ² by the noise alone per degree of freedom; none where there is no degree of freedom.
+    /// χ² by the noise alone per degree of freedom; `None` where there is no degree of freedom.
     pub(in crate::fit) chi2_per_dof: Option<f64>,
-    /// Of the periods.
+    /// Scatter of the periods.
     pub(in crate::fit) scatter: Scatter,
 }
 
@@ -52,12 +52,12 @@ impl Row {
         Self { time: 0.5 * (begin + end), period: end - begin, errors, sides, ratio }
     }
 
-    /// The same with other errors.
+    /// Returns the row with other errors.
     pub(in crate::fit) fn with_errors(self, errors: Vec<Share>) -> Self {
         Self { errors, ..self }
     }
 
-    /// What the period of small swings is by this row.
+    /// The period of small swings by this row alone.
     pub(super) fn small_angle_period(&self) -> f64 {
         self.period / self.ratio
     }
@@ -73,7 +73,7 @@ impl Row {
     }
 }
 
-/// T0 under the exact law.
+/// Fits T0 under the exact law.
 pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
     let found = settled(rows, &columns, 0, watch)?;
@@ -81,7 +81,7 @@ pub(in crate::fit) fn exact(rows: &[Row], watch: &Watch<'_>) -> Option<PeriodLaw
     Some(PeriodLaw { t0, chi2_per_dof: found.chi2_per_dof, scatter: found.scatter })
 }
 
-/// The test of the exact law.
+/// Fits β, the test of the exact law.
 pub(in crate::fit) fn beta(rows: &[Row], watch: &Watch<'_>) -> Result<Beta, CyclesError> {
     let excess: Vec<f64> = rows.iter().map(|row| row.ratio - 1.0).collect();
     let high = excess.iter().copied().fold(0.0, f64::max);
@@ -106,7 +106,7 @@ fn amplitudes_tell(ratios: impl Iterator<Item = (f64, f64)>) -> Result<(), Cycle
     if noise_part > MOST_NOISE { Err(CyclesError::NoisyAmplitudes { noise_part }) } else { Ok(()) }
 }
 
-/// The fit with the weights that belong to one of its coefficients.
+/// Fits with the weights that belong to one of the coefficients.
 fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch<'_>) -> Option<Generalised> {
     let mut slope = median(rows.iter().map(Row::small_angle_period).collect())?;
     let mut found = None;
@@ -118,11 +118,11 @@ fn settled(rows: &[Row], columns: &[Vec<f64>], coefficient: usize, watch: &Watch
     found
 }
 
-/// Among fewer rows than this none can be said to be far from the others. With 5 nothing changed in twelve of the recordings
+/// Among fewer rows than this none is taken as an outlier. With 5 nothing changed in twelve of the recordings
 /// (`mod.rs`); with 12 one of eight cycles kept its two outliers, and β was less certain by a factor of 1.65.
 const FEWEST_TO_JUDGE: usize = 8;
 
-/// The rows that lie further from the exact law than `threshold` robust standard deviations, or than that many of their
+/// The rows whose distance from the exact law is more than `threshold` robust standard deviations, or than that many of their
 /// own uncertainties where those are larger.
 pub(super) fn outliers(rows: &[Row], threshold: f64) -> Vec<usize> {
     let periods: Vec<f64> = rows.iter().map(|row| row.small_angle_period()).collect();

@@ -1,4 +1,4 @@
-//! What a pivot that was fitted to positions leaves open in T0, β, the offset and the damping: by how much they change with it.
+//! Uncertainty of T0, β, the offset and the damping by that of a pivot that was fitted to positions.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use super::fall::Fall;
 use super::{Cycles, Envelope, HalfSwing};
 use libration::watch::Watch;
 
-/// Adds the difference to what would be found with the pivot moved by one standard deviation.
+/// Adds the difference from the results with the pivot moved by one standard deviation.
 pub(super) fn add(found: &mut Cycles, moved: Cycles, watch: &Watch<'_>) {
     found.t0 = found.t0.with_error(moved.t0.value - found.t0.value);
     found.offset = found.offset.with_error(moved.offset.value - found.offset.value);
@@ -21,8 +21,8 @@ pub(super) fn add(found: &mut Cycles, moved: Cycles, watch: &Watch<'_>) {
     found.about_moved_pivot.push(moved.rows);
 }
 
-/// The coefficients of every law with what they change by where the amplitude falls like this. Which extremes are outliers, and how
-/// much the others count, stays.
+/// Adds to the coefficients of every law their change where the amplitude falls like this. Outliers and the weights of the other
+/// extremes stay as they are.
 fn widen(envelope: &mut Envelope, moved: Fall<'_>) {
     let fall = Fall { weights: envelope.weights.clone(), ..moved };
     for fit in &mut envelope.fits {
@@ -33,7 +33,7 @@ fn widen(envelope: &mut Envelope, moved: Fall<'_>) {
     }
 }
 
-/// Of each half swing the one of the others at its time; itself where they have none. Both are in the order of time.
+/// Returns for each half swing the one of `moved` at its time; itself where there is none. Both are in the order of time.
 fn paired(found: &[HalfSwing], moved: &[HalfSwing], apart: f64) -> Vec<HalfSwing> {
     let distance = |one: &HalfSwing, other: &HalfSwing| (one.time - other.time).abs();
     let pair = |own: &HalfSwing| {

@@ -1,12 +1,12 @@
 //! A cycle as a row of the fits of T0 and β, with the errors that it shares with its neighbours.
 
-/// A cycle with what its errors come from.
+/// A cycle with the sources of its errors.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::fit) struct Row {
-    /// Of its middle.
+    /// Time of its middle.
     pub(super) time: f64,
     pub(super) period: f64,
-    /// Of everything that was measured for it.
+    /// Errors of all measurements that it is made of.
     pub(super) errors: Vec<Share>,
     /// Its two extremes.
     pub(super) sides: [Side; 2],
@@ -14,23 +14,23 @@ pub(in crate::fit) struct Row {
     pub(in crate::fit) ratio: f64,
 }
 
-/// What an independent error is of; rows that share it are correlated.
+/// Source of an independent error; rows that share it are correlated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::fit) enum Source {
-    /// Of the time of the passage of this number.
+    /// The time of the passage with this index.
     Passage(usize),
-    /// Of the amplitude of this number, by an extreme or by the speed at a passage.
+    /// The amplitude with this index, by an extreme or by the speed at a passage.
     Amplitude(usize),
 }
 
-/// What an independent error does to a row.
+/// Effect of an independent error on a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fit) struct Share {
     pub(in crate::fit) source: Source,
     pub(in crate::fit) variance: f64,
-    /// What the period changes by with it.
+    /// Derivative of the period with respect to the error.
     pub(in crate::fit) of_period: f64,
-    /// What T/T0 changes by with it.
+    /// Derivative of T/T0 with respect to the error.
     pub(in crate::fit) of_ratio: f64,
 }
 
@@ -40,7 +40,7 @@ pub(in crate::fit) struct Side {
     pub(super) number: usize,
     pub(super) amplitude: f64,
     pub(super) variance: f64,
-    /// What the ratio of the cycle changes by with this amplitude.
+    /// Derivative of the cycle's ratio with respect to this amplitude.
     pub(super) slope: f64,
 }
 
@@ -59,25 +59,25 @@ impl Source {
 }
 
 impl Share {
-    /// What is left over of the period, which changes by `slope` with T/T0, changes by this with the error.
+    /// Derivative of the period's residual with respect to the error, when the period changes by `slope` with T/T0.
     fn of_residual(&self, slope: f64) -> f64 {
         self.of_period - slope * self.of_ratio
     }
 }
 
 impl Row {
-    /// The mean of its two extremes, in radians.
+    /// The mean amplitude of its two extremes, in radians.
     pub(super) fn amplitude(&self) -> f64 {
         0.5 * (self.sides[0].amplitude + self.sides[1].amplitude)
     }
 
-    /// Above those of its errors and its extremes.
+    /// The first index above those of its errors and its extremes.
     pub(super) fn next_number(&self) -> usize {
         let errors = self.errors.iter().map(|share| share.source.number());
         errors.chain(self.sides.iter().map(|side| side.number)).max().map_or(0, |last| last + 1)
     }
 
-    /// The same with errors and extremes that are counted from this number on.
+    /// Returns the row with errors and extremes that are counted from this index on.
     pub(super) fn numbered_from(&self, first: usize) -> Self {
         let renumbered = |share: &Share| Share { source: share.source.numbered_from(first), ..*share };
         let errors = self.errors.iter().map(renumbered).collect();
@@ -93,18 +93,18 @@ impl Row {
         self.shared_errors(other).map(both).sum()
     }
 
-    /// The covariance of T/T0 of the one with what noise leaves over of the period of the other.
+    /// The covariance of T/T0 of the one with the noise of the period's residual of the other.
     pub(super) fn ratio_noise_with(&self, other: &Self, slope: f64) -> f64 {
         let both = |(own, shared): (&Share, &Share)| own.of_ratio * shared.of_residual(slope) * own.variance;
         self.shared_errors(other).map(both).sum()
     }
 
-    /// Of the ratio, from the noise of the amplitudes.
+    /// Variance of the ratio, from the noise of the amplitudes.
     pub(super) fn ratio_variance(&self) -> f64 {
         self.errors.iter().map(|share| share.of_ratio * share.of_ratio * share.variance).sum()
     }
 
-    /// Of the period, from the noise of the passages.
+    /// Variance of the period, from the noise of the passages.
     pub(super) fn period_variance(&self) -> f64 {
         self.errors.iter().map(|share| share.of_period * share.of_period * share.variance).sum()
     }

@@ -5,23 +5,23 @@ use super::{Beta, Cycles, CyclesError, period_law};
 use crate::measurement::{FittedPivot, Trace};
 use libration::watch::{Interrupted, Watch};
 
-/// β and T0 through the cycles of all traces together; those of the only trace where there is one. `cycles` are those of the traces,
+/// Fits β and T0 to the cycles of all traces together, or to those of the only trace. `cycles` are those of the traces,
 /// one by one.
 ///
-/// Traces about one fitted pivot are wrong together where it is wrong, so that its error is added once, by what it does to the
-/// common β, and does not become less with the number of traces.
+/// Traces about one fitted pivot share its error, so that it is added once, by its effect on the
+/// common β, and does not decrease with the number of traces.
 ///
 /// # Errors
-/// That of the first trace where none has cycles; else as for a trace alone: fewer than three cycles, amplitudes that are
-/// all the same or change by too little beside their noise.
+/// Fails with the error of the first trace where none has cycles; otherwise as for a trace alone: fewer than three cycles, amplitudes that are
+/// all the same or whose noise is too large compared with their change.
 pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) -> Result<Beta, CyclesError> {
     beta_of_traces_watched(traces, cycles, &Watch::none())
 }
 
-/// [`beta_of_traces`], asking `watch` at each step of the fit.
+/// Computes [`beta_of_traces`], with a check of `watch` at each step of the fit.
 ///
 /// # Errors
-/// As [`beta_of_traces`], and [`CyclesError::Interrupted`] where it was stopped.
+/// Fails as [`beta_of_traces`] does, and with [`CyclesError::Interrupted`] where it was stopped.
 pub fn beta_of_traces_watched(
     traces: &[Trace],
     cycles: &[Result<Cycles, CyclesError>],
@@ -62,7 +62,7 @@ fn of_all_cycles(
     Ok(errors.fold(found, with_error))
 }
 
-/// Each of them once.
+/// The fitted pivots, each once.
 fn pivots<'a>(known: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
     let mut pivots: Vec<&FittedPivot> = vec![];
     for pivot in known.iter().filter_map(|(trace, _)| trace.fitted_pivot()) {

@@ -1,7 +1,7 @@
 //! The shape of a swing without damping, which a measured one has locally: the angle, or the angular velocity, between
 //! two of its zeros.
 //!
-//! Only the shape is taken from the exact law; how long a swing lasts and how high it goes is left to the data.
+//! Only the shape is taken from the exact law; the duration and the height of a swing are fitted to the data.
 
 use super::even::Even;
 use crate::measurement::Observable;
@@ -45,7 +45,7 @@ impl Shape {
         }
     }
 
-    /// How far from a zero, in quarter periods, the value is this part of the extreme, within (−1, 1).
+    /// Distance from a zero, in quarter periods, at which the value is this part of the extreme, within (−1, 1).
     pub fn time_since_zero(&self, value: f64) -> f64 {
         let (size, quarter) = (value.abs().min(1.0), self.modulus.first());
         let part = match self.observable {
@@ -75,14 +75,14 @@ impl Shape {
         1.0 / (speed * self.modulus.first())
     }
 
-    /// [`Self::near_extreme`] as it is asked for so often, up to some part of a quarter period.
+    /// [`Self::near_extreme`] for this number of evaluations, up to some part of a quarter period.
     pub fn near_extreme_for(&self, times: usize, largest: f64) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let even = often(times, largest, |part| shape.near_extreme(part));
         move |part| even.as_ref().and_then(|even| even.at(part)).unwrap_or_else(|| shape.near_extreme(part))
     }
 
-    /// [`Self::time_since_zero`] as it is asked for so often.
+    /// [`Self::time_since_zero`] for this number of evaluations.
     pub fn time_since_zero_for(&self, times: usize) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let even = often(times, STEEP, |value| shape.time_since_zero(value) / value);
@@ -92,7 +92,7 @@ impl Shape {
         }
     }
 
-    /// [`Self::slope_of_time`] so far from a zero in quarter periods, but no nearer to the extreme than this, as it is asked for so often.
+    /// [`Self::slope_of_time`] at a distance from a zero in quarter periods, no nearer to the extreme than `nearest`, for this number of evaluations.
     pub fn slope_near_zero_for(&self, times: usize, nearest: f64) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let slope = move |part: f64| shape.slope_of_time(shape.near_extreme((1.0 - part.abs()).max(nearest)));
@@ -111,18 +111,18 @@ impl Shape {
     }
 }
 
-/// A sum for an even function that is asked for often.
+/// Returns a sum for an even function that is evaluated often; `None` where that is not worthwhile.
 pub fn often(times: usize, largest: f64, function: impl Fn(f64) -> f64) -> Option<Even> {
     if times >= Even::WORTH { Even::new(largest, function) } else { None }
 }
 
-/// The amplitude of a swing whose fastest velocity is this, in radians; none when it goes over the top.
+/// The amplitude of a swing with this largest velocity, in radians; `None` when it goes over the top.
 pub fn amplitude_of_velocity(velocity: f64, omega0: f64) -> Option<f64> {
     let sine = 0.5 * velocity / omega0;
     (sine < 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
-/// The slope of that, in seconds.
+/// The derivative of that amplitude with respect to the velocity, in seconds.
 pub fn slope_of_amplitude(amplitude: f64, omega0: f64) -> f64 {
     1.0 / (omega0 * libm::cos(0.5 * amplitude))
 }

@@ -1,4 +1,4 @@
-//! Which rows belong to which swing: turning points, roughly, and where the pendulum goes over the top.
+//! Assignment of rows to swings: approximate turning points, and rotations over the top.
 
 use std::f64::consts::TAU;
 
@@ -9,13 +9,13 @@ use crate::statistics::{median, robust_deviation};
 /// A turn counts when the value has gone back by this part of the last swing. With 0.2 two of 24 recordings (`mod.rs`) had one cycle
 /// more, with 0.45 three one less; with 0.15 the strongly damped one had two outliers, with 0.6 no cycles.
 const RETURN: f64 = 0.3;
-/// At the beginning, by this part of the range of all values. With 0.4 all recordings had the same cycles, with 0.1 one of a
+/// Part of the range of all values by which the first turn must go back. With 0.4 all recordings had the same cycles, with 0.1 one of a
 /// pendulum nearly at rest had one less.
 const FIRST_RETURN: f64 = 0.2;
 /// Swings shorter than this part of the median one are disturbances. With 0.2 all recordings had the same cycles, with 0.5 one
 /// by a camera had one less.
 const SHORTEST: f64 = 0.35;
-/// A swing is lost where its amplitude is below so many standard deviations of the noise of the pendulum at rest. With 3 and 8
+/// Amplitude, in standard deviations of the noise of the pendulum at rest, below which a swing is lost. With 3 and 8
 /// all recordings had the same cycles.
 const FAINTEST: f64 = 5.0;
 
@@ -28,16 +28,16 @@ pub struct Stretch {
     pub centre: f64,
 }
 
-/// The stretches of a trace, and how many swings lead over the top.
+/// The stretches of a trace, and the number of rotations over the top.
 #[derive(Clone, Debug)]
 pub struct Swings {
     pub stretches: Vec<Stretch>,
     pub rotations: usize,
-    /// From when on, in seconds, the swing is lost in the noise, and left out.
+    /// Time in seconds from which on the swing is lost in the noise, and left out.
     pub(super) lost: Option<f64>,
 }
 
-/// The swings of a trace.
+/// Finds the swings of a trace.
 pub fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
     /// One cycle and a half of eight rows each. With 6 and 30 nothing changed in 21 recordings.
     const FEWEST_ROWS: usize = 12;
@@ -64,7 +64,7 @@ pub fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
     }
 }
 
-/// A change that leads over the top.
+/// The change of a value in a rotation over the top.
 fn whole_turn(observable: Observable) -> f64 {
     match observable {
         Observable::Angle => TAU,
@@ -72,12 +72,12 @@ fn whole_turn(observable: Observable) -> f64 {
     }
 }
 
-/// Whether the angle goes a whole turn without turning back.
+/// Returns whether the angle goes a whole turn without turning back.
 fn turns_over(trace: &Trace) -> bool {
     trace.observable() == Observable::Angle && range(trace.values()) >= TAU
 }
 
-/// Each value replaced by the middle one of itself and its neighbours.
+/// Replaces each value by the median of itself and its neighbours.
 pub fn without_spikes(values: &[f64]) -> Vec<f64> {
     let middle = |row: usize| {
         let (before, after) = (values[row.saturating_sub(1)], values[(row + 1).min(values.len() - 1)]);
@@ -94,7 +94,7 @@ pub(super) fn turns(values: &[f64], whole_turn: f64) -> Result<Vec<usize>, Cycle
         return Err(CyclesError::NothingSwings(values[0]));
     }
     let (mut turns, mut needed) = (vec![], FIRST_RETURN * range.min(whole_turn));
-    // The highest and the lowest row since the last turn; which one is left tells a rise from a fall.
+    // The highest and the lowest row since the last turn; the one that is left distinguishes a rise from a fall.
     let (mut highest, mut lowest) = (0, 0);
     let mut rising: Option<bool> = None;
     for row in 0..values.len() {
@@ -123,9 +123,9 @@ fn range(values: &[f64]) -> f64 {
     highest - lowest
 }
 
-/// How many of the turns come before the swing is lost in the noise, if the trace ends at rest.
+/// The number of turns before the swing is lost in the noise, if the trace ends at rest.
 fn above_noise(values: &[f64], turns: &[usize]) -> usize {
-    /// Swings that must be faint one after the other: single ones may be small for other reasons. With 1 and 6 nothing changed in
+    /// Consecutive swings that must be faint: single ones may be small for other reasons. With 1 and 6 nothing changed in
     /// twelve of the recordings.
     const IN_A_ROW: usize = 3;
     let Some(noise) = noise_at_rest(values) else { return turns.len() };
@@ -138,14 +138,14 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
     first.filter(|&swing| swing >= IN_A_ROW).map_or(turns.len(), |swing| swing + 1)
 }
 
-/// The noise of the last part of a trace where nothing else is left of it: neighbours are then no more alike than rows far
+/// The noise of the last part of a trace where only noise is left: neighbours are then no more alike than rows far
 /// from each other.
 fn noise_at_rest(values: &[f64]) -> Option<f64> {
-    /// The last part is one of so many: with 10 and 40 nothing changed in twelve of the recordings.
+    /// Number of parts of which the last one is used: with 10 and 40 nothing changed in twelve of the recordings.
     const PARTS: usize = 20;
-    /// Of so many rows a standard deviation is known to 1/√46, or a seventh.
+    /// From this number of rows a standard deviation is known to 1/√46, or a seventh.
     const FEWEST_ROWS: usize = 24;
-    /// Of differences over √2, and values; 1 for white noise, at most 0.54 for a swing with 8 rows in a period.
+    /// Ratio of the scatter of differences, over √2, to that of values; 1 for white noise, at most 0.54 for a swing with 8 rows in a period.
     const WHITE: f64 = 0.6;
     let last = &values[values.len().saturating_sub(FEWEST_ROWS.max(values.len() / PARTS))..];
     let middle = median(last.to_vec())?;
@@ -157,7 +157,7 @@ fn noise_at_rest(values: &[f64]) -> Option<f64> {
     (of_neighbours >= WHITE * scatter).then(|| scatter.max(median(jumps).unwrap_or(0.0)))
 }
 
-/// Without the pairs of turns between which hardly any time passes.
+/// Drops the pairs of turns between which hardly any time passes.
 fn without_disturbances(turns: Vec<usize>, times: &[f64]) -> Vec<usize> {
     let duration = |from: usize, to: usize| times[to] - times[from];
     let durations = turns.windows(2).map(|pair| duration(pair[0], pair[1]));
@@ -188,7 +188,7 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let mut last = None;
     for pair in turns.windows(2).filter(|pair| !over(pair)) {
         let own = centre + whole_turns(f64::midpoint(values[pair[0]], values[pair[1]]));
-        // At the edges of a gap there are turns that are none, perhaps on the same side: nothing passes the centre between them.
+        // At the edges of a gap there are false turns, perhaps on the same side: the centre is not passed between them.
         if (values[pair[0]] > own) == (values[pair[1]] > own) {
             continue;
         }
@@ -223,7 +223,7 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
     Swings { stretches, rotations, lost: None }
 }
 
-/// Twice the longer way between a fastest point and the rest between two of them, in radians: what a whole swing goes.
+/// Twice the longer way between a fastest point and the state at rest between two of them, in radians: the way of a whole swing.
 fn furthest_way(values: &[f64], times: &[f64], pair: &[usize]) -> f64 {
     let ways =
         (pair[0]..pair[1]).map(|row| 0.5 * (values[row] + values[row + 1]) * (times[row + 1] - times[row]));

@@ -1,12 +1,12 @@
-//! Where the pendulum turns.
+//! Turning points of the pendulum.
 
 /// A turning point of the value.
 #[derive(Clone, Copy, Debug)]
 pub struct Extreme {
-    /// In seconds.
+    /// Time in seconds.
     pub time: f64,
-    /// From the centre, with its sign.
+    /// Distance from the centre, with its sign.
     pub value: f64,
-    /// From the noise.
+    /// Standard uncertainty by the noise.
     pub uncertainty: f64,
 }

@@ -1,4 +1,4 @@
-//! Angles whose unit cannot be what it is said to be.
+//! Angles whose stated unit is impossible.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,12 +8,12 @@ use crate::fit::{MistakenUnit, PeriodTable, Uncertainties};
 use crate::measurement::{Observable, Trace};
 use crate::statistics::median;
 
-/// An angle that is not followed over the top jumps by a turn, and by its noise more.
+/// An angle that is not followed over the top jumps by a turn, and in addition by its noise.
 const MORE_THAN_A_TURN: f64 = 1.1 * TAU;
 const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 
-/// Angles that go to and fro by more than a turn, which those of no free pendulum do: it turns back below the top only, and
-/// has never more energy than before.
+/// Angles that go to and fro by more than a turn, which those of a free pendulum never do: it turns back below the top only, and
+/// its energy never rises.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "{name} swings to and fro by {:.0}° to each side, and no free pendulum turns back beyond 180°: {}",
@@ -27,17 +27,17 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
     }
 )]
 pub struct BeyondATurn {
-    /// Whose.
+    /// Name of the trace.
     pub name: String,
     /// Half of what the angle goes from one turning point to the next, in radians.
     pub half: f64,
-    /// Whether the numbers are angles of a pendulum if they are degrees.
+    /// `true` if the numbers are angles of a pendulum when they are read as degrees.
     pub in_degrees: bool,
     /// `true` if steps jump by whole turns, as those of angles that are wrapped at ±180° do.
     pub wrapped: bool,
 }
 
-/// Whether a trace of angles goes to and fro by more than a turn, twice in a row at least.
+/// Returns the amplitude and the likely reason if a trace of angles goes to and fro by more than a turn, at least twice in a row.
 #[must_use]
 pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
     if trace.observable() != Observable::Angle || trace.len() < 3 {
@@ -55,7 +55,7 @@ pub fn beyond_a_turn(trace: &Trace) -> Option<BeyondATurn> {
     })
 }
 
-/// `true` if at least two steps differ by nearly a turn from those before them, and by many times what steps usually do: of a smooth motion in any
+/// `true` if at least two steps differ by nearly a turn from those before them, and by many times the usual difference: of a smooth motion in any
 /// unit the largest difference is 1.4 times the median.
 fn is_wrapped(values: &[f64]) -> bool {
     const UNUSUAL: f64 = 3.0;
@@ -67,8 +67,8 @@ fn is_wrapped(values: &[f64]) -> bool {
     changes.iter().filter(is_turn).count() >= 2
 }
 
-/// The unit that the angles of these cycles have, of one trace or of several, where it is not the one that was said: the period changes with
-/// the amplitude as no pendulum's does, and as the exact law says in the other unit.
+/// The unit that the angles of these cycles have, of one trace or of several, where it is not the stated one: the period changes with
+/// the amplitude as no pendulum's does, but follows the exact law in the other unit.
 #[must_use]
 pub fn mistaken_unit<'a>(beta: f64, cycles: impl Iterator<Item = &'a Cycle>) -> Option<MistakenUnit> {
     let counted: Vec<&Cycle> = cycles.filter(|cycle| !cycle.outlier).collect();

@@ -1,4 +1,4 @@
-//! What a reader should know of how cycles were come by.
+//! Warnings about the way the cycles were found.
 
 use std::fmt;
 
@@ -6,43 +6,43 @@ use super::error::counted;
 use crate::measurement::Observable;
 use libration::quantity::{rounded, short};
 
-/// What a reader should know of how cycles were come by.
+/// A warning about the way the cycles were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CyclesWarning {
-    /// Swings that go over the top, which are no cycles.
+    /// Swings that go over the top, which are not cycles.
     OverTheTop {
-        /// How many.
+        /// Number of swings.
         swings: usize,
     },
     /// Cycles of which a passage or an extreme could not be placed: too few rows there, or an extreme below four standard
     /// deviations of the noise.
     Incomplete {
-        /// How many.
+        /// Number of cycles.
         cycles: usize,
     },
     /// Cycles whose period is further from the law than [`outlier_threshold`](super::CyclesOptions::outlier_threshold) robust standard
     /// deviations.
     FarFromTheLaw {
-        /// How many.
+        /// Number of cycles.
         cycles: usize,
     },
     /// The end of the trace, in which no swing can be distinguished from the noise.
     LostInNoise {
-        /// In seconds.
+        /// Time in seconds from which on the swing is lost.
         from: f64,
     },
     /// The centres of single swings differ by more than the noise explains; they are followed.
     CentreWanders {
-        /// The standard deviation of the centres, in the unit of what is seen.
+        /// The standard deviation of the centres, in the unit of the observable.
         deviation: f64,
-        /// Which unit that is.
+        /// The observable, which determines the unit.
         observable: Observable,
     },
 }
 
 impl CyclesWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {

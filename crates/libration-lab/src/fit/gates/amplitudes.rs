@@ -1,4 +1,4 @@
-//! The amplitudes by the speeds at the gate, and T0 by these.
+//! The amplitudes by the speeds at the gate, and T0 by these amplitudes.
 
 use std::f64::consts::TAU;
 
@@ -14,12 +14,12 @@ use libration::quantity::Quantity;
 use libration::roots::{Tolerance, bisect};
 use libration::watch::Watch;
 
-/// What periods with their amplitudes tell.
+/// Results of the periods with their amplitudes.
 pub(super) struct BySpeeds {
     pub(super) t0: Uncertain,
     /// ∂T0/∂(width), in s/rad.
     pub(super) t0_by_width: f64,
-    /// Of the uncertainty of T0.
+    /// Degrees of freedom of the uncertainty of T0.
     pub(super) degrees_of_freedom: f64,
     pub(super) beta: Option<Beta>,
     pub(super) amplitude: Option<f64>,
@@ -28,11 +28,11 @@ pub(super) struct BySpeeds {
 /// The amplitude at each passage, in radians.
 pub(super) struct Amplitudes {
     pub(super) of_passages: Vec<Option<f64>>,
-    /// How far from the bottom in time the gate is passed.
+    /// Time between the passage of the gate and that of the bottom, in seconds.
     pub(super) from_bottom: Vec<f64>,
-    /// That goes with them.
+    /// Angular frequency of small swings that is consistent with the amplitudes.
     pub(super) omega0: f64,
-    /// Of the bob, as an angle.
+    /// Width of the bob, as an angle.
     pub(super) width: f64,
 }
 
@@ -47,10 +47,10 @@ impl Amplitudes {
 }
 
 impl Swings {
-    /// The amplitudes of all passages by their speeds, with the T0 that goes with them.
+    /// Computes the amplitudes of all passages by their speeds, with the T0 that is consistent with them.
     pub(super) fn amplitudes(&self, width: f64, watch: &Watch<'_>) -> Amplitudes {
         let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
-        // With a larger T0 the amplitudes are larger and the periods say a smaller one.
+        // With a larger T0 the amplitudes are larger and the T0 by the periods is smaller.
         let [t0, _] = bisect([0.1 * longest, longest], Tolerance::absolute(1e-12 * longest), |t0| {
             let amplitudes = self.amplitudes_for(width, t0, watch);
             let said = self.cycles.iter().map(|&cycle| {
@@ -76,25 +76,25 @@ impl Swings {
         Amplitudes { of_passages, from_bottom, omega0, width }
     }
 
-    /// T0 and the test of the exact law by the bottom passages and the amplitudes.
+    /// Fits T0 and the test of the exact law to the bottom passages and the amplitudes.
     pub(super) fn by_speeds(
         &self,
         width: Quantity,
         amplitudes: &Amplitudes,
         watch: &Watch<'_>,
     ) -> Option<BySpeeds> {
-        /// The width is changed by this part of itself to see what follows it. With 1e-3 the rows of a minute of edges with a jitter of 10 µs
+        /// Relative change of the width for the derivatives with respect to it. With 1e-3 the rows of a minute of edges with a jitter of 10 µs
         /// contradict the law by three standard deviations of β, and fluctuations that are then believed in change the weights and the slope.
         const STEP: f64 = 1e-5;
-        /// What amplitudes by the speeds of single passages leave out of T0, as a part of it: in records of a minute without any jitter, from 0.5 to
-        /// 1.5 rad with a damping up to 0.03/s, g was 6e-7 to 1.3e-5 off where the gate is within 0.02 rad of the centre; up to 4e-5 at 0.1 rad and from
-        /// 2 rad.
+        /// Relative error of T0 by amplitudes from the speeds of single passages: in records of a minute without any jitter, from 0.5 to 1.5 rad
+        /// with a damping up to 0.03/s, g was 6e-7 to 1.3e-5 off where the gate is within 0.02 rad of the centre; up to 4e-5 at 0.1 rad and from 2
+        /// rad.
         const LEFT_OUT: f64 = 5e-6;
         let rows = self.rows_by_speeds(amplitudes)?;
         let law = period_law::exact(&rows, watch)?;
         let beta = period_law::beta(&rows, watch).ok();
         let typical = typical_amplitude(rows.iter().map(|row| row.ratio))?;
-        // When the width is wrong all speeds are, by the same factor; T0 takes a part of it back.
+        // When the width is wrong all speeds are, by the same factor; T0 compensates for a part of it.
         let [below, above] = [1.0 - STEP, 1.0 + STEP]
             .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor, watch)));
         let (below, above) = (below?, above?);
@@ -113,7 +113,7 @@ impl Swings {
         Some(BySpeeds {
             t0,
             t0_by_width,
-            // After Welch and Satterthwaite: the width is taken as known, and what is left out, the scatter has its rows.
+            // After Welch and Satterthwaite: the width and the error that is left out are taken as known, the scatter has its rows.
             degrees_of_freedom: count(rows.len() - 1) / (part_of_scatter * part_of_scatter),
             beta: beta.zip(beta_by_width).map(widen),
             amplitude: Some(typical),

@@ -13,7 +13,7 @@ use crate::statistics::count;
 use libration::quantity::Quantity;
 use libration::watch::{Interrupted, Watch};
 
-/// What the times of a gate say; the states of the gate, blocked or not, where they are known.
+/// Fits periods and T0 to the times of a gate; the states of the gate, blocked or not, are given where they are known.
 ///
 /// # Errors
 /// See [`GatesError`]: too few passages, or none of a pendulum.
@@ -31,10 +31,10 @@ pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> 
     gates_watched(times, blocked, options, &Watch::none())
 }
 
-/// [`gates`], asking `watch` at each passage whose amplitude is sought.
+/// Computes [`gates`], with a check of `watch` at each passage whose amplitude is sought.
 ///
 /// # Errors
-/// As [`gates`], and [`GatesError::Interrupted`] where it was stopped.
+/// Fails as [`gates`] does, and with [`GatesError::Interrupted`] where it was stopped.
 pub fn gates_watched(
     times: &[f64],
     blocked: Option<&[bool]>,
@@ -46,7 +46,7 @@ pub fn gates_watched(
     let seen = found.passages.len();
     let sides = sorted(&found.passages).ok_or(GatesError::TooFew { passages: seen })?;
     let swings = Swings::new(sides.placed.clone());
-    // Of a pendulum nearly every passage begins a whole period; of passages by chance hardly one does.
+    // Of a pendulum nearly every passage begins a whole period; of random passages hardly any does.
     if 2 * sides.placed.len() < seen
         || (swings.cycles.len() >= 2 && 4 * swings.cycles.len() < sides.placed.len())
     {
@@ -134,16 +134,16 @@ impl Swings {
     }
 }
 
-/// T0 under the exact law and with β free, where β differs from 1.
+/// Compares T0 under the exact law with that of a free β, where β differs from 1.
 fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
-    /// The part of T0 that amplitudes by the speeds of single passages leave out.
+    /// The relative error of T0 by amplitudes from the speeds of single passages.
     const LEAST: f64 = 4e-5;
     let [exact, free] =
         [("β = 1", t0), ("β free", beta.t0)].map(|(name, t0)| Estimate { name: name.to_owned(), t0 });
     Contradiction::of([&exact, &free], beta.deviation()).filter(|it| it.half_width() > LEAST * t0.value)
 }
 
-/// T0 from the first period and the amplitude it had.
+/// T0 from the first period and its amplitude.
 fn by_first_amplitude(period: Uncertain, amplitude: Quantity) -> Uncertain {
     let ratio = Law::exact().ratio_at(amplitude.value);
     let slope = Law::exact().slope_at(amplitude.value);

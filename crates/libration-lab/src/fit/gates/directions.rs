@@ -1,21 +1,21 @@
-//! Which passages are to the one side and which to the other: those of one side are whole periods apart, wherever the gate
-//! stands. What fits neither is a double trigger; where one is missing two periods pass.
+//! Assignment of passages to directions: those of one side are whole periods apart, wherever the gate
+//! stands. A passage that fits neither is a double trigger; where one is missing two periods pass.
 
 use super::passages::Passage;
 use crate::statistics::median;
 
 // The numbers were varied over 1625 synthetic records: 65 motions released at 3° to 178°, weakly and strongly damped, past gates at
 // the centre and off it; as they were, and with passages missing, doubled, added, without the first ones, and with a jitter of 1 %.
-// What is said of a number is how many of 79 467 passages were lost, and how many were counted in the wrong place. Of nine measured
+// The comment on a number states how many of 79 467 passages were lost, and how many were counted in the wrong position. Of nine measured
 // swings past three gates each, by an encoder and by cameras, none is lost; with the typical period alone 6 of 351 from 81° were.
 
-/// A passage is accepted within this part of a period. 651 were lost and 712 in the wrong place; with 0.05 1231 and 337, with 0.15
+/// A passage is accepted within this part of a period. 651 were lost and 712 in the wrong position; with 0.05 1231 and 337, with 0.15
 /// 885 and 2034.
 const TOLERANCE: f64 = 0.1;
 /// The second passage is neither sooner nor later than these parts of a period after the first one. From 0.05 and 0.2
 /// on the records were sorted alike, but for 20 passages; from 0.3 on 3988 were lost.
 const BETWEEN: std::ops::RangeInclusive<f64> = 0.1..=0.9;
-/// After so many periods without a passage nothing is said of how many they were. With 5 and 100 all were sorted alike; with 2 2814
+/// Number of periods without a passage after which they are no longer counted. With 5 and 100 all were sorted alike; with 2 2814
 /// were lost.
 const LONGEST_GAP: f64 = 20.0;
 /// First passages that are tried. With 16 and 64 all were sorted alike, with 4 27 more were lost, with 2 1682.
@@ -27,17 +27,17 @@ const SECONDS: usize = 3;
 /// period is longer by far; up to 1.5 783, up to 2 and 4 as many as up to 2.5, which a pendulum has at 170°.
 const FIRST_PERIODS: std::ops::RangeInclusive<f64> = 0.9..=2.5;
 
-/// A passage with its place.
+/// A passage with its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed {
     pub passage: Passage,
-    /// To the one side (0) or the other (1).
+    /// Side of the passage: the one (0) or the other (1).
     pub side: usize,
-    /// Which period of its side, from zero.
+    /// Index of the period of its side, from zero.
     pub turn: usize,
 }
 
-/// The passages in order, and what did not fit.
+/// The passages in order, and the number of those that did not fit.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Sorted {
     pub placed: Vec<Placed>,
@@ -47,7 +47,7 @@ pub struct Sorted {
     pub missed: usize,
 }
 
-/// The passages sorted by sides, as most of them fit.
+/// Sorts the passages by sides so that most of them fit.
 pub fn sorted(passages: &[Passage]) -> Option<Sorted> {
     let typical = typical_period(passages)?;
     let seeds = (0..passages.len().saturating_sub(2).min(SEEDS)).flat_map(|first| {
@@ -67,7 +67,7 @@ pub fn sorted(passages: &[Passage]) -> Option<Sorted> {
     })
 }
 
-/// With which period the passages may begin: the time from the first one to one of the two after the second, and the typical one.
+/// The periods with which the passages may begin: the time from the first one to one of the two after the second, and the typical one.
 fn first_periods(
     passages: &[Passage],
     first: usize,
@@ -79,7 +79,7 @@ fn first_periods(
     next.filter(move |period| FIRST_PERIODS.contains(&(period / typical))).chain([typical])
 }
 
-/// The middle one of the times from each passage to the next but one, double triggers left out.
+/// The median of the times from each passage to the next but one, without double triggers.
 fn typical_period(passages: &[Passage]) -> Option<f64> {
     let times: Vec<f64> = passages.iter().map(|passage| passage.time).collect();
     let intervals = |times: &[f64], step: usize| -> Vec<f64> {

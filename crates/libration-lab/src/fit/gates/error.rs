@@ -1,17 +1,17 @@
-//! Why times of a photogate tell no period.
+//! Reasons why times of a photogate do not determine a period.
 
 use libration::watch::Interrupted;
 
-/// Why times of a photogate tell no period.
+/// Reasons why times of a photogate do not determine a period.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GatesError {
     /// Columns of different lengths.
     #[error("there are {times} times but {states} states of the gate: give one state for each time")]
     Lengths {
-        /// Times.
+        /// Number of times.
         times: usize,
-        /// States.
+        /// Number of states.
         states: usize,
     },
     /// A number that is not finite.
@@ -22,7 +22,7 @@ pub enum GatesError {
         "{passages} passages of the gate are too few: a pendulum passes twice in a period, and two periods are needed"
     )]
     TooFew {
-        /// That were found.
+        /// Number of passages that were found.
         passages: usize,
     },
     /// The passages follow each other as no pendulum does.
@@ -31,20 +31,20 @@ pub enum GatesError {
          period; check that the times are those of one gate, in order, and their unit"
     )]
     Irregular {
-        /// That were found.
+        /// Number of passages that were found.
         passages: usize,
-        /// That begin a whole period of one pendulum.
+        /// Number of passages that begin a whole period of one pendulum.
         accepted: usize,
     },
-    /// The callback said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
-    /// A width or an amplitude that cannot be.
+    /// An impossible width or amplitude.
     #[error("the {name} is {value}: give a finite number above zero{below}")]
     NotUsable {
-        /// Which one.
+        /// Name of the quantity.
         name: &'static str,
-        /// What was got.
+        /// The given value.
         value: f64,
         /// A limit from above, if there is one.
         below: &'static str,

@@ -1,4 +1,4 @@
-//! g by the times of a gate: the angular width of the bob, and what T0 has in common with the sizes that it is made of.
+//! g by the times of a gate: the angular width of the bob, and the correlations of T0 with the sizes that it depends on.
 
 use super::width::{PassingDisc, PassingFlag};
 use super::{GatesFit, T0Source};
@@ -7,7 +7,7 @@ use crate::fit::budget::{
 };
 use libration::quantity::Quantity;
 
-/// The shape of what blocks the gate.
+/// The shape of the object that blocks the gate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FlagShape {
     /// A ball, or a disc seen from the side.
@@ -17,7 +17,7 @@ pub enum FlagShape {
     Flat,
 }
 
-/// The pendulum beside its gate.
+/// The pendulum with its gate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GateGeometry {
     apparatus: Apparatus,
@@ -26,43 +26,43 @@ pub struct GateGeometry {
     shape: FlagShape,
 }
 
-/// Why a pendulum cannot stand beside its gate like this.
+/// Reasons why a pendulum cannot have such a gate.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GateGeometryError {
-    /// What blocks the gate reaches to the pivot.
+    /// The object that blocks the gate reaches the pivot.
     #[error(
         "a bob or flag of diameter {diameter:?} m whose middle is {distance:?} m from the pivot would reach the pivot: check the two \
          lengths and their units"
     )]
     ReachesPivot {
-        /// Of what blocks the gate, in m.
+        /// Diameter of the object that blocks the gate, in m.
         diameter: f64,
-        /// Of its middle from the pivot, in m.
+        /// Distance of its middle from the pivot, in m.
         distance: f64,
     },
-    /// A bob that does not reach the gate, and nothing else that would block it.
+    /// A bob that does not reach the gate, without anything else that would block it.
     #[error(
         "a bob of radius {radius:?} m and {length:?} m from the pivot does not pass a gate {distance:?} m from the pivot: check the \
          distance of the gate, or give the diameter of the flag that blocks it"
     )]
     BobMissesGate {
-        /// Of the bob, in m.
+        /// Radius of the bob, in m.
         radius: f64,
-        /// From the pivot to its centre, in m.
+        /// Distance from the pivot to its centre, in m.
         length: f64,
-        /// Of the gate from the pivot, in m.
+        /// Distance of the gate from the pivot, in m.
         distance: f64,
     },
 }
 
 impl GateGeometry {
-    /// A pendulum beside its gate: what blocks the gate, if its diameter in m is given, passes it with its middle; else it is the bob, by its
-    /// radius, which a gate above or below its middle cuts in a chord. The distance of the gate from the pivot, in m, is the
+    /// Describes a pendulum with its gate: the object that blocks the gate, if its diameter in m is given, passes it with its middle; otherwise it is
+    /// the bob, by its radius, which a gate above or below its middle cuts in a chord. The distance of the gate from the pivot, in m, is the
     /// length of the pendulum where it is not given.
     ///
     /// # Errors
-    /// What blocks the gate reaches to the pivot, or the bob does not reach the gate.
+    /// Fails if the object that blocks the gate reaches the pivot, or if the bob does not reach the gate.
     pub fn new(
         apparatus: Apparatus,
         diameter: Option<Quantity>,
@@ -79,13 +79,13 @@ impl GateGeometry {
         Ok(geometry)
     }
 
-    /// The same with another shape of what has the diameter that was given: the diameter is then the width of the flag. The bob itself is a ball.
+    /// Returns the geometry with another shape of the object with the given diameter, which is then the width of the flag. The bob itself is a ball.
     #[must_use]
     pub fn with_shape(self, shape: FlagShape) -> Self {
         Self { shape, ..self }
     }
 
-    /// A flat flag, if it is one.
+    /// Returns the flat flag, if the object is one.
     fn flag(&self, disc: PassingDisc) -> Option<PassingFlag> {
         let is_flat = self.shape == FlagShape::Flat && self.diameter.is_some();
         is_flat.then_some(PassingFlag { half: disc.radius, beam: disc.beam })
@@ -95,7 +95,7 @@ impl GateGeometry {
         self.distance.unwrap_or(self.apparatus.length)
     }
 
-    /// What passes the gate: something with its middle there if its diameter is given, else the bob; with its radius.
+    /// The object that passes the gate, with its radius: centred on the gate if its diameter is given, otherwise the bob.
     fn disc(&self) -> Option<(PassingDisc, Quantity)> {
         let beam = self.distance().value;
         let half = |diameter: Quantity| Quantity {
@@ -109,7 +109,7 @@ impl GateGeometry {
         Some((PassingDisc { radius: radius.value, centre, beam }, radius))
     }
 
-    /// The angle that the bob goes while it blocks the gate, in radians; none where neither diameter nor radius is known.
+    /// The angle that the bob goes while it blocks the gate, in radians; `None` where neither diameter nor radius is known.
     #[must_use]
     pub fn width(&self) -> Option<Quantity> {
         let (disc, _) = self.disc()?;
@@ -119,7 +119,7 @@ impl GateGeometry {
         Some(Quantity { value, uncertainty })
     }
 
-    /// By how much the width changes with one standard uncertainty of the radius, of the length, and of a distance of its own, in radians.
+    /// Changes of the width with one standard uncertainty of the radius, of the length, and of a distance of its own, in radians.
     fn changes_of_width(&self) -> Option<[f64; 3]> {
         let (disc, radius) = self.disc()?;
         let [by_radius, by_centre, by_beam] = match self.flag(disc) {
@@ -142,7 +142,7 @@ impl GateGeometry {
         ])
     }
 
-    /// Those of the changes that are of inputs of g.
+    /// The changes of the width by inputs of g, each with its input.
     fn changes_by_inputs(&self) -> impl Iterator<Item = (BudgetInput, f64)> {
         let [by_radius, by_length, _] = self.changes_of_width().unwrap_or_default();
         let by_radius = if self.diameter.is_none() { by_radius } else { 0.0 };
@@ -152,7 +152,7 @@ impl GateGeometry {
 }
 
 impl GatesFit {
-    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; none
+    /// The correlation of T0 with a size one standard uncertainty of which changes the angular width by this, in radians; `None`
     /// where T0 does not come from the width.
     #[must_use]
     pub fn correlation_by_width(&self, change: f64) -> Option<f64> {
@@ -160,7 +160,7 @@ impl GatesFit {
         Some((self.t0_by_width? * change / spread).clamp(-1.0, 1.0))
     }
 
-    /// What T0 has in common with the sizes that the width comes from.
+    /// Correlations of T0 with the sizes that the width is computed from.
     #[must_use]
     pub fn correlations(&self, geometry: &GateGeometry) -> Vec<Correlation> {
         let correlation = |(input, change): (BudgetInput, f64)| {
@@ -170,11 +170,11 @@ impl GatesFit {
         geometry.changes_by_inputs().filter_map(correlation).collect()
     }
 
-    /// g with its budget; none without T0. The relative uncertainties of all angles and of the clock are of the amplitude that was
-    /// given and of all times.
+    /// Computes g with its budget; `None` without T0. The relative uncertainties of all angles and of the clock apply to the given
+    /// amplitude and to all times.
     ///
     /// # Errors
-    /// As [`budget`].
+    /// Fails as [`budget`] does.
     pub fn gravity(
         &self,
         geometry: &GateGeometry,
@@ -185,7 +185,7 @@ impl GatesFit {
     ) -> Result<Option<Budget>, BudgetError> {
         let Some(t0) = self.t0_by_times else { return Ok(None) };
         let angle_scale = match self.t0_source {
-            // What the width of the bob is worth is part of T0 already.
+            // The uncertainty by the width of the bob is part of T0's already.
             Some(T0Source::Speeds) => Some(0.0),
             _ => angle_scale,
         };

@@ -36,19 +36,19 @@ pub use warning::GatesWarning;
 use crate::fit::{Beta, Contradiction, Uncertain};
 use libration::quantity::Quantity;
 
-/// What the times of a gate without states are.
+/// Meaning of the times of a gate without states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GateSignals {
-    /// The bob blocks the gate, and frees it.
+    /// The times at which the bob blocks the gate, and frees it.
     Edges,
     /// One time for each passage.
     Passages,
 }
 
-/// What is known in addition to the times.
+/// Known quantities in addition to the times.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GateOptions {
-    /// What the times are; inferred from their pattern where not given.
+    /// Meaning of the times; inferred from their pattern where not given.
     pub signals: Option<GateSignals>,
     /// The angle that the bob goes while it blocks the gate, in radians, as [`GateGeometry::width`] has it: nearly its diameter over the
     /// distance of the gate from the pivot, where that is the length.
@@ -61,17 +61,17 @@ pub struct GateOptions {
 /// A period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GateCycle {
-    /// Of its middle, in seconds.
+    /// Time of its middle, in seconds.
     pub time: f64,
-    /// From one passage to the next of the same side, in seconds.
+    /// Time from one passage to the next of the same side, in seconds.
     pub period: f64,
-    /// The side that it begins and ends with: 0 for that of the first passage, else 1.
+    /// The side that it begins and ends with: 0 for that of the first passage, otherwise 1.
     pub side: usize,
-    /// By the speed at the gate, in radians.
+    /// Amplitude by the speed at the gate, in radians.
     pub amplitude: Option<f64>,
 }
 
-/// Where T0 comes from.
+/// Source of T0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum T0Source {
     /// Every period with its amplitude.
@@ -85,32 +85,32 @@ pub enum T0Source {
 pub struct GatesFit {
     /// Passages of the bob.
     pub passages: usize,
-    /// Whether the times are edges, two for each passage.
+    /// `true` if the times are edges, two for each passage.
     pub edges: bool,
     /// Edges whose partner is missing.
     pub unpaired: usize,
     /// Passages too close to others, or between all others: double triggers.
     pub double_triggers: usize,
-    /// Passages that should have been seen.
+    /// Passages that were missed.
     pub missed: usize,
-    /// In the order of time.
+    /// Periods in the order of time.
     pub cycles: Vec<GateCycle>,
     /// The part of a period from a passage of the first side to one of the other: 1/2 for a gate at the centre.
     pub part_between: f64,
     /// The standard deviation of a time, in seconds: by the scatter of the periods, or of the times for which the gate is blocked where
-    /// there are few; none where both are too few to tell.
+    /// there are few; `None` where both are too few.
     pub timing: Option<f64>,
     /// The mean of all periods, in seconds; its uncertainty is by the scatter.
     pub mean_period: Uncertain,
     /// The period at the turning point before the first passage, in seconds.
     pub first_period: Option<Uncertain>,
-    /// The period of small swings, in seconds; uncertain also by the contradiction.
+    /// The period of small swings, in seconds; its uncertainty includes the contradiction.
     pub t0: Option<Uncertain>,
     /// T0 under the exact law and with β free, where they contradict each other.
     pub contradiction: Option<Contradiction>,
-    /// Where it comes from.
+    /// Source of T0.
     pub t0_source: Option<T0Source>,
-    /// The derivative of T0 with respect to the angular width of the bob, in s/rad; none where T0 does not come from the width.
+    /// The derivative of T0 with respect to the angular width of the bob, in s/rad; `None` where T0 does not come from the width.
     pub t0_by_width: Option<f64>,
     /// The degrees of freedom of the uncertainty of T0.
     pub t0_degrees_of_freedom: f64,
@@ -118,8 +118,8 @@ pub struct GatesFit {
     pub amplitude: Option<f64>,
     /// The test of the exact law, where amplitudes are known.
     pub beta: Option<Beta>,
-    /// What a reader should know.
+    /// Warnings about the fit.
     pub warnings: Vec<GatesWarning>,
-    /// T0 without what the contradiction adds to its uncertainty.
+    /// T0 without the contradiction's contribution to its uncertainty.
     t0_by_times: Option<Uncertain>,
 }

@@ -15,22 +15,22 @@ const BLOCKED_PART: f64 = 0.2;
 /// A passage of the bob.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {
-    /// When its middle passes, in seconds.
+    /// Time at which its middle passes, in seconds.
     pub time: f64,
-    /// How long the gate is blocked, where both edges are known.
+    /// Duration for which the gate is blocked, in seconds, where both edges are known.
     pub blocked: Option<f64>,
 }
 
-/// The passages, and edges whose other one is missing.
+/// The passages, and the number of edges without a partner.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passages {
     pub passages: Vec<Passage>,
     pub unpaired: usize,
-    /// Whether the times are edges.
+    /// `true` if the times are edges.
     pub edges: bool,
 }
 
-/// Passages from the times, in order.
+/// Finds the passages from the times, in order.
 pub fn passages(
     times: &[f64],
     blocked: Option<&[bool]>,
@@ -57,7 +57,7 @@ fn bare(times: &[f64]) -> Passages {
     Passages { passages, unpaired: 0, edges: false }
 }
 
-/// A gate that is blocked, and then free.
+/// Pairs the edges of a gate that is blocked, and then free.
 fn paired(times: &[f64], states: &[bool]) -> Passages {
     let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
     let usual = usual_duration(times, states);
@@ -81,13 +81,13 @@ fn paired(times: &[f64], states: &[bool]) -> Passages {
     found
 }
 
-/// For how long the gate is usually blocked.
+/// The median duration for which the gate is blocked.
 fn usual_duration(times: &[f64], states: &[bool]) -> f64 {
     let rows = times.windows(2).zip(states.windows(2)).filter(|(_, states)| states[0] && !states[1]);
     median(rows.map(|(times, _)| times[1] - times[0]).collect()).unwrap_or(0.0)
 }
 
-/// Whether short and long intervals alternate as they do when a bob blocks and frees the gate.
+/// Returns whether short and long intervals alternate as they do when a bob blocks and frees the gate.
 fn alternate(times: &[f64]) -> bool {
     let mut intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     intervals.sort_by(f64::total_cmp);
@@ -99,7 +99,7 @@ fn alternate(times: &[f64]) -> bool {
     }
 }
 
-/// Edges without states: an interval much shorter than the long ones is one of a blocked gate.
+/// Pairs edges without states: an interval much shorter than the long ones is one of a blocked gate.
 fn by_duration(times: &[f64]) -> Passages {
     let intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mean = intervals.iter().sum::<f64>() / count(intervals.len().max(1));

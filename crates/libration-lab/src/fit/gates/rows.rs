@@ -1,7 +1,7 @@
-//! Cycles between passages of the bottom as rows of the law, with what they share of the errors of the edges.
+//! Cycles between passages of the bottom as rows of the law, with the errors of the edges that they share.
 //!
 //! The middle of two edges and their distance are independent where the edges are: the one is an error of the time of a passage, the other
-//! of its amplitude, which counts in both half swings beside the passage.
+//! of its amplitude, which counts in both half swings next to the passage.
 
 use super::amplitudes::Amplitudes;
 use super::speeds::amplitude;
@@ -16,18 +16,18 @@ use libration::elliptic::Modulus;
 #[derive(Clone, Copy, Debug)]
 struct Bottom {
     time: f64,
-    /// Of the time.
+    /// Variance of the time.
     variance: f64,
-    /// Of the swing, without what the curvature of the law of speeds adds to it on the mean.
+    /// Amplitude of the swing, without the mean contribution of the curvature of the law of speeds.
     amplitude: f64,
     /// The standard deviation of the amplitude.
     noise: f64,
-    /// The amplitude by the course of the speeds, which hardly knows the error of this one: weights by it do not favour errors of one sign.
+    /// The amplitude by the course of the speeds, nearly independent of this one's error: weights by it do not favour errors of one sign.
     smooth: f64,
 }
 
 impl Swings {
-    /// The cycles between passages of the bottom.
+    /// Computes the cycles between passages of the bottom.
     pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
         let gate = self.gate_height(amplitudes)?;
         let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |found| found.deviation);
@@ -54,7 +54,7 @@ impl Swings {
         median(self.cycles.iter().filter_map(height).collect())
     }
 
-    /// The passage of the bottom beside one of a gate of this height, where times for which it is blocked have this deviation.
+    /// The passage of the bottom next to one of a gate at this height, where times for which it is blocked have this deviation.
     fn bottom(&self, passage: usize, amplitudes: &Amplitudes, gate: f64, deviation: f64) -> Option<Bottom> {
         let (own, omega0) = (amplitudes.of_passages[passage]?, amplitudes.omega0);
         let blocked = self.usual_blocked(passage)?;
@@ -66,13 +66,13 @@ impl Swings {
         let (tangent, part) = (libm::tan(0.5 * smooth), deviation / blocked);
         let excess = tangent * (2.0 + tangent * tangent) * part * part;
         let noise = 2.0 * tangent * part;
-        // A clock without any scatter would leave nothing to weigh by.
+        // A clock without any scatter would give infinite weights.
         let variance = self.timing().map_or(0.0, |timing| timing * timing).max(1e-24);
         let time = self.time(passage) + from_gate(own)?;
         Some(Bottom { time, variance, amplitude: own - excess, noise, smooth })
     }
 
-    /// For how long the gate is blocked, by a line through the logarithms of all times of neighbours.
+    /// The duration for which the gate is blocked, by a line through the logarithms of the durations of all neighbours.
     fn usual_blocked(&self, passage: usize) -> Option<f64> {
         /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line.
         const NEIGHBOURS: usize = 7;
@@ -90,13 +90,13 @@ fn time_to_gate(amplitude: f64, gate: f64) -> Option<f64> {
     Some(modulus.incomplete_first(libm::asin(sine)))
 }
 
-/// The cycle between the first and the last of three passages.
+/// Builds the cycle between the first and the last of three passages.
 fn row(cycle: usize, bottoms: [Bottom; 3]) -> Row {
     let half_swing = |k: usize| {
         let [one, two] = [bottoms[k], bottoms[k + 1]];
         let noise = 0.5 * libm::hypot(one.noise, two.noise);
         let smooth = 0.5 * (one.smooth + two.smooth);
-        // What the curvature of the law adds to T/T0 on the mean, as an amplitude.
+        // The mean contribution of the law's curvature to T/T0, as an amplitude.
         let excess = 0.5 * noise * noise * curvature(smooth) / Law::exact().slope_at(smooth);
         let value = 0.5 * (one.amplitude + two.amplitude) - excess;
         let slope = 0.25 * Law::exact().slope_at(smooth);

@@ -1,28 +1,28 @@
-//! How much times scatter about their course, by the differences of neighbours of one side.
+//! Scatter of times about their course, by the differences of neighbours of one side.
 
 use super::swings::Swings;
 use crate::statistics::{count, robust_deviation, root_mean_square};
 
-/// Weights of differences of the fourth, third and second order, binomials with alternating signs: a course that is a curve of third
-/// degree, a parabola or a line over so many passages drops out.
+/// Weights of differences of the fourth, third and second order, binomials with alternating signs: a course that is a polynomial of the third,
+/// second or first degree over these passages drops out.
 const DIFFERENCES: [&[f64]; 3] = [&[1.0, -4.0, 6.0, -4.0, 1.0], &[1.0, -3.0, 3.0, -1.0], &[1.0, -2.0, 1.0]];
 
-/// With fewer differences than this those of a lower order are taken, of which there are more.
+/// With fewer differences than this those of a lower order are used, of which there are more.
 const ENOUGH: usize = 8;
 
-/// Among fewer differences than this none can be said to be far from the others.
+/// Among fewer differences than this none is taken as an outlier.
 const FEWEST_TO_JUDGE: usize = 12;
 
-/// A standard deviation, and what it is worth.
+/// A standard deviation, and its degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scatter {
     pub(super) deviation: f64,
-    /// Those of a sample of independent values that would tell the deviation as well.
+    /// Size of a sample of independent values that would determine the deviation as well.
     pub(super) degrees_of_freedom: f64,
 }
 
 impl Swings {
-    /// The scatter of a quantity of passages about its course along one side; none where no side has three passages in a row.
+    /// The scatter of a quantity of passages about its course along one side; `None` where no side has three passages in a row.
     pub(super) fn scatter(&self, of: impl Fn(usize) -> Option<f64>) -> Option<Scatter> {
         let orders = || DIFFERENCES.into_iter().map(|weights| (weights, self.differences(weights, &of)));
         let (weights, differences) =
@@ -39,8 +39,8 @@ impl Swings {
     }
 
     /// The standard deviation of a time: by the times, from whose fourth differences a period that falls steadily drops out; where these are
-    /// few half of that of the blocked times, since the middle of two edges that scatter alike scatters by half as much as their distance;
-    /// else by lower differences of the times, which contain a part of the fall too.
+    /// few, half of that of the blocked times, since the middle of two edges that scatter alike scatters by half as much as their distance;
+    /// otherwise by lower differences of the times, which contain a part of the fall too.
     pub(super) fn timing(&self) -> Option<f64> {
         let time = |passage: usize| Some(self.time(passage));
         let by_edges = || Some(0.5 * self.scatter(|passage| self.blocked(passage))?.deviation);
@@ -49,7 +49,7 @@ impl Swings {
         if enough { by_times() } else { by_edges().or_else(by_times) }
     }
 
-    /// Where they begin, and what they are.
+    /// Differences with these weights, each with its first passage.
     fn differences(&self, weights: &[f64], of: impl Fn(usize) -> Option<f64>) -> Vec<(usize, f64)> {
         let cycles = weights.len() - 1;
         let whole = |k: usize| (0..cycles).all(|step| self.cycles.binary_search(&(k + 2 * step)).is_ok());
@@ -61,12 +61,12 @@ impl Swings {
     }
 }
 
-/// Of the weights with themselves, so many steps later.
+/// Inner product of the weights with themselves shifted by `later` steps.
 fn inner_product(weights: &[f64], later: usize) -> f64 {
     weights.iter().zip(weights.iter().skip(later)).map(|(a, b)| a * b).sum()
 }
 
-/// How many independent squares have a mean that scatters like that of the squares of these differences, which overlap: n²/Σρ²
+/// Number of independent squares whose mean scatters like that of the squares of these differences, which overlap: n²/Σρ²
 /// over all pairs of them.
 fn independent(starts: &[usize], weights: &[f64]) -> f64 {
     let own = inner_product(weights, 0);

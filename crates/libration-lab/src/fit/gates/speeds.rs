@@ -7,12 +7,12 @@
 use libration::elliptic::Modulus;
 use libration::roots::{Tolerance, bisect};
 
-/// The largest amplitude that is looked for, in radians: a period is 4.2 times as long there. With 3.0 and 3.141 no T0 of 86 records
+/// The largest amplitude of the search, in radians: a period is 4.2 times as long there. With 3.0 and 3.141 no T0 of 86 records
 /// changed by 1e-9.
 const LARGEST: f64 = 3.13;
 
 /// The amplitude, in radians, of a pendulum of this ω0 that blocks a gate for this time with an angle of this width, with the middle of that time
-/// so long from the bottom; none where it goes over the top.
+/// `from_bottom` seconds from the passage of the bottom; `None` where it goes over the top.
 pub fn amplitude(omega0: f64, width: f64, blocked: f64, from_bottom: f64) -> Option<f64> {
     let half = 0.5 * blocked;
     let between = |amplitude: f64| {

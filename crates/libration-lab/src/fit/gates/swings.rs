@@ -1,4 +1,4 @@
-//! Passages in order, the cycles among them, and what they tell without an amplitude.
+//! Passages in order, the cycles among them, and the results that need no amplitude.
 
 use super::directions::Placed;
 use crate::statistics::median;
@@ -34,18 +34,18 @@ impl Swings {
         median(first_side.map(part).collect()).unwrap_or(f64::NAN)
     }
 
-    /// How far from the bottom in time the gate is passed in a cycle: passages are T/2 ± 2τ apart.
+    /// Time between the passage of the gate and that of the bottom in a cycle: passages are T/2 ± 2τ apart.
     pub(super) fn time_from_bottom(&self, cycle: usize) -> f64 {
         let period = self.period(cycle);
         0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
     }
 
-    /// For how long a passage blocks the gate.
+    /// The duration for which a passage blocks the gate.
     pub(super) fn blocked(&self, passage: usize) -> Option<f64> {
         self.placed[passage].passage.blocked
     }
 
-    /// Means of the periods of both sides, from which the place of the gate drops out, with their times.
+    /// Means of the periods of both sides, from which the position of the gate drops out, with their times.
     pub(super) fn mean_periods(&self) -> (Vec<f64>, Vec<f64>) {
         let neighbours = self.cycles.windows(2).filter(|pair| pair[0] + 1 == pair[1]);
         let mean = |pair: &[usize]| {

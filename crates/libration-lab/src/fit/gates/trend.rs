@@ -5,11 +5,11 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::Uncertain;
 use crate::statistics::{count, least_squares};
 
-/// From so many periods on a line is drawn, a parabola, and curves of third and fourth degree.
+/// Numbers of rows from which on a line is fitted, a parabola, and polynomials of third and fourth degree.
 const ROWS_FOR_DEGREES: [usize; 4] = [4, 8, 16, 32];
 
-/// The period at a time, by a curve through all periods. Its uncertainty contains how much less curved ones would differ,
-/// since how the amplitude falls is not known.
+/// The period at a time, by a polynomial through all periods. Its uncertainty contains the difference from a polynomial of lower degree,
+/// since the law by which the amplitude falls is not known.
 pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Uncertain> {
     let degree = ROWS_FOR_DEGREES.iter().filter(|&&rows| times.len() >= rows).count();
     let best = polynomial(times, periods, time, degree)?;
@@ -21,7 +21,7 @@ pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Unc
 /// The value at a time of a polynomial through values at others, and its uncertainty by the scatter.
 pub(super) fn polynomial(times: &[f64], periods: &[f64], time: f64, degree: usize) -> Option<Uncertain> {
     let (first, last) = (times.first()?, times.last()?);
-    // The basis is in powers of the time since the wanted one, so that the constant is the answer.
+    // The basis is in powers of the time since the wanted one, so that the constant is the result.
     let scale = (last - first).max(f64::MIN_POSITIVE);
     let power = |t: f64, k: usize| (0..k).fold(1.0, |product, _| product * (t - time) / scale);
     let matrix = DMatrix::from_fn(times.len(), degree + 1, |i, k| power(times[i], k));

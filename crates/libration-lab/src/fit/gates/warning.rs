@@ -1,4 +1,4 @@
-//! What a reader should know of the times of a gate.
+//! Warnings about the times of a gate.
 
 use std::fmt;
 
@@ -6,58 +6,58 @@ use super::{GatesFit, T0Source};
 use crate::fit::{Beta, SIGNIFICANT, Uncertain};
 use libration::quantity::rounded;
 
-/// A last period below T0 is believed where it is so by as many standard deviations of a time: a period is the difference of
-/// two, which scatters by √2 of them, so that this is beyond four standard deviations of a period.
+/// Number of standard deviations of a time by which a last period must be below T0 to count as such: a period is the difference of
+/// two times, which scatters by √2 of them, so that this is beyond four standard deviations of a period.
 const SHORT_BY_TIMINGS: f64 = 6.0;
 
-/// What a reader should know of the times of a gate.
+/// A warning about the times of a gate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GatesWarning {
-    /// Edges whose other one is missing, left out.
+    /// Edges without a partner, left out.
     UnpairedEdges {
-        /// How many.
+        /// Number of edges.
         edges: usize,
     },
     /// Passages that fit no pendulum, left out.
     DoubleTriggers {
-        /// How many.
+        /// Number of passages.
         passages: usize,
     },
-    /// Passages that should have been seen; periods across them are left out.
+    /// Passages that were missed; periods across them are left out.
     MissedPassages {
-        /// How many.
+        /// Number of passages.
         passages: usize,
     },
     /// A width was given and T0 does not come from it.
     WidthUnused {
-        /// Whether the times are edges, so that there are speeds: these are then those of a pendulum that goes over the top.
+        /// `true` if the times are edges, so that there are speeds: these are then those of a pendulum that goes over the top.
         edges: bool,
     },
     /// T0 needs an amplitude, and there is none.
     NoAmplitude,
-    /// The times do not tell by how much they scatter: they are too few, or exactly even, by less than 1e-9 of a period.
+    /// The times do not determine their scatter: they are too few, or exactly even, by less than 1e-9 of a period.
     ScatterUnknown,
     /// β [differs from 1](Beta::differs_from_one), by more than a twentieth: R − 1 goes with the square of the amplitude, so that the
-    /// width of the bob, which all speeds are in proportion to, would be wrong by a fortieth.
+    /// width of the bob, to which all speeds are proportional, would be wrong by a fortieth.
     BetaNotOne {
         /// The number of uncertainties between β and 1.
         deviation: f64,
         /// The part by which the width is too large, if [that](Beta::scale_error) can be why.
         width_error: Option<f64>,
     },
-    /// The last period, the mean of both sides, is below T0 by more than both leave open (three uncertainties of T0, six of a time), and no pendulum has
+    /// The last period, the mean of both sides, is below T0 by more than their uncertainties (three of T0, six of a time), and no pendulum has
     /// a period below that of its small swings.
     PeriodBelowT0 {
-        /// In seconds.
+        /// Last period, in seconds.
         last: f64,
-        /// In seconds.
+        /// T0, in seconds.
         t0: f64,
     },
 }
 
 impl GatesWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -109,7 +109,7 @@ impl fmt::Display for GatesWarning {
     }
 }
 
-/// A refuted model first, then in the order in which the times are gone through; of a fit with the width of the bob or without.
+/// Warnings of a fit with the width of the bob or without: a refuted model first, then in the order in which the times are processed.
 pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool) -> Vec<GatesWarning> {
     let speeds_failed = has_width && fit.t0_source != Some(T0Source::Speeds);
     [
@@ -128,7 +128,8 @@ pub(super) fn warnings(fit: &GatesFit, last_period: Option<f64>, has_width: bool
 }
 
 fn is_scatter_unknown(fit: &GatesFit) -> bool {
-    /// Of a period. Steps of a tenth of a microsecond scatter by more than ten times as much in periods of two seconds.
+    /// Scatter relative to a period, below which it is rounding. Steps of a tenth of a microsecond scatter by more than ten times as much in periods
+    /// of 2 s.
     const ROUNDING: f64 = 1e-9;
     fit.timing.is_none_or(|timing| timing < ROUNDING * fit.mean_period.value)
 }
@@ -163,7 +164,7 @@ fn doubtful_beta(beta: &Beta) -> Option<GatesWarning> {
     })
 }
 
-/// With the last period, which is the mean of both sides: that of one side falls or rises with the amplitude at a gate off the centre.
+/// Compares T0 with the last period, which is the mean of both sides: that of one side falls or rises with the amplitude at a gate off the centre.
 fn period_below_t0(fit: &GatesFit, last: f64) -> Option<GatesWarning> {
     let Uncertain { value: t0, uncertainty } = fit.t0?;
     let least = t0 - SIGNIFICANT * uncertainty;

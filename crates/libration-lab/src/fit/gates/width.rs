@@ -7,21 +7,21 @@
 /// A disc and the beam that it passes, in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct PassingDisc {
-    /// Of the disc.
+    /// Radius of the disc.
     pub radius: f64,
-    /// From the pivot to the middle of the disc.
+    /// Distance from the pivot to the middle of the disc.
     pub centre: f64,
-    /// From the pivot to the beam.
+    /// Distance from the pivot to the beam.
     pub beam: f64,
 }
 
 impl PassingDisc {
-    /// In radians.
+    /// The angle for which it blocks the beam, in radians.
     pub fn width(&self) -> f64 {
         4.0 * libm::asin(self.squared_sine().sqrt())
     }
 
-    /// Its derivatives with respect to radius, centre and beam, in rad/m.
+    /// Derivatives of the width with respect to radius, centre and beam, in rad/m.
     pub fn slopes(&self) -> [f64; 3] {
         let Self { radius, centre, beam } = *self;
         let (square, product) = (self.squared_sine(), 2.0 * centre * beam);
@@ -46,17 +46,17 @@ impl PassingDisc {
 pub struct PassingFlag {
     /// Half of its width.
     pub half: f64,
-    /// From the pivot to the beam.
+    /// Distance from the pivot to the beam.
     pub beam: f64,
 }
 
 impl PassingFlag {
-    /// In radians.
+    /// The angle for which it blocks the beam, in radians.
     pub fn width(&self) -> f64 {
         2.0 * libm::asin(self.half / self.beam)
     }
 
-    /// Its derivatives with respect to half of the width and to the beam, in rad/m.
+    /// Derivatives of the angle with respect to half of the flag's width and to the beam, in rad/m.
     pub fn slopes(&self) -> [f64; 2] {
         let adjacent = ((self.beam - self.half) * (self.beam + self.half)).sqrt();
         [2.0 / adjacent, -2.0 * self.half / (self.beam * adjacent)]

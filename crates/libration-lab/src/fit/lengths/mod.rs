@@ -18,7 +18,7 @@ use super::budget::{self, BudgetInput, CombinedUncertainty, Contribution, Evalua
 use super::{FitError, Uncertain};
 use libration::quantity::Quantity;
 
-/// What is known besides the table.
+/// Known quantities besides the table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LengthsOptions {
     /// Radius of the bob, a ball, in metres: its moment of inertia is then taken into account.
@@ -27,21 +27,21 @@ pub struct LengthsOptions {
     pub clock: Option<f64>,
 }
 
-/// What a table of periods against lengths says.
+/// The results of a fit to a table of periods against lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LengthsFit {
     /// The laws that the rows can determine, simpler ones first.
     pub fits: Vec<LengthFit>,
     /// κ = 2r²/5 of the bob, in m², where it was given and so is part of every law.
     pub known_gyration: Option<f64>,
-    /// The uncertainty of the best g, with what all rows have in common: clock and bob.
+    /// The uncertainty of the best g, with the effects that all rows share: clock and bob.
     pub combined: CombinedUncertainty,
-    /// What a reader should know.
+    /// Warnings about the fit.
     pub warnings: Vec<LengthsWarning>,
 }
 
 impl LengthsFit {
-    /// The law with an offset, or without one where the rows do not determine it: what the lengths are worth.
+    /// The law with an offset, or without one where the rows do not determine it.
     #[must_use]
     pub fn best(&self) -> &LengthFit {
         self.law(LengthModel::Offset).unwrap_or(&self.fits[0])
@@ -60,11 +60,11 @@ impl LengthsFit {
     }
 }
 
-/// g and the offset of the lengths.
+/// Fits g and the offset of the lengths.
 ///
 /// # Errors
-/// Fewer than two rows (without uncertainties three), all lengths the same, a radius that is not a positive number, an uncertainty
-/// that is none.
+/// Fails for fewer than two rows (without uncertainties three), equal lengths, a radius that is not a positive number, and an unusable
+/// uncertainty.
 pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsFit, FitError> {
     options.check()?;
     let radius = options.bob_radius.map(|radius| radius.value);
@@ -86,7 +86,7 @@ pub fn lengths(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
             None => FitError::EqualLengths,
         });
     }
-    // The same that `best` takes.
+    // The same fit as `best` returns.
     let best = fits.iter().find(|fit| fit.model == LengthModel::Offset).unwrap_or(&fits[0]);
     let combined = options.combined(table, best)?;
     let mut fit = LengthsFit { fits, known_gyration: known, combined, warnings: vec![] };

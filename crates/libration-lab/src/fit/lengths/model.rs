@@ -1,4 +1,4 @@
-//! One law of the period against the length, by weighted least squares: y = (T/2πR)² = (L + δ + κ/L)/g.
+//! One law of the period against the length, fitted by weighted least squares: y = (T/2πR)² = (L + δ + κ/L)/g.
 
 use std::f64::consts::PI;
 
@@ -10,15 +10,15 @@ use crate::fit::{FitError, Uncertain};
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count, weighted_least_squares};
 
-/// Rounds in which the weights are renewed: what is left falls by a factor of (σ of g)/g or so each time.
+/// Rounds in which the weights are renewed; the error falls by a factor of (σ of g)/g or so each time.
 const ROUNDS: usize = 20;
-/// Rounds in which the offset falls to that with the bob: what is left falls by q(3 + q)/(1 − q) each time, with q = 2r²/5x² at a distance x
+/// Rounds in which the offset falls to that with the bob; the error falls by q(3 + q)/(1 − q) each time, with q = 2r²/5x² at a distance x
 /// from the pivot: by 0.8 or less from 1.45 radii on.
 const ROUNDS_WITH_BOB: usize = 200;
-/// Of the shortest distance, a change of the offset that is none: rounding leaves less.
+/// Largest negligible change of the offset, relative to the shortest distance: rounding causes less.
 const SETTLED: f64 = 1e-13;
 
-/// What is left free besides g.
+/// Free parameters besides g.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LengthModel {
     /// T² = 4π²R²L/g.
@@ -30,10 +30,10 @@ pub enum LengthModel {
 }
 
 impl LengthModel {
-    /// All, simpler ones first.
+    /// All models, simpler ones first.
     pub const ALL: [Self; 3] = [Self::Plain, Self::Offset, Self::OffsetAndGyration];
 
-    /// `plain`, `offset`, `offset+gyration`.
+    /// Name of the model: `plain`, `offset`, `offset+gyration`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -43,7 +43,7 @@ impl LengthModel {
         }
     }
 
-    /// Free parameters.
+    /// Number of free parameters.
     fn parameters(self) -> usize {
         match self {
             Self::Plain => 1,
@@ -53,64 +53,64 @@ impl LengthModel {
     }
 }
 
-/// g and what else a law leaves free.
+/// g and the other free parameters of a law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LengthFit {
     /// The law.
     pub model: LengthModel,
-    /// In m/s². All uncertainties are [enlarged](Scatter) where the rows scatter more than theirs.
+    /// g in m/s². All uncertainties are [enlarged](Scatter) where the rows scatter more than theirs.
     pub g: Uncertain,
     /// δ, in metres, to be added to the lengths given.
     pub offset: Option<Uncertain>,
     /// κ, in m²; 2r²/5 for a ball.
     pub gyration: Option<Uncertain>,
-    /// Of g and δ.
+    /// Correlation coefficient of g and δ.
     pub correlation: Option<f64>,
-    /// The sum of the squared residuals over their effective variances; none without uncertainties.
+    /// The sum of the squared residuals over their effective variances; `None` without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom.
     pub dof: usize,
-    /// Akaike's criterion, corrected for few data; none where they are too few.
+    /// Akaike's criterion, corrected for few data; `None` where they are too few.
     pub aicc: Option<f64>,
     /// The probability that chance makes the last free parameter as large if it is zero (a *t* or F test).
     pub p_value: Option<f64>,
-    /// T less what the law says, in seconds, row by row.
+    /// Residuals of T from the law, in seconds, row by row.
     pub residuals: Vec<f64>,
     /// The standard deviations of these, in seconds, as stated; without uncertainties their scatter.
     pub standard_deviations: Vec<f64>,
 }
 
 impl LengthFit {
-    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    /// χ² per degree of freedom; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         self.scatter().map(Scatter::chi2_per_dof)
     }
 
-    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
         Scatter::new(self.chi2, self.dof)
     }
 
-    /// Of the uncertainties: infinite where they come from stated ones.
+    /// Degrees of freedom of the uncertainties: infinite where they come from stated ones.
     #[must_use]
     pub fn uncertainty_degrees_of_freedom(&self) -> f64 {
         scatter::degrees_of_freedom(self.chi2, self.dof)
     }
 }
 
-/// A law in the making: coefficients of L (with the known term of the bob), 1 and 1/L.
+/// An unfinished solution: coefficients of L (with the known term of the bob), 1 and 1/L.
 struct Solution {
     coefficients: Vec<f64>,
     covariance: DMatrix<f64>,
     variances: Vec<f64>,
 }
 
-/// A law through the table, with the bob where its radius is known; none where there are too few rows, or the rows leave it open.
+/// Fits a law to the table, with the bob where its radius is known; `None` where there are too few rows, or the rows do not determine it.
 ///
 /// # Errors
-/// A bob that reaches the pivot.
+/// Fails for a bob that reaches the pivot.
 pub(super) fn fit(
     table: &LengthTable,
     model: LengthModel,
@@ -135,7 +135,7 @@ pub(super) fn gyration(radius: f64) -> f64 {
     0.4 * radius * radius
 }
 
-/// A law that is looked for; what is found comes with the offset that its columns are of.
+/// The search for a law; a solution comes with the offset that its columns were computed with.
 struct Search<'a> {
     table: &'a LengthTable,
     width: usize,
@@ -151,8 +151,8 @@ impl Search<'_> {
         Some(found)
     }
 
-    /// The bob makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below any that
-    /// goes with a bob further down: from there it falls, and once it has the bob about the pivot there is none.
+    /// Iterates with the bob, which makes a pendulum slower, the more so the shorter it is, so that the offset is below that without it, and below
+    /// any that belongs to a bob further down: from there it falls, and once the bob reaches the pivot there is none.
     fn with_bob(&self, line: (Solution, f64), radius: f64) -> Result<Option<(Solution, f64)>, FitError> {
         let shortest = self.table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
         let (mut found, mut settled) = (line, false);
@@ -172,20 +172,20 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Whether an offset between this one and that of a bob that touches the pivot goes with the bob as well, as below 1.3 radii, where a
-    /// pendulum that is a little longer is less slower than one without a bob would be.
+    /// Returns whether an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where a
+    /// pendulum that is a little longer is slower by less than one without a bob would be.
     fn has_another(&self, found: &Solution, radius: f64, shortest: f64) -> bool {
         let touching = radius - shortest;
         let next = self.with_offset(found, gyration(radius), touching);
         self.width > 1 && next.is_none_or(|(next, _)| next.offset() < touching)
     }
 
-    /// With the weights and the offset of another solution.
+    /// Solves with the weights and the offset of another solution.
     fn renewed(&self, last: &Solution, known: f64) -> Option<(Solution, f64)> {
         self.with_offset(last, known, last.offset())
     }
 
-    /// With the weights of another solution.
+    /// Solves with the weights of another solution.
     fn with_offset(&self, last: &Solution, known: f64, offset: f64) -> Option<(Solution, f64)> {
         let rows = &self.table.rows;
         let variances = match self.table.weighted {
@@ -196,7 +196,7 @@ impl Search<'_> {
     }
 }
 
-/// The columns of a row: what 1/g, δ/g and κ/g are multiplied by.
+/// The columns of a row: the factors of 1/g, δ/g and κ/g.
 fn columns(row: &Row, width: usize, known: f64, offset: f64) -> Vec<f64> {
     let whole = row.length + offset;
     let all = [row.length + known / whole, 1.0, 1.0 / whole];
@@ -258,7 +258,7 @@ impl Solution {
         })
     }
 
-    /// 1/a, or c/a with the coefficient c of this number, and its uncertainty.
+    /// 1/a, or c/a with the coefficient c of this index, and its uncertainty.
     fn quotient(&self, of: Option<usize>, unit: f64) -> Uncertain {
         let slope = self.coefficients[0];
         let value = of.map_or(1.0, |k| self.coefficients[k]) / slope;
@@ -268,7 +268,7 @@ impl Solution {
         Uncertain { value, uncertainty: (unit * variance).sqrt() }
     }
 
-    /// Of g = 1/a and δ = c/a.
+    /// Correlation coefficient of g = 1/a and δ = c/a.
     fn correlation(&self) -> f64 {
         let (slope, offset) = (self.coefficients[0], self.coefficients[1] / self.coefficients[0]);
         let [own, both] = [self.covariance[(0, 0)], self.covariance[(0, 1)]];
@@ -279,7 +279,7 @@ impl Solution {
         covariance / (of_g * of_offset).sqrt()
     }
 
-    /// With the scatter as the measure, so that uncertainties that are all wrong by one factor do not matter.
+    /// Tests the last coefficient by the scatter, so that uncertainties that are all wrong by one factor do not matter.
     fn p_value(&self, per_dof: f64, dof: usize) -> f64 {
         let last = self.coefficients.len() - 1;
         let deviation = (per_dof * self.covariance[(last, last)]).sqrt();
@@ -287,7 +287,7 @@ impl Solution {
     }
 }
 
-/// With the variances that are stated, or with that of the scatter.
+/// Akaike's criterion with the stated variances, or with that of the scatter.
 fn aicc(chi2: f64, rows: usize, parameters: usize, weighted: bool) -> Option<f64> {
     let data = count(rows);
     match weighted {

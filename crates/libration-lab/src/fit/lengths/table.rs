@@ -6,7 +6,7 @@ use libration::quantity::Quantity;
 /// Periods against lengths. Lengths are metres, periods seconds, amplitudes radians.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LengthColumns<'a> {
-    /// From the pivot to some mark that is fixed to the bob.
+    /// Distances from the pivot to some mark that is fixed to the bob.
     pub lengths: &'a [f64],
     /// Full periods.
     pub periods: &'a [f64],
@@ -14,7 +14,7 @@ pub struct LengthColumns<'a> {
     pub length_uncertainties: Option<&'a [f64]>,
     /// Standard uncertainties of the periods, above zero.
     pub period_uncertainties: Option<&'a [f64]>,
-    /// Amplitudes, one for each row or one for all; none for swings small enough.
+    /// Amplitudes, one for each row or one for all; empty for swings small enough.
     pub amplitudes: &'a [Quantity],
 }
 
@@ -31,17 +31,17 @@ pub(super) struct Row {
     pub(super) length: f64,
     pub(super) period: f64,
     pub(super) length_uncertainty: f64,
-    /// Of the period, with what the amplitude adds; zero when the weights come from the scatter.
+    /// Uncertainty of the period, including that of the amplitude; zero when the weights come from the scatter.
     pub(super) period_uncertainty: f64,
     /// T/T0 at the amplitude.
     pub(super) ratio: f64,
 }
 
 impl LengthTable {
-    /// The table of these columns.
+    /// Checks these columns, and returns them as a table.
     ///
     /// # Errors
-    /// Columns of different lengths, a length or a period that is not positive, an uncertainty that is not usable, an amplitude
+    /// Fails for columns of different lengths, a length or a period that is not positive, an unusable uncertainty, and an amplitude
     /// of π or more.
     pub fn new(columns: &LengthColumns<'_>) -> Result<Self, FitError> {
         let expected = columns.lengths.len();
@@ -66,7 +66,7 @@ impl LengthTable {
         self.rows.len()
     }
 
-    /// Whether there are no rows.
+    /// Returns whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -77,7 +77,7 @@ impl LengthTable {
         self.rows.iter().map(|row| row.period / row.ratio)
     }
 
-    /// Whether the rows count by their uncertainties; else all alike, and their scatter is the uncertainty.
+    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.weighted

@@ -1,4 +1,4 @@
-//! What a reader should know of periods against lengths.
+//! Warnings about periods against lengths.
 
 use std::fmt;
 
@@ -7,17 +7,17 @@ use crate::fit::gravity::{GRAVITY_ON_EARTH, is_nowhere_on_earth};
 use crate::fit::scatter::{Scatter, ScatterWarning};
 use libration::quantity::rounded;
 
-/// A term counts as needed when chance would make it as large less often than this: among tables that do not need it one in a
-/// hundred is told so.
+/// A term counts as needed when chance would make it as large less often than this: the warning is given for one in a hundred of the tables that
+/// do not need it.
 const NEEDED: f64 = 0.01;
-/// An offset that reaches beyond the bob by so many radii is no mark on its surface any more.
+/// Number of radii beyond the bob from which on an offset is not that of a mark on its surface.
 const RADII_OF_OFFSET: f64 = 10.0;
-/// T² goes as the square of what a period is counted as: half periods taken for whole ones make g four times as large, whole ones
+/// T² goes as the square of the duration that counts as a period: half periods taken for whole ones make g four times as large, whole ones
 /// taken for half ones a quarter. A quarter more or less leaves room for the errors of a first measurement.
 const FOUR_TIMES: std::ops::Range<f64> = 3.0..5.0;
 const A_QUARTER: std::ops::Range<f64> = 0.2..0.3;
 
-/// How the periods of a table were perhaps counted wrongly.
+/// Possible mistakes in counting the periods of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CountedAs {
     /// Half periods that were taken for whole ones.
@@ -26,15 +26,15 @@ pub enum CountedAs {
     WholePeriodsAsHalf,
 }
 
-/// What a reader should know of periods against lengths.
+/// A warning about periods against lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LengthsWarning {
-    /// The rows want an offset of the lengths: without it chance would leave as much in fewer than one table in a hundred.
+    /// The rows need an offset of the lengths: without it chance would leave as large a residual in fewer than one table in a hundred.
     OffsetNeeded,
-    /// The rows want a bend of the line, likewise.
+    /// The rows need a bend of the line, by the same test.
     Bent {
-        /// Of a ball that bends the line so, in m; none where the line bends the other way.
+        /// Radius of a ball that bends the line so, in m; `None` where the line bends the other way.
         radius: Option<f64>,
     },
     /// The rows scatter more or less than stated.
@@ -43,13 +43,13 @@ pub enum LengthsWarning {
     OffsetLargerThanBob,
     /// g is found nowhere on Earth, by [more than three](crate::fit::is_nowhere_on_earth) of its uncertainties.
     NowhereOnEarth {
-        /// What would explain it, where g is about four times as large as on Earth, or a quarter of that.
+        /// Mistake that would explain it, where g is about four times as large as on Earth, or a quarter of that.
         counted: Option<CountedAs>,
     },
 }
 
 impl LengthsWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -98,7 +98,7 @@ impl fmt::Display for LengthsWarning {
     }
 }
 
-/// In the order in which the laws are compared, gravity last.
+/// Warnings in the order in which the laws are compared, gravity last.
 pub(super) fn warnings(fit: &LengthsFit) -> Vec<LengthsWarning> {
     let of = |model| fit.law(model);
     let by_chance = |fit: Option<&LengthFit>| fit.and_then(|fit| fit.p_value).unwrap_or(1.0);
@@ -122,7 +122,7 @@ fn bend(fit: &LengthFit) -> LengthsWarning {
     LengthsWarning::Bent { radius: (gyration > 0.0).then(|| radius_of(gyration)) }
 }
 
-/// Of a ball with this κ = 2r²/5.
+/// Radius of a ball with this κ = 2r²/5.
 fn radius_of(gyration: f64) -> f64 {
     (2.5 * gyration).sqrt()
 }

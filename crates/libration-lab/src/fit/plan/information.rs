@@ -1,4 +1,4 @@
-//! What rows of angles tell of ω0.
+//! Information of rows of angles about ω0.
 //!
 //! A swing θ ≈ A cos φ, with A = A0·exp(−bt/2) and φ′ = ω0/R(A), depends on ln ω0, φ0, ln A0 and bT. A row with the error σ adds
 //! ∂ᵢθ·∂ⱼθ/σ² to their Fisher information; over a swing cos² φ and sin² φ are a half each and their product is nothing, so that f rows
@@ -7,17 +7,17 @@
 //! Fᵢⱼ = (f/2σ²)·∫ A²·(aᵢaⱼ + pᵢpⱼ) dt,  aᵢ = ∂ᵢ ln A,  pᵢ = ∂ᵢφ.
 //!
 //! With the condition c = dlnR/dlnA of the period: a = (0, 0, 1, −t/2T) and p = (∫ω0/R, 1, −∫ω0c/R, ∫(t/2T)·ω0c/R). Angles that are
-//! all too large by a part s make a phase that is s·p₃ wrong, and what the fit then makes of ω0 is the least-squares solution for it.
+//! all too large by a part s make a phase error of s·p₃, and the resulting error of ω0 is the least-squares solution for it.
 
 use super::PlannedRecording;
 use libration::pendulum::Amplitude;
 use libration::quantity::Angle;
 use nalgebra::{Matrix4, Vector4};
 
-/// Places on the way: the amplitude changes slowly.
+/// Number of parts of the recording: the amplitude changes slowly.
 const PLACES: u32 = 128;
 
-/// The relative uncertainty of ω0, and by how much of itself it changes with the scale of the angles.
+/// The relative uncertainty of ω0, and its relative change with the scale of the angles.
 pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, duration: f64) -> [f64; 2] {
     let way = Way::new(recording, amplitude, duration);
     let weight = recording.rate / (2.0 * recording.angle_noise * recording.angle_noise);
@@ -37,20 +37,20 @@ pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, 
 
 /// The middle of a part of the recording.
 struct Place {
-    /// Of the whole.
+    /// Position in the recording, from 0 to 1.
     part: f64,
     amplitude: f64,
     /// Derivatives of the phase.
     by_phase: Vector4<f64>,
 }
 
-/// From place to place.
+/// Iterator over the parts of the recording.
 struct Way<'a> {
     recording: &'a PlannedRecording,
     first: f64,
     duration: f64,
     done: u32,
-    /// ∫ω0/R, ∫ω0c/R and ∫(t/2T)·ω0c/R up to the next place.
+    /// ∫ω0/R, ∫ω0c/R and ∫(t/2T)·ω0c/R up to the next part.
     integrals: [f64; 3],
 }
 
@@ -70,7 +70,7 @@ impl Iterator for Way<'_> {
         let part = (f64::from(self.done) + 0.5) / f64::from(PLACES);
         let decay = self.recording.linear_damping * part * self.duration / 2.0;
         let amplitude = self.first * libm::exp(-decay);
-        // Where nothing is left of the swings, they are small.
+        // Amplitudes that have fallen to nearly zero count as small swings.
         let swing = Angle::from_radians(amplitude).ok().and_then(|angle| Amplitude::new(angle).ok());
         let (ratio, condition) = swing.map_or((1.0, 0.0), |it| (it.period_ratio(), it.condition()));
         let half = self.recording.angular_frequency() / ratio * self.duration / f64::from(2 * PLACES);

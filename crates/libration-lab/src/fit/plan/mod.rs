@@ -1,9 +1,9 @@
-//! Planning a measurement of g by recorded swings: which amplitude, how many swings, how well the length must be known.
+//! Planning a measurement of g by recorded swings: the amplitude, the number of swings, and the uncertainty of the length.
 //!
-//! g = ω0²L, so that its relative uncertainty is that of the length, twice that of ω0, and twice that of the clock. What rows with
-//! independent errors leave open of ω0 is the Cramér–Rao bound (`information.rs`), which a least-squares fit reaches; what a wrong scale
-//! of the angles does to ω0 is by how much the fitted motion then differs. All four are independent and add as squares, as in the
-//! [budget](super::budget()) of the finished measurement.
+//! g = ω0²L, so that its relative uncertainty is that of the length, twice that of ω0, and twice that of the clock. The uncertainty of ω0 from rows
+//! with independent errors is the Cramér–Rao bound (`information.rs`), which a least-squares fit reaches; the effect of a wrong scale of the angles
+//! on ω0 is the resulting change of the fitted motion. All four are independent and add as squares, as in the [budget](super::budget()) of the
+//! finished measurement.
 //!
 //! Reference: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20, 591 (1974), doi:10.1109/TIT.1974.1055282, whose bound for the
 //! frequency of a sinusoid, u(Ω)² = 24σ²/(A²NT²), is that for small amplitudes.
@@ -13,21 +13,21 @@ mod information;
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::quantity::{Quantity, short};
 
-/// More swings than this are never asked for.
+/// Largest number of swings in a plan.
 pub const MOST_SWINGS: usize = 10_000;
 
-/// Fewer swings than this tell the motion from an offset too badly.
+/// Fewer swings than this do not separate the motion from an offset well enough.
 pub const FEWEST_SWINGS: usize = 2;
 
-/// From fewer rows in a period than this a fit of the trace finds no beginning: swings of 60° with 4.8 rows had none, with 6 they had.
+/// With fewer rows in a period than this a fit of the trace finds no start: swings of 60° with 4.8 rows had none, with 6 they had.
 const FEWEST_ROWS: f64 = 6.0;
 
 /// The pendulum, and the instrument that records its angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedRecording {
-    /// From the pivot to the centre of the bob, in metres.
+    /// Distance from the pivot to the centre of the bob, in metres.
     pub length: Quantity,
-    /// About what is to be measured, in m/s².
+    /// Approximate value of g, in m/s².
     pub gravity: f64,
     /// The standard deviation of the angle in a row, in radians.
     pub angle_noise: f64,
@@ -41,43 +41,43 @@ pub struct PlannedRecording {
     pub clock: f64,
 }
 
-/// Why there is no plan.
+/// Reasons for the lack of a plan.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// A number that cannot be.
+    /// An impossible number.
     #[error("the {name} is {value:?}: give {wanted}")]
     Number {
-        /// Which one.
+        /// Name of the number.
         name: &'static str,
-        /// What was got.
+        /// The given value.
         value: f64,
-        /// What would do.
+        /// Description of a usable value.
         wanted: &'static str,
     },
     /// No amplitudes to choose from.
     #[error("there is no amplitude to choose from: give at least one")]
     NoAmplitude,
-    /// So few rows that swings are not seen.
+    /// Too few rows for swings to be resolved.
     #[error(
         "{rate:?} rows per second are {rows:.2} in a period of {period:.3} s: give at least {FEWEST_ROWS} rows a period"
     )]
     FewRows {
-        /// Rows per second.
+        /// Number of rows per second.
         rate: f64,
-        /// Rows in a period.
+        /// Number of rows in a period.
         rows: f64,
-        /// In seconds.
+        /// Period in seconds.
         period: f64,
     },
-    /// All times may be wrong by so much that g cannot be right.
+    /// The uncertainty of the clock alone exceeds the wanted one of g.
     #[error(
         "the clock alone leaves g uncertain by {part} of it, more than the {target} that are wanted: compare it with a better one"
     )]
     Clock {
-        /// As a part of g.
+        /// Contribution of the clock, relative to g.
         part: String,
-        /// As a part of g.
+        /// Wanted uncertainty, relative to g.
         target: String,
     },
 }
@@ -85,35 +85,35 @@ pub enum PlanError {
 /// The relative standard uncertainties of g by each cause.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedUncertainty {
-    /// By the length.
+    /// Contribution of the length.
     pub length: f64,
-    /// By the noise of the angles.
+    /// Contribution of the noise of the angles.
     pub noise: f64,
-    /// By the scale of the angles.
+    /// Contribution of the scale of the angles.
     pub angle_scale: f64,
-    /// By the clock.
+    /// Contribution of the clock.
     pub clock: f64,
 }
 
 impl ExpectedUncertainty {
-    /// All of them together.
+    /// The root of the sum of all squares.
     #[must_use]
     pub fn total(&self) -> f64 {
         let Self { length, noise, angle_scale, clock } = *self;
         libm::hypot(libm::hypot(length, clock), libm::hypot(noise, angle_scale))
     }
 
-    /// What the recording itself contributes.
+    /// Contribution of the recording itself.
     fn recorded(&self) -> f64 {
         libm::hypot(self.noise, self.angle_scale)
     }
 }
 
 impl PlannedRecording {
-    /// What is to be expected of a recording that lasts so many periods of its first swing, from the release at an amplitude.
+    /// Expected uncertainties of a recording that lasts `swings` periods of its first swing, from the release at an amplitude.
     ///
     /// # Accuracy
-    /// The noise counts within a tenth, up to 90° and from three swings on; harmonics are not counted.
+    /// The contribution of the noise is right within a tenth, up to 90° and from three swings on; harmonics are not counted.
     ///
     /// # Examples
     /// ```
@@ -147,7 +147,7 @@ impl PlannedRecording {
         (self.gravity / self.length.value).sqrt()
     }
 
-    /// How long so many periods of the first swing take, in seconds.
+    /// Duration of `swings` periods of the first swing, in seconds.
     #[must_use]
     pub fn duration(&self, amplitude: &Amplitude, swings: usize) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "at most a few thousand")]
@@ -183,42 +183,42 @@ impl PlannedRecording {
     }
 }
 
-/// A recording that would do.
+/// A recording that reaches the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlannedSwings {
-    /// From which it is released, in radians.
+    /// Amplitude of the release, in radians.
     pub amplitude: f64,
-    /// The fewest swings that do; `None` where [`MOST_SWINGS`] are too few.
+    /// The fewest swings that suffice; `None` where [`MOST_SWINGS`] are too few.
     pub swings: Option<usize>,
-    /// How long they take, in seconds; of [`MOST_SWINGS`] where these are too few.
+    /// Duration of the recording, in seconds; of [`MOST_SWINGS`] where these are too few.
     pub duration: f64,
-    /// What is then to be expected, with the length as it is known now.
+    /// Expected uncertainties, with the present one of the length.
     pub expected: ExpectedUncertainty,
 }
 
-/// How g is measured to a wanted uncertainty.
+/// Plan for a measurement of g to a wanted uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The wanted relative standard uncertainty of g.
     pub target: f64,
-    /// What noise and scale of the angles may contribute to it.
+    /// Uncertainty that noise and scale of the angles may contribute.
     pub left_for_recording: f64,
-    /// To how many metres the length must be known, where it is known too badly: half of what is wanted, in squares, is left to it then.
+    /// Required uncertainty of the length in metres, where the present one is too large: half of the target, in squares, is then left to the length.
     pub length_needed: Option<f64>,
-    /// For each amplitude.
+    /// Recordings, one for each amplitude.
     pub choices: Vec<PlannedSwings>,
-    /// The place among them of that with the fewest swings; of equal ones the smallest amplitude. `None` where none would do.
+    /// Index of the choice with the fewest swings; of equal ones the smallest amplitude. `None` where none suffices.
     pub best: Option<usize>,
 }
 
 impl Plan {
-    /// What is best.
+    /// The best choice.
     #[must_use]
     pub fn best(&self) -> Option<&PlannedSwings> {
         self.best.map(|place| &self.choices[place])
     }
 
-    /// What to do, in sentences.
+    /// Instructions, as sentences.
     #[must_use]
     pub fn advice(&self) -> Vec<String> {
         let length = self.length_needed.map(|needed| {
@@ -248,12 +248,12 @@ fn percent(part: f64) -> String {
     format!("{} %", short(100.0 * part, 2))
 }
 
-/// The fewest swings at each amplitude that leave g a relative standard uncertainty of at most `target`.
+/// Plans the fewest swings at each amplitude that leave g a relative standard uncertainty of at most `target`.
 ///
-/// Where the length leaves no room for anything else, the plan is made for one that is known better, and says how well.
+/// Where the length leaves no room for anything else, the plan assumes a better known one, and states the required uncertainty.
 ///
 /// # Errors
-/// Numbers that cannot be, too few rows for a swing, a clock that is not good enough.
+/// Fails for impossible numbers, too few rows for a swing, and a clock that is not good enough.
 ///
 /// # Examples
 /// ```
@@ -301,7 +301,7 @@ pub fn plan(recording: &PlannedRecording, target: f64, amplitudes: &[Amplitude])
     Ok(Plan { target, left_for_recording, length_needed, choices, best })
 }
 
-/// What the recording may contribute, and to how many metres the length must be known, where it is known too badly.
+/// Uncertainty that the recording may contribute, and the required uncertainty of the length in metres, where the present one is too large.
 fn shares(recording: &PlannedRecording, target: f64) -> Result<(f64, Option<f64>), PlanError> {
     let clock = 2.0 * recording.clock;
     let left = target * target - clock * clock;
@@ -309,7 +309,7 @@ fn shares(recording: &PlannedRecording, target: f64) -> Result<(f64, Option<f64>
         return Err(PlanError::Clock { part: percent(clock), target: percent(target) });
     }
     let length = recording.length.uncertainty.unwrap_or(0.0) / recording.length.value;
-    // Nearly all for the length would ask the impossible of the recording.
+    // Leaving nearly everything to the length would require an impossible recording.
     const ROOM: f64 = 0.05;
     match left - length * length {
         room if room >= ROOM * left => Ok((room.sqrt(), None)),
@@ -317,7 +317,7 @@ fn shares(recording: &PlannedRecording, target: f64) -> Result<(f64, Option<f64>
     }
 }
 
-/// The fewest swings whose noise and scale contribute at most so much.
+/// The fewest swings whose noise and scale contribute at most `most`.
 fn fewest_swings(recording: &PlannedRecording, amplitude: &Amplitude, most: f64) -> Option<usize> {
     let does = |swings: usize| recording.expected(amplitude, swings).recorded() <= most;
     let mut enough = FEWEST_SWINGS;

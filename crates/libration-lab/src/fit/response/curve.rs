@@ -1,4 +1,4 @@
-//! The curve of a fit: all answers over a range of frequencies, and where they jump.
+//! The curve of a fit: all responses over a range of frequencies, and the jumps between them.
 
 use super::MeasuredAmplitude;
 use super::fitted::ResponseFit;
@@ -10,46 +10,46 @@ use libration::taylor::{Moment, System, Trajectory};
 use libration::watch::Watch;
 use std::f64::consts::{PI, TAU};
 
-/// An answer on the curve of a fit.
+/// A response on the curve of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedCurvePoint {
-    /// Of the drive, in rad/s.
+    /// Drive frequency, in rad/s.
     pub frequency: f64,
-    /// As it was measured.
+    /// Amplitude as defined by the measurement.
     pub amplitude: f64,
-    /// By how much the fundamental of the answer lags behind the drive, in radians.
+    /// Phase lag of the response's fundamental behind the drive, in radians.
     pub phase: f64,
-    /// Whether small deviations die out.
+    /// `true` if small deviations die out.
     pub stable: bool,
 }
 
 /// A frequency at which a slow sweep jumps to another branch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedJump {
-    /// In rad/s.
+    /// Drive frequency, in rad/s.
     pub frequency: Uncertain,
     /// The largest displacement before the jump.
     pub amplitude: f64,
-    /// The largest displacement behind it, where the answer that is reached has the period of the drive.
+    /// The largest displacement after the jump, where the response that is reached has the period of the drive.
     pub to_amplitude: Option<f64>,
-    /// Whether it is met while the frequency rises.
+    /// `true` if the jump occurs while the frequency rises.
     pub rising: bool,
 }
 
-/// All answers of a fit, and its jumps.
+/// All responses of a fit, and its jumps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FittedCurve {
-    /// Branch by branch, in their order along it.
+    /// Branches, each with its points in their order along it.
     pub branches: Vec<Vec<FittedCurvePoint>>,
-    /// By rising frequency.
+    /// Jumps by rising frequency.
     pub jumps: Vec<FittedJump>,
 }
 
 impl ResponseFit {
-    /// The answers with the period of the drive from one frequency to another, in rad/s.
+    /// Computes the responses with the period of the drive from one frequency to another, in rad/s.
     ///
     /// # Errors
-    /// As [`Response::over_watched`].
+    /// Fails as [`Response::over_watched`] does.
     pub fn curve(&self, range: [f64; 2], watch: &Watch<'_>) -> Result<FittedCurve, NoBranch> {
         let equation = self.model.with_frequency_open(&self.parameters());
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
@@ -58,7 +58,7 @@ impl ResponseFit {
             let special = branch.special.iter().map(|it| (it.before, &it.point));
             let mut points: Vec<(usize, &BranchPoint)> = special.collect();
             points.extend(branch.points.iter().enumerate());
-            // A special point stands before the one of its number.
+            // A special point stands before the one with its index.
             points.sort_by_key(|(number, _)| *number);
             points.into_iter().filter_map(|(_, point)| self.on_curve(point)).collect()
         });
@@ -94,7 +94,7 @@ impl ResponseFit {
         Some(Complex::new(end.state[1], end.state[2]).scaled(1.0 / PI))
     }
 
-    /// At the folds, where the required drive does not change with the amplitude: there dΩ = −(dZ by the parameters)/(∂Z/∂Ω).
+    /// Jumps at the folds, where the required drive does not change with the amplitude: there dΩ = −(dZ by the parameters)/(∂Z/∂Ω).
     fn jumps(&self, response: &Response) -> Vec<FittedJump> {
         let law = AllHarmonics::new(self.model, MeasuredAmplitude::Peak);
         let jump = |jump: &Jump| {

@@ -1,76 +1,76 @@
-//! What can be wrong with a fit of a response.
+//! Errors of a fit of a response.
 
 use super::ResponseModel;
 
-/// Why a response cannot be fitted; rows are counted from one.
+/// Reasons why a response cannot be fitted; rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ResponseFitError {
     /// Columns of different lengths.
     #[error("the {column} have {found} rows, the frequencies {expected}: give one for each")]
     LengthMismatch {
-        /// Which column.
+        /// Name of the column.
         column: &'static str,
-        /// Its rows.
+        /// Number of its rows.
         found: usize,
-        /// The rows of the frequencies.
+        /// Number of rows of the frequencies.
         expected: usize,
     },
     /// A frequency or an amplitude that is not a positive finite number.
     #[error("row {row}: the {of} {value:?} is not a positive number: remove the row")]
     NotPositive {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// Frequency or amplitude.
+        /// Name of the quantity: frequency or amplitude.
         of: &'static str,
-        /// As given, in SI units.
+        /// Value as given, in SI units.
         value: f64,
     },
-    /// A phase that is no finite number.
+    /// A phase that is not a finite number.
     #[error("row {row}: the phase {phase:?} is not a finite number: remove the row")]
     Phase {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// In radians.
+        /// Phase in radians.
         phase: f64,
     },
-    /// A standard deviation that is none.
+    /// A number that is not a standard deviation.
     #[error("row {row}: the uncertainty {uncertainty:?} of the {of} is not usable: {hint}")]
     Uncertainty {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// Of the frequency, the amplitude or the phase.
+        /// Name of the quantity: frequency, amplitude or phase.
         of: &'static str,
-        /// As given.
+        /// Uncertainty as given.
         uncertainty: f64,
-        /// What would do.
+        /// Description of a usable value.
         hint: &'static str,
     },
-    /// Phases whose uncertainties are given, where those of the amplitudes are not, or the other way.
+    /// Phases whose uncertainties are given, where those of the amplitudes are not, or the other way round.
     #[error("uncertainties of the {given} are given and of the {missing} are not: give both, or neither")]
     OneUncertainty {
-        /// What has them.
+        /// Quantity with uncertainties.
         given: &'static str,
-        /// What has not.
+        /// Quantity without uncertainties.
         missing: &'static str,
     },
-    /// Stated uncertainties are asked for, and none are given.
+    /// Stated uncertainties are required, and none are given.
     #[error(
         "no uncertainties of the amplitudes are given: give a column of them, or absolute or relative errors"
     )]
     NoUncertainties,
-    /// Fewer rows than the parameters, and the scatter where it is needed, ask for.
+    /// Fewer rows than needed for the parameters, and for the scatter where it is needed.
     #[error(
         "give at least {needed} rows: {found} cannot determine the {parameters} parameters of a {model} response"
     )]
     TooFewRows {
-        /// Rows.
+        /// Number of rows.
         found: usize,
-        /// Rows that would do.
+        /// Number of rows that are needed.
         needed: usize,
-        /// Of the model.
+        /// Number of parameters of the model.
         parameters: usize,
-        /// Which one.
+        /// The model.
         model: ResponseModel,
     },
     /// An amplitude that no swing of a pendulum has.
@@ -78,23 +78,23 @@ pub enum ResponseFitError {
         "row {row}: the amplitude {amplitude:?} rad is not below pi, and no pendulum swings so: check the unit of the amplitudes"
     )]
     Amplitude {
-        /// Counted from one.
+        /// Row, counted from one.
         row: usize,
-        /// In radians.
+        /// Amplitude in radians.
         amplitude: f64,
     },
-    /// Rows that leave a parameter open.
+    /// Rows that do not determine a parameter.
     #[error(
         "the rows leave the parameters of a {0} response open: measure frequencies on both sides of the resonance and close to it, or \
          phases too"
     )]
     Undetermined(ResponseModel),
-    /// No parameters with which the search ends.
+    /// No parameters at which the search converges.
     #[error(
         "no {0} response was found that comes close to the rows: the search ended nowhere from any of its starts"
     )]
     NoConvergence(ResponseModel),
-    /// It was stopped.
+    /// Cancelled by the caller.
     #[error("interrupted before a fit was found")]
     Interrupted,
 }

@@ -1,4 +1,4 @@
-//! What a fit of a response says.
+//! The results of a fit of a response.
 
 use super::found_row::FoundRow;
 use super::required_drive::{AllHarmonics, Asked, Law, RequiredDrive, along};
@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct ResponseFit {
     /// The oscillator.
     pub model: ResponseModel,
-    /// What was taken as the amplitude.
+    /// Definition of the amplitude.
     pub measured: MeasuredAmplitude,
     /// ω0, in rad/s: of small free oscillations without damping. All uncertainties are [enlarged](Scatter) where the rows scatter more
     /// than theirs.
@@ -26,40 +26,40 @@ pub struct ResponseFit {
     pub cubic: Option<Uncertain>,
     /// A, the amplitude of the driving acceleration, in the unit of the amplitude over s².
     pub drive: Uncertain,
-    /// Of natural frequency, damping, perhaps the cubic coefficient, and drive.
+    /// Covariance of the natural frequency, the damping, the cubic coefficient if there is one, and the drive.
     pub covariance: Vec<Vec<f64>>,
-    /// The sum of the squared residuals in standard deviations; none without uncertainties.
+    /// The sum of the squared residuals in standard deviations; `None` without uncertainties.
     pub chi2: Option<f64>,
     /// Degrees of freedom: amplitudes and phases less parameters.
     pub dof: usize,
     /// The standard deviation of the amplitudes by their scatter, where no uncertainties are stated: with
-    /// [`AmplitudeErrors::Relative`](super::AmplitudeErrors) over the amplitude.
+    /// [`AmplitudeErrors::Relative`](super::AmplitudeErrors) relative to the amplitude.
     pub amplitude_scatter: Option<f64>,
-    /// Akaike's criterion, corrected for few data; none where they are too few.
+    /// Akaike's criterion, corrected for few data; `None` where they are too few.
     pub aicc: Option<f64>,
-    /// Row by row.
+    /// Fitted responses, row by row.
     pub rows: Vec<FittedAnswer>,
 }
 
-/// A row under a fit.
+/// The fitted response of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedAnswer {
-    /// The amplitude that the fit puts in the place of the measured one, on the same branch.
+    /// The amplitude by the fit, on the same branch as the measured one.
     pub amplitude: f64,
-    /// What is left, in standard deviations: of the amplitude, or of amplitude and phase together.
+    /// Residual in standard deviations: of the amplitude, or of amplitude and phase together.
     pub residual: f64,
-    /// By how much the fundamental of the fitted response lags behind the drive, in radians.
+    /// Phase lag of the fitted response's fundamental behind the drive, in radians.
     pub phase: f64,
-    /// Whether small deviations from this answer die out.
+    /// `true` if small deviations from this response die out.
     pub stable: bool,
-    /// Whether it is between the folds, where no answer lasts: by more than three standard deviations of the amplitude.
+    /// `true` if it is between the folds, where no response is stable: by more than three standard deviations of the amplitude.
     pub between_folds: bool,
-    /// By how many rad/s the frequency is beyond the fold at which its branch ends: by more than three of their uncertainties.
+    /// Distance in rad/s of the frequency beyond the fold at which its branch ends, where it is more than three of their uncertainties.
     pub beyond_fold: Option<f64>,
 }
 
 impl ResponseFit {
-    /// Quality: ω0/c.
+    /// Quality factor: ω0/c.
     #[must_use]
     pub fn quality(&self) -> Uncertain {
         let (omega, damping) = (self.natural_frequency.value, self.damping.value);
@@ -68,13 +68,13 @@ impl ResponseFit {
         Uncertain { value, uncertainty }
     }
 
-    /// χ² per degree of freedom; none without uncertainties or without a degree of freedom.
+    /// χ² per degree of freedom; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn chi2_per_dof(&self) -> Option<f64> {
         self.scatter().map(Scatter::chi2_per_dof)
     }
 
-    /// How the rows scatter beside their uncertainties; none without uncertainties or without a degree of freedom.
+    /// Scatter of the rows compared with their uncertainties; `None` without uncertainties or without a degree of freedom.
     #[must_use]
     pub fn scatter(&self) -> Option<Scatter> {
         Scatter::new(self.chi2, self.dof)
@@ -102,14 +102,14 @@ impl ResponseFit {
     }
 }
 
-/// What was found with all harmonics; nothing where the rows have no drives any more.
+/// Describes the solution with all harmonics; `None` where the rows have no required drives any more.
 pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found) -> Option<ResponseFit> {
     let (model, parameters) = (law.model(), &found.parameters);
     let dof = table.data() - parameters.len();
     let chi2 = table.is_weighted().then_some(found.chi2);
     let enlargement = scatter::enlargement(chi2, dof);
     let omega = parameters[0].sqrt();
-    // Of ω0 instead of its square, and of a positive c, which without phases counts by its square.
+    // The parameters become ω0 instead of its square, and a positive c, which without phases counts by its square.
     let damping = parameters[1].abs();
     let part = if table.has_phases() {
         1.0
@@ -130,7 +130,7 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
     let aicc = match chi2 {
         Some(chi2) => akaike::of_chi_squared(chi2, data, parameters.len()),
         None => {
-            // A scatter of the phases is one unknown more.
+            // A scatter of the phases is a further unknown.
             let unknown = parameters.len() + 1 + usize::from(table.has_phases());
             akaike::cost(data, count(unknown)).map(|cost| found.misfit + cost)
         }
@@ -162,8 +162,8 @@ pub(super) fn described(table: &ResponseTable, law: &AllHarmonics, found: &Found
     Some(fit)
 }
 
-/// What is left of a standard deviation that is greater than its value, where the square of the value is known as well as both say: the way
-/// to the root of the square and its standard deviation.
+/// Factor of a standard deviation that is greater than its value, where only the square of the value is determined: the distance from the
+/// value to the root of the square plus its standard deviation, over `deviation`.
 fn part_by_square(value: f64, deviation: f64) -> f64 {
     let above = (value * (value + 2.0 * deviation)).sqrt() - value;
     if value < deviation { above / deviation } else { 1.0 }
@@ -181,13 +181,13 @@ fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDri
     }
 }
 
-/// So many standard deviations chance does not make.
+/// Number of standard deviations that is more than chance.
 const FAR: f64 = 3.0;
-/// Within so many of its standard deviations from an extremum of the required drive an amplitude tells of the fold there.
+/// Distance of an amplitude from an extremum of the required drive, in standard deviations, within which there is a fold.
 const NEAR: f64 = 4.0;
 
-/// The required drive as a parabola of the amplitude: where it does not reach the drive that acts, the branch has ended. By how much the
-/// frequency is beyond its end.
+/// The distance of the frequency beyond the end of the branch, where it has one: the required drive is taken as a parabola of the amplitude, and the
+/// branch has ended where it does not reach the acting drive.
 fn beyond_fold(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDrive) -> Option<f64> {
     let parameters = fit.parameters();
     let (drive, coefficients) = parameters.split_last()?;

@@ -1,18 +1,18 @@
-//! A row of a response with what the best parameters make of it.
+//! A row of a response under the best parameters.
 
 /// A row under the best parameters.
 #[derive(Clone, Debug)]
 pub(super) struct FoundRow {
-    /// Without its error.
+    /// Amplitude without its error.
     pub(super) amplitude: f64,
-    /// What a whole step would make of that.
+    /// The amplitude after a whole step of the search.
     pub(super) aim: f64,
-    /// How the amplitude of the required drive changes over one standard deviation of that of the answer.
+    /// Change of the required drive's amplitude over one standard deviation of the response's amplitude.
     pub(super) slope: f64,
-    /// What the curvature adds to it on the average.
+    /// Mean contribution of the curvature to that change.
     pub(super) bend: f64,
-    /// In standard deviations: that of the amplitude, and with a phase another.
+    /// Residuals in standard deviations: that of the amplitude, and with a phase another.
     pub(super) residuals: Vec<f64>,
-    /// What part of each the parameters take up.
+    /// Leverage of each residual: the part of it that the parameters take up.
     pub(super) leverages: Vec<f64>,
 }

@@ -1,11 +1,11 @@
-//! The response of a driven oscillator → ω0, damping, drive, and what bends the resonance, through its jumps.
+//! The response of a driven oscillator → ω0, damping, drive, and the bend of the resonance, through its jumps.
 //!
-//! Measured are the amplitude, and perhaps the phase, of the periodic answer at several frequencies of the drive. Where the resonance is
-//! bent over, one frequency has several answers, and which of them was measured depends on what was before: the amplitude is no function
-//! of the frequency. The drive that an answer of a given amplitude takes is one, on stable and unstable branches alike, so that its
-//! difference from the drive that acts is what is made small. It comes from the equation of motion with all harmonics.
+//! The data are the amplitude, and perhaps the phase, of the periodic response at several frequencies of the drive. Where the resonance is
+//! bent over, one frequency has several responses, and which of them was measured depends on the history: the amplitude is not a function
+//! of the frequency. A response of a given amplitude needs exactly one drive, on stable and unstable branches alike, so that the fit minimises its
+//! difference from the acting drive. It comes from the equation of motion with all harmonics.
 //!
-//! The curve has the period of the drive and is its own mirror image after half of it, as the strong answers of these oscillators are.
+//! The curve has the period of the drive and is its own mirror image after half of it, as the strong responses of these oscillators are.
 //!
 //! ```
 //! use libration_lab::fit::response::{ResponseColumns, ResponseModel, ResponseTable, MeasuredAmplitude, response};
@@ -51,7 +51,7 @@ use libration::watch::Watch;
 use required_drive::{AllHarmonics, OneHarmonic};
 use search::{Found, Search};
 
-/// What is measured as the amplitude of an answer.
+/// Definition of the amplitude of a response.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MeasuredAmplitude {
     /// The largest displacement.
@@ -61,28 +61,28 @@ pub enum MeasuredAmplitude {
     Fundamental,
 }
 
-/// What a measured response says under several models.
+/// The fits of several models to a measured response.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponsesFit {
-    /// Those that could be fitted, in the order of [`ResponseModel::ALL`].
+    /// Fits of the models that could be fitted, in the order of [`ResponseModel::ALL`].
     pub fits: Vec<ResponseFit>,
-    /// Why the others could not.
+    /// Reasons why the other models could not be fitted.
     pub left_out: Vec<ResponseFitError>,
-    /// The place of the model that the rows prefer: of those whose criterion is within two of the least one, the simplest.
+    /// Index of the preferred model: of those whose criterion is within two of the least one, the simplest.
     pub preferred: usize,
-    /// What a reader should know of the preferred one.
+    /// Warnings about the preferred fit.
     pub warnings: Vec<ResponseWarning>,
 }
 
 impl ResponsesFit {
-    /// The model that the rows prefer.
+    /// The fit of the preferred model.
     #[must_use]
     pub fn best(&self) -> &ResponseFit {
         &self.fits[self.preferred]
     }
 }
 
-/// Rounds of a search with one harmonic, whose end is a start.
+/// Rounds of a search with one harmonic, whose end is a start of the search with all.
 const ROUGH_ROUNDS: usize = 6;
 /// Rounds of the search; five to ten are usual.
 const MOST_ROUNDS: usize = 40;
@@ -93,11 +93,10 @@ const SUBSTANTIAL: f64 = 2.0;
 ///
 /// # Accuracy
 /// Uncertainties are those of least squares with effective variances; where amplitudes have errors of a few per cent they cover the truth as
-/// often as they say, folds and points next to them included.
+/// often as stated, folds and points next to them included.
 ///
-/// # Errors
-/// Too few rows, amplitudes of π or more for a pendulum alone, rows that leave parameters open or that no model comes close to, an
-/// interruption.
+/// Fails for too few rows, amplitudes of π or more for a pendulum alone, rows that do not determine the parameters or that no model comes close to,
+/// and a cancellation by the caller.
 pub fn response(
     table: &ResponseTable,
     models: &[ResponseModel],
@@ -142,7 +141,7 @@ fn fitted(
         }
     }
     near.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    // The first from which the search settles: the misfit with one harmonic is nearly that with all.
+    // The first start from which the search settles: the misfit with one harmonic is nearly that with all.
     for start in near.iter().map(Found::with_damping).chain(of_grid) {
         let law = AllHarmonics::new(model, measured);
         match (Search { table, model, law: &law, watch, rounds: MOST_ROUNDS }).near(&start) {
@@ -159,7 +158,7 @@ fn fitted(
     Err(refusal)
 }
 
-/// Of the fits within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.
+/// Index of the preferred fit: of those within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.
 fn preferred(fits: &[ResponseFit]) -> usize {
     let criterion = |place: usize| fits[place].aicc.unwrap_or(f64::INFINITY);
     let least = (0..fits.len()).map(criterion).fold(f64::INFINITY, f64::min);

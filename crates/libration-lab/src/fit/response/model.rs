@@ -29,12 +29,12 @@ impl ResponseModel {
         }
     }
 
-    /// The free parameters of the oscillator: ω0², c and perhaps κ; the drive is one more.
+    /// The number of free parameters of the oscillator: ω0², c and perhaps κ; the drive is one more.
     pub(super) fn coefficients(self) -> usize {
         if self == Self::Duffing { 3 } else { 2 }
     }
 
-    /// Amplitudes that it can have are below this.
+    /// Upper bound of the amplitudes that it can have.
     pub(super) fn amplitude_bound(self) -> f64 {
         if self == Self::Pendulum { std::f64::consts::PI } else { f64::INFINITY }
     }
@@ -59,7 +59,7 @@ impl ResponseModel {
         text.parse().expect("this can be read")
     }
 
-    /// The equation of motion with these numbers, in which the frequency `w` of the drive is open: ω0², c and perhaps κ, then A.
+    /// The equation of motion with these numbers and the drive frequency `w` as a parameter: ω0², c and perhaps κ, then A.
     pub(super) fn with_frequency_open(self, parameters: &[f64]) -> Equation {
         let (square, damping, drive) = (parameters[0], parameters[1], parameters[parameters.len() - 1]);
         let restoring = match self {

@@ -1,7 +1,7 @@
-//! The drive that makes an oscillator answer with a given amplitude.
+//! The drive that an oscillator needs to respond with a given amplitude.
 //!
-//! At a frequency Ω one drive can have several answers, but an answer of a given amplitude takes one drive, on stable and unstable
-//! branches alike. With its phase beside that of the answer it is a complex number Z(Ω, a), for a linear oscillator a·(ω0² − Ω² + icΩ).
+//! At a frequency Ω one drive can have several responses, but a response of a given amplitude needs exactly one drive, on stable and unstable
+//! branches alike. With the phase of the response it is a complex number Z(Ω, a), for a linear oscillator a·(ω0² − Ω² + icΩ).
 
 use libration::algebra::Complex;
 
@@ -12,26 +12,26 @@ use nalgebra::{Matrix3, Vector3};
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_2_PI, PI};
 
-/// A frequency and the amplitude that is asked for there.
+/// A frequency and the wanted amplitude at it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked {
-    /// Of the drive, in rad/s.
+    /// Drive frequency, in rad/s.
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
 }
 
-/// The drive that it takes.
+/// The drive that a response needs.
 #[derive(Clone, Debug)]
 pub(super) struct RequiredDrive {
-    /// Its amplitude, and as argument by how much the fundamental of the answer lags behind it.
+    /// The drive's amplitude, and as argument the phase lag of the response's fundamental behind it.
     pub(super) drive: Complex,
     /// The derivatives by ω0², c and perhaps κ.
     pub(super) by_coefficients: Vec<Complex>,
     /// The derivative by the amplitude.
     pub(super) by_amplitude: Complex,
-    /// Whether small deviations from the answer die out.
+    /// `true` if small deviations from the response die out.
     pub(super) stable: bool,
-    /// What Newton's method may begin with beside.
+    /// Start of Newton's method for a neighbouring response.
     shape: Shape,
 }
 
@@ -46,13 +46,13 @@ impl RequiredDrive {
     }
 }
 
-/// How answers are found.
+/// Method by which the required drives are computed.
 pub(super) trait Law {
-    /// The drives that answers take; nothing where there is none for one of them.
+    /// Computes the drives that responses need; `None` where there is none for one of them.
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>>;
 }
 
-/// Of the amplitude: a difference whose error is below a millionth.
+/// Step of differences, relative to the amplitude, with an error below a millionth.
 const STEP: f64 = 1e-3;
 
 /// Harmonic balance with one harmonic: exact for the linear oscillator.
@@ -60,7 +60,7 @@ const STEP: f64 = 1e-3;
 pub(super) struct OneHarmonic(pub(super) ResponseModel);
 
 impl OneHarmonic {
-    /// By what ω0² is multiplied at this amplitude, and what κ is.
+    /// Factor of ω0² at this amplitude, and coefficient of κ.
     fn stiffness(self, amplitude: f64) -> [f64; 2] {
         match self.0 {
             ResponseModel::Pendulum => [2.0 * libm::j1(amplitude) / amplitude, 0.0],
@@ -74,7 +74,7 @@ impl OneHarmonic {
         by_square * coefficients[0] + by_cubic * coefficients.get(2).copied().unwrap_or(0.0)
     }
 
-    /// Of the linear oscillator that is as stiff.
+    /// Force of the linear oscillator with the same stiffness.
     fn force(self, amplitude: f64, frequency: f64, coefficients: &[f64]) -> Complex {
         let elastic = self.resonance_squared(amplitude, coefficients) - frequency * frequency;
         Complex::new(elastic, coefficients[1] * frequency).scaled(amplitude)
@@ -107,7 +107,7 @@ impl Law for OneHarmonic {
     }
 }
 
-/// An answer that begins at its turning point at `peak`, under the force Ω²·(`cosine`·cos τ − `sine`·sin τ) at the phase τ of the drive.
+/// A response that begins at its turning point at `peak`, under the force Ω²·(`cosine`·cos τ − `sine`·sin τ) at the phase τ of the drive.
 #[derive(Clone, Copy, Debug)]
 struct Shape {
     peak: f64,
@@ -115,22 +115,22 @@ struct Shape {
     sine: f64,
 }
 
-/// All harmonics: half a period is integrated, after which the answer is its own mirror image.
+/// All harmonics: half a period is integrated, after which the response is its own mirror image.
 #[derive(Debug)]
 pub(super) struct AllHarmonics {
     model: ResponseModel,
     measured: MeasuredAmplitude,
     system: System,
-    /// What was asked for last, with the shapes that were found.
+    /// Arguments of the last computation, with the shapes that were found.
     last: RefCell<Vec<(Asked, Shape)>>,
 }
 
-/// Motions are side by side in so many lanes.
+/// Number of motions that are integrated together, in lanes.
 const LANES: usize = 8;
 pub(super) const EFFORT: Effort = Effort { relative: 1e-13, absolute: 1e-15, most_steps: 20_000 };
 /// Newton's rounds: from one harmonic four to six.
 const MOST_ROUNDS: usize = 25;
-/// Newton's corrections below this part of the amplitude are the last: what is left is its square.
+/// Newton's corrections below this part of the amplitude are the last: the remaining error is of the order of its square.
 const CLOSE: f64 = 1e-8;
 
 impl AllHarmonics {
@@ -149,7 +149,7 @@ impl AllHarmonics {
         self.measured
     }
 
-    /// The shapes that were found last at these frequencies, else those of one harmonic.
+    /// The shapes that were found last at these frequencies, otherwise those of one harmonic.
     fn guesses(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<Shape>> {
         let last = self.last.borrow();
         let same = |(asked, (last, _)): (&Asked, &(Asked, Shape))| {
@@ -163,7 +163,7 @@ impl AllHarmonics {
         Some(rough.into_iter().map(|it| it.shape).collect())
     }
 
-    /// The ends of half periods.
+    /// Integrates the motions to the ends of half periods.
     fn ends(&self, asked: &[Asked], shapes: &[Shape], coefficients: &[f64]) -> Option<Vec<End>> {
         const HALF: [f64; 1] = [PI];
         let copies = self.model.coefficients() + 5;
@@ -226,7 +226,7 @@ impl Law for AllHarmonics {
                     let answer = linear.required(&end, &asked[place], shapes[place].plus(change));
                     found[place] = Some(answer);
                 } else {
-                    // Far away a whole step may lead anywhere.
+                    // Far from the solution a whole step may lead anywhere.
                     let step = (0.5 * scale / size).min(1.0);
                     shapes[place] = shapes[place].plus(change * step);
                 }
@@ -242,14 +242,14 @@ impl Shape {
     }
 }
 
-/// Half a period later: x, ∫x cos, ∫x sin of the answer and of each of its deviations, then their velocities.
+/// The state after half a period: x, ∫x cos, ∫x sin of the response and of each of its deviations, then their velocities.
 struct End {
     state: Vec<f64>,
     copies: usize,
 }
 
 impl End {
-    /// Of the answer itself, or of a deviation, counted from one.
+    /// Velocity of the response itself, or of a deviation, counted from one.
     fn velocity(&self, copy: usize) -> f64 {
         self.state[3 * self.copies + copy]
     }
@@ -260,7 +260,7 @@ impl End {
     }
 }
 
-/// How the conditions of an answer depend on its shape.
+/// Linearised conditions of a response, as functions of its shape.
 struct Linear {
     measured: MeasuredAmplitude,
     fundamental: Complex,
@@ -278,7 +278,7 @@ impl Linear {
         linear
     }
 
-    /// How the conditions change with a deviation, which may begin at another peak.
+    /// Derivative of the conditions with respect to a deviation, which may begin at another peak.
     fn change(&self, end: &End, copy: usize, is_peak: bool) -> Vector3<f64> {
         let own = if is_peak { 1.0 } else { 0.0 };
         let reached = match self.measured {
@@ -288,14 +288,14 @@ impl Linear {
         Vector3::new(end.state[3 * copy] + own, end.velocity(copy), reached)
     }
 
-    /// The drive of an answer that has this shape in the end.
+    /// The drive of a response with this final shape.
     fn required(&self, end: &End, asked: &Asked, shape: Shape) -> RequiredDrive {
         let square = asked.frequency * asked.frequency;
         let last = end.copies - 1;
         let force = Complex::new(shape.cosine, shape.sine);
         let phase = self.fundamental.scaled(1.0 / self.fundamental.abs());
         let inverse = self.inverse.unwrap_or_else(Matrix3::zeros);
-        // How the drive changes where the shape does so, and the fundamental beside.
+        // The change of the drive with a change of the shape, and a further one of the fundamental.
         let by_shape = |own: Vector3<f64>, beside: Complex| {
             let of_fundamental: Complex = [(last - 1, own[0]), (last - 3, own[1]), (last - 2, own[2])]
                 .into_iter()
@@ -328,7 +328,7 @@ pub(super) fn along(number: Complex, change: Complex) -> f64 {
     (number.re * change.re + number.im * change.im) / number.abs()
 }
 
-/// Whether both multipliers of half a period are inside of the unit circle.
+/// Returns whether both multipliers of half a period are inside the unit circle.
 fn is_stable(end: &End) -> bool {
     let last = end.copies - 1;
     let [a, b, c, d] =

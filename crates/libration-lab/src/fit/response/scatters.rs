@@ -1,32 +1,31 @@
-//! By how much amplitudes and phases scatter where no uncertainties are stated: each kind by its own residuals, amplitudes all by the same
+//! Scatter of amplitudes and phases where no uncertainties are stated: each kind by its own residuals, amplitudes all by the same
 //! amount or all by the same part.
 //!
-//! A kind of data with the residuals r, in standard deviations, is enlarged by √(Σr²/(n − Σh)): h, the leverage of a datum, is the part of it
-//! that the parameters take up, so that the degrees of freedom which both kinds lose to them are shared as they were used. Once nothing changes
-//! any more the likelihood of the residuals is the greatest:
-//! H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
+//! A kind of data with the residuals r, in standard deviations, is enlarged by √(Σr²/(n − Σh)): h, the leverage of a datum, is the part of it that
+//! the parameters take up, so that the degrees of freedom which both kinds lose to them are shared as they were used. Once nothing changes any more
+//! the likelihood of the residuals is the greatest: H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971), doi:10.1093/biomet/58.3.545.
 //!
 //! All phases count alike. Those of sines through a noisy trace scatter by one over the amplitude, so that their uncertainties are rather too
-//! large; which of both it is, few rows do not tell: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike about ten were
-//! taken for the other kind, and ω0 was off by 1.28 times as much as said.
+//! large; few rows do not decide between the two: where the likelihood chose, of 120 sweeps of 25 rows whose phases scattered alike about ten were
+//! taken for the other kind, and ω0 was off by 1.28 times as much as stated.
 
 use super::found_row::FoundRow;
 use super::table::{AmplitudeErrors, ResponseTable, Row};
 use crate::statistics::count;
 
-/// Of the largest amplitude, and in radians: less scatter is rounding.
+/// Least scatter, relative to the largest amplitude, and in radians: less is rounding.
 const LEAST: f64 = 1e-11;
-/// What the scatter begins with, of the largest amplitude.
+/// Initial scatter, relative to the largest amplitude.
 const FIRST: f64 = 0.01;
-/// With fewer rows than this beyond the parameters the two kinds count as one sine through a noisy trace gives them.
+/// With fewer rows than this beyond the parameters the two kinds count as in the fit of one sine to a noisy trace.
 const FEWEST_SPARE: usize = 3;
 
-/// How the phases of rows of different amplitude scatter.
+/// Dependence of the scatter of phases on the amplitude of their rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum PhaseLaw {
-    /// As one over the amplitude, as those of sines through a noisy trace.
+    /// Inversely proportional to the amplitude, as for phases of sines through a noisy trace.
     OverAmplitude,
-    /// All alike, as those that are read off.
+    /// Equal for all rows, as for phases that are read off.
     Alike,
 }
 
@@ -48,7 +47,7 @@ pub(super) struct Scatters {
     errors: AmplitudeErrors,
 }
 
-/// What a round of the search leaves over of a kind of data.
+/// Residuals of a kind of data after a round of the search.
 #[derive(Clone, Copy, Debug, Default)]
 struct Left {
     squares: f64,
@@ -74,7 +73,7 @@ impl Left {
 }
 
 impl Scatters {
-    /// What a search begins with.
+    /// Initial scatters of a search.
     pub(super) fn first(table: &ResponseTable) -> Self {
         let errors = table.amplitude_errors();
         let (size, law) = match errors {
@@ -101,12 +100,12 @@ impl Scatters {
         }
     }
 
-    /// That of amplitudes, where none are stated.
+    /// Scatter of the amplitudes, where no uncertainties are stated.
     pub(super) fn unstated(&self) -> Option<f64> {
         (self.errors != AmplitudeErrors::Stated).then_some(self.amplitude)
     }
 
-    /// After a round of a search of so many parameters.
+    /// Computes the scatters after a round of a search with this number of parameters.
     pub(super) fn renewed(self, table: &ResponseTable, rows: &[FoundRow], parameters: usize) -> Self {
         if self.errors == AmplitudeErrors::Stated {
             return self;
@@ -138,13 +137,13 @@ impl Scatters {
         Self { amplitude: amplitude.max(least), phase: phase.max(least_phase), ..self }
     }
 
-    /// Whether another one is the same within this part.
+    /// Returns whether another scatter is the same within this part.
     pub(super) fn is_near(&self, other: &Self, part: f64) -> bool {
         let near = |one: f64, other: f64| (one / other - 1.0).abs() <= part;
         self.law == other.law && near(self.amplitude, other.amplitude) && near(self.phase, other.phase)
     }
 
-    /// What is made least where they are not known: −2 times the logarithm of the likelihood, but for a constant.
+    /// The misfit that is minimised where the scatters are unknown: −2 times the logarithm of the likelihood, up to a constant.
     pub(super) fn misfit(&self, table: &ResponseTable, rows: &[FoundRow]) -> f64 {
         let kind = |kind: usize, deviation: &dyn Fn(&Row, &FoundRow) -> f64| {
             let data = || table.rows.iter().zip(rows).filter(|(_, found)| found.residuals.len() > kind);

@@ -1,8 +1,8 @@
 //! Least squares with errors in amplitude, frequency and phase.
 //!
 //! The amplitude that a row would have without its error is found with the parameters: the required drive is linearised there, and
-//! its difference from the drive that acts is weighted by its effective variance, which at a fold, where the amplitude changes nothing to
-//! first order, is that of the second. Amplitudes and weights hold while the parameters are solved for, and are renewed until nothing
+//! its difference from the acting drive is weighted by its effective variance, which at a fold, where the amplitude changes nothing to
+//! first order, is that of second order. Amplitudes and weights are fixed while the parameters are solved for, and are renewed until nothing
 //! changes (M. Lybanon, Am. J. Phys. 52, 22 (1984), doi:10.1119/1.13822).
 
 use super::ResponseFitError;
@@ -17,13 +17,13 @@ use libration::algebra::Complex;
 use libration::watch::Watch;
 use nalgebra::{DMatrix, DVector};
 
-/// Of its uncertainty, a change of a parameter that is none.
+/// Largest negligible change of a parameter, relative to its uncertainty.
 const SETTLED: f64 = 1e-3;
-/// A relative change of the scatter that is none.
+/// Largest negligible relative change of the scatter.
 const SETTLED_SCATTER: f64 = 1e-3;
 /// Three points with these distances in standard deviations stand for a normal distribution up to its fifth moment.
 const SPREAD: f64 = 1.732_050_807_568_877_2;
-/// Of the required drive: errors of less are rounding.
+/// Least deviation relative to the required drive: smaller errors are rounding.
 const LEAST_DEVIATION: f64 = 1e-12;
 const EFFORT: Effort = Effort { tolerance: 1e-6, patience: 40 };
 
@@ -32,21 +32,21 @@ const EFFORT: Effort = Effort { tolerance: 1e-6, patience: 40 };
 pub(super) struct Found {
     /// ω0², c, perhaps κ, and A.
     pub(super) parameters: Vec<f64>,
-    /// Of these, where the uncertainties of the rows are right.
+    /// Covariance of the parameters, where the uncertainties of the rows are right.
     pub(super) covariance: DMatrix<f64>,
     pub(super) chi2: f64,
-    /// What uncertainties of the rows are multiplied by: the scatter where none are stated, else one.
+    /// Factors of the uncertainties of the rows: the scatter where none are stated, otherwise one.
     pub(super) scatters: Scatters,
-    /// What is made least: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
+    /// The misfit that is minimised: χ², or where no uncertainties are stated −2 times the logarithm of the likelihood.
     pub(super) misfit: f64,
     pub(super) rows: Vec<FoundRow>,
-    /// Whether hardly anything changed in the last round.
+    /// `true` if hardly anything changed in the last round.
     pub(super) settled: bool,
 }
 
 impl Found {
-    /// The parameters, with a damping that one more standard deviation of its square allows where that is more: without any, amplitudes
-    /// do not tell in which direction there is more of it.
+    /// The parameters, with the damping replaced by the root of its square's standard deviation where that is larger: at zero damping, amplitudes
+    /// do not depend on it to first order.
     pub(super) fn with_damping(&self) -> Vec<f64> {
         let mut parameters = self.parameters.clone();
         let of_square = 2.0 * parameters[1].abs() * self.covariance[(1, 1)].sqrt();
@@ -70,7 +70,7 @@ impl Default for Relaxation {
 }
 
 impl Relaxation {
-    /// For the next step.
+    /// Returns the part for the next step.
     fn part(&mut self, step: &DVector<f64>) -> f64 {
         if let Some(last) = &self.last {
             self.part = if step.dot(last) < 0.0 { 0.5 * self.part } else { (2.0 * self.part).min(1.0) };
@@ -86,31 +86,31 @@ pub(super) struct Search<'a> {
     pub(super) model: ResponseModel,
     pub(super) law: &'a dyn Law,
     pub(super) watch: &'a Watch<'a>,
-    /// In which amplitudes and weights are renewed.
+    /// Rounds in which amplitudes and weights are renewed.
     pub(super) rounds: usize,
 }
 
 /// A row linearised about an amplitude.
 struct Weighed {
     amplitude: f64,
-    /// How the misses change over one standard deviation of the amplitude.
+    /// Change of the misses over one standard deviation of the amplitude.
     slope: Vec<f64>,
     bend: Vec<f64>,
-    /// Of the measured amplitude.
+    /// Standard deviation of the measured amplitude.
     deviation: f64,
     /// L⁻¹ of the covariance L·Lᵀ of the misses.
     whitening: DMatrix<f64>,
 }
 
 impl Weighed {
-    /// In standard deviations: by how much the measured amplitude is above this.
+    /// Difference of the measured amplitude from this one, in standard deviations.
     fn excess(&self, row: &Row) -> f64 {
         (row.amplitude - self.amplitude) / self.deviation
     }
 }
 
 impl Search<'_> {
-    /// The best parameters next to these.
+    /// Searches the best parameters from this start.
     pub(super) fn near(&self, start: &[f64]) -> Result<Found, ResponseFitError> {
         let failed = || ResponseFitError::NoConvergence(self.model);
         let mut about = DVector::from_row_slice(start);
@@ -152,7 +152,7 @@ impl Search<'_> {
         Err(failed())
     }
 
-    /// Amplitudes without their errors that the model can have.
+    /// Limits the amplitudes without their errors to those that the model can have.
     fn within_bounds(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<f64> {
         const FARTHEST: f64 = 0.5;
         let bound = self.model.amplitude_bound();
@@ -182,7 +182,7 @@ impl Search<'_> {
         &parameters.as_slice()[..self.model.coefficients()]
     }
 
-    /// The rows linearised about these amplitudes.
+    /// Linearises the rows about these amplitudes.
     fn weighed(
         &self,
         parameters: &DVector<f64>,
@@ -199,7 +199,7 @@ impl Search<'_> {
             .map(|(amplitude, deviation)| (SPREAD * deviation).min(0.9 * amplitude.min(bound - amplitude)))
             .collect();
         let here = self.required(self.law, amplitudes, parameters)?;
-        // The curvature matters next to folds only, and one harmonic tells enough of it.
+        // The curvature matters next to folds only, and one harmonic determines it well enough.
         let balance = OneHarmonic(self.model);
         let shifted = |sign: f64| -> Option<Vec<RequiredDrive>> {
             let shifted = amplitudes.iter().zip(&steps).map(|(amplitude, step)| amplitude + sign * step);
@@ -249,7 +249,7 @@ impl Search<'_> {
         Some(Linearised { residuals: DVector::from_vec(residuals), jacobian: DMatrix::from_rows(&jacobian) })
     }
 
-    /// The rows with their errors taken from the amplitudes.
+    /// Computes the rows with amplitudes without their errors.
     fn rows(
         &self,
         weighed: Vec<Weighed>,
@@ -275,7 +275,7 @@ impl Search<'_> {
     }
 }
 
-/// L⁻¹ of the covariance L·Lᵀ of sums of independent errors with these standard deviations, and one more of each alone.
+/// L⁻¹ of the covariance L·Lᵀ of sums of independent errors with these standard deviations, and a further independent one in each component.
 fn whitening(errors: &[Vec<f64>], least: f64) -> Option<DMatrix<f64>> {
     let size = errors[0].len();
     let covariance = DMatrix::from_fn(size, size, |i, k| {

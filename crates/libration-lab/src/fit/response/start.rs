@@ -1,7 +1,7 @@
-//! Where the search begins: balances of one harmonic, which are linear in c² and A².
+//! Starts of the search: balances of one harmonic, which are linear in c² and A².
 //!
-//! (ω²(a) − Ω²)²a² + c²Ω²a² = A², with ω²(a) = ω0²·g(a) + ¾κa². For given ω0² and κ the best c² and A² follow at once, so that two
-//! numbers are searched for on a grid at most.
+//! (ω²(a) − Ω²)²a² + c²Ω²a² = A², with ω²(a) = ω0²·g(a) + ¾κa². For given ω0² and κ the best c² and A² follow at once, so that at most two
+//! numbers are searched for on a grid.
 
 use super::model::ResponseModel;
 use super::required_drive::OneHarmonic;
@@ -14,15 +14,15 @@ const CUBIC_PARTS: [f64; 19] = [
     -0.8, -0.6, -0.45, -0.3, -0.2, -0.12, -0.06, -0.02, 0.0, 0.02, 0.06, 0.12, 0.25, 0.5, 0.8, 1.3, 2.5, 5.0,
     10.0,
 ];
-/// So many of the best are searched from.
+/// Number of the best points of the grid from which a search starts.
 const BEST: usize = 5;
-/// Damping of nothing has no sign to change: it begins with this part of the frequency.
+/// A damping of zero has no sign to change: it begins with this part of the frequency.
 const LEAST_DAMPING: f64 = 1e-3;
 
-/// Parameters ω0², c, perhaps κ, and A, the best first.
+/// Starting parameters ω0², c, perhaps κ, and A, the best first.
 pub(super) fn starts(table: &ResponseTable, model: ResponseModel) -> Vec<Vec<f64>> {
     let [low, high] = table.frequency_range();
-    // A soft oscillator answers below its frequency, a hard one above.
+    // A soft oscillator responds below its frequency, a hard one above.
     let (low, high) = (0.5 * low * low, 4.0 * high * high);
     let largest = table.largest_amplitude();
     let parts: &[f64] = if model == ResponseModel::Duffing { &CUBIC_PARTS } else { &[0.0] };
@@ -44,7 +44,7 @@ pub(super) fn starts(table: &ResponseTable, model: ResponseModel) -> Vec<Vec<f64
     best.into_iter().map(|(_, parameters)| parameters).collect()
 }
 
-/// The sum of the squared misfits of A², as parts of it, and the parameters.
+/// The sum of the squared misfits relative to A², and the parameters.
 fn with_linear_part(table: &ResponseTable, model: ResponseModel, square: f64, cubic: f64) -> (f64, Vec<f64>) {
     let coefficients = [square, 0.0, cubic];
     let terms = || {

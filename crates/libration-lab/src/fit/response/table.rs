@@ -7,10 +7,10 @@ use libration::algebra::Complex;
 /// The errors of the amplitudes of a response.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AmplitudeErrors {
-    /// The same standard deviation for all amplitudes, which their scatter tells.
+    /// The same standard deviation for all amplitudes, determined from their scatter.
     #[default]
     Absolute,
-    /// The same part of each amplitude, which their scatter tells.
+    /// The same relative standard deviation for all amplitudes, determined from their scatter.
     Relative,
     /// The stated uncertainties.
     Stated,
@@ -19,20 +19,20 @@ pub enum AmplitudeErrors {
 /// The columns of a measured response.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ResponseColumns<'a> {
-    /// Of the drive, in rad/s, in any order.
+    /// Drive frequencies, in rad/s, in any order.
     pub frequencies: &'a [f64],
-    /// Of the answer, in radians, metres or any other unit.
+    /// Amplitudes of the response, in radians, metres or any other unit.
     pub amplitudes: &'a [f64],
-    /// By how much the answer lags behind the drive, in radians; turns more or less do not matter, and phases that lead are known
+    /// Phase lags of the response behind the drive, in radians; whole turns do not matter, and phases that lead are recognised
     /// by their sign.
     pub phases: Option<&'a [f64]>,
-    /// Standard deviations, zero where a frequency is exact.
+    /// Standard deviations of the frequencies, in rad/s; zero where a frequency is exact.
     pub frequency_uncertainties: Option<&'a [f64]>,
-    /// Standard deviations; positive.
+    /// Standard deviations of the amplitudes; positive.
     pub amplitude_uncertainties: Option<&'a [f64]>,
-    /// Standard deviations, in radians; positive.
+    /// Standard deviations of the phases, in radians; positive.
     pub phase_uncertainties: Option<&'a [f64]>,
-    /// What the errors of the amplitudes are where no uncertainties of them are given.
+    /// Errors of the amplitudes where no uncertainties of them are given.
     pub unstated_errors: AmplitudeErrors,
 }
 
@@ -49,32 +49,31 @@ pub struct ResponseTable {
 pub(super) struct Row {
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
-    /// By how much it lags.
+    /// Phase lag behind the drive, in radians.
     pub(super) phase: Option<f64>,
     pub(super) frequency_uncertainty: f64,
-    /// In units of the scatter where no uncertainty is stated.
+    /// Standard deviation; in units of the scatter where no uncertainty is stated.
     pub(super) amplitude_uncertainty: f64,
     pub(super) phase_uncertainty: f64,
 }
 
 impl ResponseTable {
-    /// The rows of these columns.
+    /// Checks these columns, and returns their rows.
     ///
     /// Without uncertainties all amplitudes have the same absolute error or, with [`AmplitudeErrors::Relative`], the same relative one; all phases
-    /// count alike, each kind by what it scatters. With hardly more rows than parameters
-    /// a phase counts as one of an amplitude of the same row: its standard deviation is that of the amplitude over the amplitude, as where both are
-    /// of one sine through a noisy trace.
+    /// count alike, each kind by its own scatter. With hardly more rows than parameters a phase counts as one of an amplitude of the same row: its
+    /// standard deviation is that of the amplitude over the amplitude, as where both are of one sine through a noisy trace.
     ///
     /// # Errors
-    /// Columns of different lengths, a frequency or an amplitude that is not positive, an uncertainty that is not positive (of a frequency:
-    /// negative), anything NaN or infinite; uncertainties of amplitudes without those of phases that are there, or the other way.
+    /// Fails for columns of different lengths, a frequency or an amplitude that is not positive, an uncertainty that is not positive (of a frequency:
+    /// negative), anything NaN or infinite, and uncertainties of amplitudes without those of the given phases, or the other way round.
     pub fn new(columns: &ResponseColumns<'_>) -> Result<Self, ResponseFitError> {
         columns.check()?;
         let errors =
             columns.amplitude_uncertainties.map_or(columns.unstated_errors, |_| AmplitudeErrors::Stated);
         let rows = (0..columns.frequencies.len()).map(|row| Row::new(columns, row));
         let mut rows = rows.collect::<Result<Vec<_>, _>>()?;
-        // A drive that does work on what is damped is ahead of it: its power is proportional to the sine of the lag.
+        // A drive that does work on a damped oscillator is ahead of it: its power is proportional to the sine of the lag.
         let power: f64 =
             rows.iter().filter_map(|row| Some(row.frequency * row.amplitude * libm::sin(row.phase?))).sum();
         let leads = power < 0.0;
@@ -90,13 +89,13 @@ impl ResponseTable {
         self.rows.len()
     }
 
-    /// Whether there are no rows.
+    /// Returns whether there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// Whether the rows count by their uncertainties; else all alike, and their scatter is the uncertainty.
+    /// Returns whether the rows count by their uncertainties; otherwise all count alike, and their scatter is the uncertainty.
     #[must_use]
     pub fn is_weighted(&self) -> bool {
         self.errors == AmplitudeErrors::Stated
@@ -108,19 +107,19 @@ impl ResponseTable {
         self.errors
     }
 
-    /// Whether there are phases.
+    /// Returns whether there are phases.
     #[must_use]
     pub fn has_phases(&self) -> bool {
         self.rows.iter().any(|row| row.phase.is_some())
     }
 
-    /// Whether the phases are those by which answers lead, so that nearly all of them are negative.
+    /// Returns whether the given phases are those by which responses lead, so that nearly all of them are negative.
     #[must_use]
     pub fn leads(&self) -> bool {
         self.leads
     }
 
-    /// How many numbers are fitted: amplitudes and phases.
+    /// Number of fitted data: amplitudes and phases.
     pub(super) fn data(&self) -> usize {
         self.rows.iter().map(|row| 1 + usize::from(row.phase.is_some())).sum()
     }
@@ -136,7 +135,7 @@ impl ResponseTable {
         [frequencies().fold(f64::INFINITY, f64::min), frequencies().fold(0.0, f64::max)]
     }
 
-    /// Refuses what the model cannot answer with, and too few rows.
+    /// Refuses amplitudes that the model cannot have, and too few rows.
     pub(super) fn check_for(&self, model: ResponseModel) -> Result<(), ResponseFitError> {
         let bound = model.amplitude_bound();
         if let Some(row) = self.rows.iter().position(|row| row.amplitude >= bound) {
@@ -227,7 +226,7 @@ impl Row {
         })
     }
 
-    /// What is to vanish when this drive is required and that one acts: the difference of their amplitudes, and that of the phases times
+    /// The misses, which vanish when the required drive is the acting one: the difference of their amplitudes, and that of the phases times
     /// the amplitude.
     pub(super) fn misses(&self, required: Complex, drive: f64) -> Vec<f64> {
         let size = required.abs();
@@ -235,7 +234,7 @@ impl Row {
         [size - drive].into_iter().chain(self.phase.map(off)).collect()
     }
 
-    /// How that changes with the required drive, where the phases are nearly the same.
+    /// Change of the misses with the required drive, where the phases are nearly the same.
     pub(super) fn components(&self, required: Complex, change: Complex) -> Vec<f64> {
         let across = Complex::new(-required.im, required.re);
         [along(required, change)].into_iter().chain(self.phase.map(|_| along(across, change))).collect()

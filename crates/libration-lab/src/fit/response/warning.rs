@@ -1,4 +1,4 @@
-//! What a reader should know of a fitted response.
+//! Warnings about a fitted response.
 
 use std::fmt;
 
@@ -8,16 +8,16 @@ use super::{FittedAnswer, ResponseFit, ResponseFitError, ResponseModel, Response
 use crate::fit::scatter::ScatterWarning;
 use crate::statistics::count;
 
-/// So many standard deviations chance does not make of the correlation of neighbouring residuals.
+/// Correlation of neighbouring residuals, in standard deviations, that is more than chance.
 const RUNS: f64 = 3.5;
-/// Of a parameter that may as well be zero: less than so many of its uncertainties.
+/// Number of uncertainties below which a parameter may as well be zero.
 const SURE: f64 = 2.0;
 
-/// What a reader should know of a fitted response.
+/// A warning about a fitted response.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ResponseWarning {
-    /// Rows, counted from one, between the folds of the curve, where no answer lasts: by more than three standard deviations.
+    /// Rows, counted from one, between the folds of the curve, where no response is stable: by more than three standard deviations.
     BetweenFolds(Vec<usize>),
     /// Rows, counted from one, with frequencies beyond the fold at which their branch ends: by more than three standard deviations.
     BeyondFold(Vec<usize>),
@@ -27,14 +27,14 @@ pub enum ResponseWarning {
     DampingOpen,
     /// All frequencies are on one side of the resonance.
     OneSided,
-    /// Neighbours in the table or along the curve are off to the same side far more often than chance makes them: three and a half standard deviations.
+    /// Neighbours in the table or along the curve deviate to the same side far more often than by chance: three and a half standard deviations.
     Systematic,
-    /// Models of which no fit was found, so that nothing here speaks against them.
+    /// Models without a fit, against which the rows are therefore not evidence.
     NotFitted(Vec<ResponseModel>),
 }
 
 impl ResponseWarning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -90,7 +90,7 @@ fn counted(rows: &[usize]) -> String {
     }
 }
 
-/// Of the preferred fit.
+/// Warnings about the preferred fit.
 pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<ResponseWarning> {
     let best = fit.best();
     let where_rows = |is_so: &dyn Fn(&FittedAnswer) -> bool| -> Option<Vec<usize>> {
@@ -113,7 +113,7 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
     .collect()
 }
 
-/// Whether all answers are on one side of the phase of a right angle.
+/// Returns whether all responses are on one side of the phase of a right angle.
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
     let coefficients = &parameters[..parameters.len() - 1];
@@ -124,8 +124,8 @@ fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     rows().all(|above| above) || rows().all(|above| !above)
 }
 
-/// The correlation of neighbouring residuals in its standard deviations 1/√n: of neighbours in the table, and along the fitted curve, which the
-/// phase orders through its jumps. A wrong model may have one branch where the rows have two.
+/// The correlation of neighbouring residuals in its standard deviations 1/√n: of neighbours in the table, and along the fitted curve, which is
+/// ordered through its jumps by the phase. A wrong model may have one branch where the rows have two.
 fn serial_correlation(fit: &ResponseFit) -> f64 {
     let in_table: Vec<&FittedAnswer> = fit.rows.iter().collect();
     let mut on_curve = in_table.clone();

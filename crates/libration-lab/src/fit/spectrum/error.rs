@@ -1,13 +1,13 @@
-//! Why a trace has no harmonics to tell.
+//! Reasons why a trace has no measurable harmonics.
 
 use crate::fit::cycles::{BeyondATurn, CyclesError};
 use libration::watch::Interrupted;
 
-/// Why a trace has no harmonics to tell.
+/// Reasons why a trace has no measurable harmonics.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SpectrumError {
-    /// It shows no cycles, by which the phase is counted.
+    /// The trace shows no cycles, by which the phase is counted.
     #[error(transparent)]
     Cycles(#[from] CyclesError),
     /// The angle goes to and fro by more than a turn.
@@ -16,32 +16,32 @@ pub enum SpectrumError {
     /// Less than a window of swings.
     #[error("{swings:.1} swings are too few to tell harmonics from noise: give at least {needed}")]
     TooShort {
-        /// How many the trace has.
+        /// Number of swings in the trace.
         swings: f64,
-        /// How many would do.
+        /// Number of swings that are needed.
         needed: usize,
     },
-    /// Windows of fewer swings than can be told from noise.
+    /// Windows of fewer swings than separate harmonics from noise.
     #[error(
         "windows of {0} swings are too short to tell harmonics from noise: ask for {FEWEST_SWINGS} or more"
     )]
     ShortWindows(usize),
-    /// No harmonics asked for.
+    /// A request for no harmonics.
     #[error("no harmonics are asked for: ask for one or more")]
     NoHarmonics,
-    /// No part of the trace that is sampled well enough, or swings far enough above the noise.
+    /// No part of the trace is sampled well enough, or has swings far enough above the noise.
     #[error(
         "no window of swings can be used, of {windows} tried: rows are missing, or what swings is lost in noise; give a part of \
          the trace with clear swings, or fewer harmonics"
     )]
     NoWindow {
-        /// How many there are.
+        /// Number of windows.
         windows: usize,
     },
-    /// The callback said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }
 
-/// Harmonics are told from the noise between them, for which windows need so many swings.
+/// Fewest swings in a window that separate harmonics from the noise between them.
 pub(super) const FEWEST_SWINGS: usize = 3;

@@ -1,26 +1,26 @@
-//! A harmonic that was measured, beside that of theory.
+//! A measured harmonic, with that of theory.
 
 use crate::fit::Uncertain;
 
 /// A harmonic of a measured swing: in-phase·cos nφ + quadrature·sin nφ, where the first harmonic has its maxima at φ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// Its number; zero for the constant.
+    /// Its order; zero for the constant.
     pub n: usize,
-    /// Beside cos nφ, in rad or rad/s; of an undamped pendulum all there is.
+    /// Coefficient of cos nφ, in rad or rad/s; the only one of an undamped pendulum.
     pub in_phase: Uncertain,
-    /// Beside sin nφ; none for n = 0, and for n = 1, which has none by the meaning of φ.
+    /// Coefficient of sin nφ; `None` for n = 0, and for n = 1, where it vanishes by the definition of φ.
     pub quadrature: Option<Uncertain>,
-    /// What `in_phase` is for an undamped pendulum whose first harmonic is the measured one: zero for even n.
+    /// Value of `in_phase` for an undamped pendulum whose first harmonic is the measured one: zero for even n.
     pub theory: f64,
-    /// `in_phase` less `theory`, with the uncertainty of both; none for n = 1, by which the amplitude is known.
+    /// `in_phase` less `theory`, with the uncertainty of both; `None` for n = 1, from which the amplitude is derived.
     pub difference: Option<Uncertain>,
-    /// Of the noise about this harmonic, by which its uncertainties are known.
+    /// Degrees of freedom of the noise about this harmonic, from which its uncertainties are derived.
     pub degrees_of_freedom: usize,
 }
 
 impl Harmonic {
-    /// √(in-phase² + quadrature²), which noise makes larger: by half of the uncertainty squared over itself.
+    /// √(in-phase² + quadrature²), which noise increases: by half of the uncertainty squared over itself.
     #[must_use]
     pub fn amplitude(&self) -> Uncertain {
         let [c, s] = [self.in_phase, self.quadrature.unwrap_or_default()];
@@ -30,7 +30,7 @@ impl Harmonic {
         Uncertain { value, uncertainty }
     }
 
-    /// By which it lags behind cos nφ, in rad from −π to π; none where the amplitude is below two of its uncertainties, and for
+    /// Phase lag behind cos nφ, in rad from −π to π; `None` where the amplitude is below two of its uncertainties, and for
     /// the constant.
     #[must_use]
     pub fn lag(&self) -> Option<Uncertain> {
@@ -57,17 +57,17 @@ impl Harmonic {
     }
 }
 
-/// Some swings of a trace.
+/// Results of a window of some swings of a trace.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrumWindow {
-    /// Of its middle, in s.
+    /// Time of its middle, in s.
     pub time: f64,
-    /// Rows that count.
+    /// Number of rows that count.
     pub rows: usize,
-    /// Of the first harmonic in the middle, in Hz.
+    /// Frequency of the first harmonic in the middle, in Hz.
     pub frequency: Uncertain,
-    /// Of the undamped swing with this first harmonic, in rad.
+    /// Amplitude of the undamped swing with this first harmonic, in rad.
     pub amplitude: Uncertain,
-    /// From n = 0, in the middle.
+    /// Harmonics from n = 0, in the middle.
     pub harmonics: Vec<Harmonic>,
 }

@@ -1,4 +1,4 @@
-//! The spectrum of unevenly sampled values: how much of them a sine of each frequency explains.
+//! The spectrum of unevenly sampled values: the part of them that a sine of each frequency explains.
 //!
 //! References: J. T. VanderPlas, *Understanding the Lomb–Scargle periodogram*, Astrophys. J. Suppl. 236 (2018) 16,
 //! doi:10.3847/1538-4365/aab766; M. Zechmeister, M. Kürster, *The generalised Lomb–Scargle periodogram*, A&A 496 (2009) 577,
@@ -7,21 +7,21 @@
 use crate::statistics::count;
 use libration::watch::{Interrupted, Watch};
 
-/// A line of a spectrum.
+/// A point of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrumPoint {
-    /// In Hz.
+    /// Frequency in Hz.
     pub frequency: f64,
-    /// Of the sine of this frequency that fits best, beside a constant, in the unit of the values.
+    /// Amplitude of the best-fitting sine of this frequency, next to a constant, in the unit of the values.
     pub amplitude: f64,
-    /// The part of the weighted squares about their mean that it explains, from 0 to 1: the standard normalisation.
+    /// The part of the weighted squares about their mean that the sine explains, from 0 to 1: the standard normalisation.
     pub power: f64,
 }
 
-/// The rows that are summed before it is asked whether to go on.
+/// Number of rows that are summed between two checks for a cancellation.
 const BLOCK: usize = 256;
 
-/// Lomb's and Scargle's periodogram with a floating mean at the frequencies `step`, 2·`step`, … `points`·`step` (Hz): the best
+/// Computes the Lomb–Scargle periodogram with a floating mean at the frequencies `step`, 2·`step`, … `points`·`step` (Hz): the best
 /// sine of each through `values` at `times` (s), where each row counts by its weight (as one over the square of its standard
 /// deviation, or a window's; all alike where there are none). Rows beyond the shortest column do not count.
 ///
@@ -29,10 +29,10 @@ const BLOCK: usize = 256;
 /// where all values are the same.
 ///
 /// # Accuracy
-/// About 1e-12 for a thousand points: phases are added up from point to point.
+/// About 1e-12 for a thousand points: phases are accumulated from point to point.
 ///
 /// # Errors
-/// [`Interrupted`] where `watch` was stopped; it is asked after every 256 rows.
+/// Fails with [`Interrupted`] where `watch` was stopped, which is checked after every 256 rows.
 ///
 /// # Examples
 /// ```
@@ -83,7 +83,7 @@ struct Sums {
     ys: f64,
 }
 
-/// A row, whose phase goes on by an angle with this sine and cosine from point to point.
+/// Adds a row, whose phase advances by an angle with this sine and cosine from point to point.
 fn add(sums: &mut [Sums], weight: f64, value: f64, (sin, cos): (f64, f64)) {
     let (mut s, mut c) = (sin, cos);
     for sums in sums {
@@ -99,7 +99,7 @@ fn add(sums: &mut [Sums], weight: f64, value: f64, (sin, cos): (f64, f64)) {
 }
 
 impl Sums {
-    /// By Zechmeister's and Kürster's equations 4 to 13.
+    /// Solves for the sine by Zechmeister's and Kürster's equations 4 to 13.
     fn point(&self, frequency: f64, squares: f64, rows: usize) -> SpectrumPoint {
         let cc = self.cc - self.c * self.c;
         let ss = (1.0 - self.cc) - self.s * self.s;
@@ -108,7 +108,7 @@ impl Sums {
         let (yc, ys) = (self.yc, self.ys);
         let cosine = (yc * ss - ys * cs) / determinant;
         let sine = (ys * cc - yc * cs) / determinant;
-        // The means of squares are 1/2; rounding leaves 1e-13 of a determinant that is zero.
+        // The means of squares are 1/2; rounding makes 1e-13 of a determinant that is zero.
         if rows < 3 || determinant.is_nan() || determinant < 1e-11 {
             return SpectrumPoint { frequency, amplitude: f64::NAN, power: f64::NAN };
         }

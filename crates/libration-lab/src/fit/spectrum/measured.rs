@@ -16,12 +16,12 @@ use crate::measurement::{Observable, Trace};
 use crate::statistics::count;
 use libration::watch::Watch;
 
-/// How harmonics are measured.
+/// Options for the measurement of harmonics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SpectrumOptions {
     /// The highest harmonic.
     pub harmonics: usize,
-    /// How many swings a window has, three at least.
+    /// Number of swings in a window, at least three.
     pub swings: usize,
 }
 
@@ -34,38 +34,38 @@ impl Default for SpectrumOptions {
 /// The harmonics of a measured swing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// What was measured, in rad or rad/s.
+    /// The measured quantity, in rad or rad/s.
     pub observable: Observable,
-    /// Of the first harmonic, in Hz: the mean of the windows, which drifts with the amplitude.
+    /// Frequency of the first harmonic, in Hz: the mean of the windows, as it drifts with the amplitude.
     pub frequency: f64,
-    /// Of the undamped swing with the first harmonic, in rad: the mean of the windows.
+    /// Amplitude of the undamped swing with the first harmonic, in rad: the mean of the windows.
     pub amplitude: f64,
-    /// From n = 0: the means of the windows, each weighted by what its rows tell.
+    /// Harmonics from n = 0: the means of the windows, each weighted by the information of its rows.
     pub harmonics: Vec<Harmonic>,
-    /// In the order of time.
+    /// Windows in the order of time.
     pub windows: Vec<SpectrumWindow>,
-    /// The standard deviation of a row that the harmonics leave: rad or rad/s, or as a part of the uncertainties of the rows.
+    /// The standard deviation of a row by the residuals of the harmonics: rad or rad/s, or relative to the uncertainties of the rows.
     pub noise: f64,
     /// Rows left out for being far from all harmonics, counted from zero.
     pub outliers: Vec<usize>,
-    /// Whether rows count by uncertainties of their own.
+    /// `true` if rows count by uncertainties of their own.
     pub weighted: bool,
     /// The periodogram of up to 60 swings (without outliers) from the beginning, by [`lomb_scargle`](super::lomb_scargle()) with Hann's window, five
     /// points in the width of a line.
     pub points: Vec<SpectrumPoint>,
-    /// What the harmonics tell.
+    /// Remarks on the harmonics.
     pub remarks: Vec<SpectrumRemark>,
 }
 
-/// The harmonics of a trace of angles or angular velocities.
+/// Computes the harmonics of a trace of angles or angular velocities.
 ///
 /// # Accuracy
 /// Uncertainties hold for noise that is smooth over an order: 68 % of intervals by Student's t cover the truth
-/// (`tests/suite/spectrum.rs`). Windows of three swings are too short to tell it, and take all residuals for white noise. Where the amplitude falls by a third within a window harmonics are off by a thousandth of
-/// themselves.
+/// (`tests/suite/spectrum.rs`). Windows of three swings are too short to determine it, and take all residuals for white noise. Where the
+/// amplitude falls by a third within a window harmonics are off by a thousandth of themselves.
 ///
 /// # Errors
-/// See [`SpectrumError`]: no swings, too few of them, none that can be used.
+/// Fails with a [`SpectrumError`]: no swings, too few of them, none that can be used.
 ///
 /// # Examples
 /// ```
@@ -86,10 +86,10 @@ pub fn spectrum(trace: &Trace, options: &SpectrumOptions) -> Result<Spectrum, Sp
     spectrum_watched(trace, options, &Watch::none())
 }
 
-/// [`spectrum`], asking `watch` as the cycles are found, and at each window.
+/// Computes [`spectrum`], with a check of `watch` as the cycles are found, and at each window.
 ///
 /// # Errors
-/// As [`spectrum`], and [`SpectrumError::Interrupted`] where it was stopped.
+/// Fails as [`spectrum`] does, and with [`SpectrumError::Interrupted`] where it was stopped.
 pub fn spectrum_watched(
     trace: &Trace,
     options: &SpectrumOptions,
@@ -124,7 +124,7 @@ pub fn spectrum_watched(
     Ok(found)
 }
 
-/// What swings is lost in noise where its amplitude is below so many of its uncertainties: the phase then scatters by a twentieth
+/// Number of uncertainties of its amplitude below which a swing is lost in noise: the phase then scatters by a twentieth
 /// of a radian, and the cosine of the third harmonic's loses a hundredth.
 const FAINTEST: f64 = 20.0;
 
@@ -148,7 +148,7 @@ fn is_clear(fit: &WindowFit) -> bool {
     dof > 0 && first > FAINTEST * (variance * fit.covariance(cosine_column(1), cosine_column(1))).sqrt()
 }
 
-/// The windows that tell something, with the noise about each harmonic.
+/// The windows that can be used, with the noise about each harmonic.
 struct Found {
     fits: Vec<WindowFit>,
     noise: Vec<Noise>,
@@ -222,7 +222,7 @@ impl Found {
         }
     }
 
-    /// Uncertain by the noise about it, and by that of the phase it is counted from.
+    /// The quadrature, whose uncertainty comes from the noise about it, and from that of the phase it is counted from.
     fn quadrature(&self, fit: &WindowFit, n: usize) -> Uncertain {
         let column = sine_column(n);
         let turned = count(n) * fit.coefficient(cosine_column(n));
@@ -231,7 +231,7 @@ impl Found {
         Uncertain { value: fit.coefficient(column), uncertainty: variance.sqrt() }
     }
 
-    /// Windows count by what their rows tell of the harmonic, if the noise is the same in all.
+    /// The mean of the windows, weighted by the information of their rows about the harmonic, if the noise is the same in all.
     fn mean_harmonic(&self, windows: &[SpectrumWindow], n: usize) -> Harmonic {
         let column = cosine_column(n);
         let weights: Vec<f64> = self.fits.iter().map(|fit| fit.covariance(column, column).recip()).collect();

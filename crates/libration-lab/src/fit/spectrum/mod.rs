@@ -1,11 +1,11 @@
-//! The harmonics of a measured swing beside those that theory gives.
+//! The harmonics of a measured swing, compared with those of theory.
 //!
 //! A swing that decays has no lines: its amplitude falls, and its frequency rises with that. So windows of a few swings are
-//! fitted by least squares beside cos nφ and sin nφ, where the phase φ is that of the measured first harmonic
+//! fitted by least squares with cos nφ and sin nφ, where the phase φ is that of the measured first harmonic
 //! (`window_fit.rs`): rows may be uneven, missing or wrong. No equation of motion is assumed. The amplitude is that of the
 //! undamped pendulum with the same first harmonic, whose other harmonics are then known, whatever its length is.
 //!
-//! Uncertainties are from the noise about each harmonic: what the residuals have at 2/5 of an order beside it, in all windows, so
+//! Uncertainties come from the noise about each harmonic: the part of the residuals at a distance of 2/5 of an order from it, in all windows, so
 //! that they hold for noise that is not white as long as it is smooth over an order.
 
 mod error;

@@ -3,11 +3,11 @@
 use super::window_fit::{Wave, WindowFit};
 use crate::statistics::count;
 
-/// Beside a harmonic by so many orders: in a window of five swings where another whole wave fits in, two waves from both lines.
+/// Distance from a harmonic, in orders: two waves from both lines in a window of five swings, where a further whole wave fits in.
 const BESIDE: f64 = 0.4;
-/// With fewer waves all residuals are taken together, as if the noise were white: windows of three swings have no others.
+/// With fewer waves all residuals are used together, as if the noise were white: windows of three swings have no others.
 const FEWEST: usize = 4;
-/// A wave of which the columns span more than this part tells too little of the noise to count.
+/// A wave of which the columns span more than this part has too little information about the noise to count.
 const LEAST_FREE: f64 = 0.3;
 
 /// The variance of a row that noise about a harmonic would have if it were white.
@@ -17,7 +17,7 @@ pub(super) struct Noise {
     pub(super) degrees_of_freedom: usize,
 }
 
-/// About each harmonic from n = 0, in all windows together.
+/// The noise about each harmonic from n = 0, in all windows together.
 pub(super) fn about_harmonics(fits: &[WindowFit], highest: usize) -> Vec<Noise> {
     (0..=highest).map(|n| about(fits, n)).collect()
 }

@@ -1,4 +1,4 @@
-//! What the harmonics of a swing tell.
+//! Remarks on the harmonics of a swing.
 
 use std::fmt;
 
@@ -8,89 +8,89 @@ use crate::measurement::Observable;
 use crate::statistics::count;
 use crate::statistics::student::quantile;
 
-/// What a reader should know about a spectrum.
+/// A remark on a spectrum.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SpectrumRemark {
-    /// The swings go about another value than zero.
+    /// The swings are not centred on zero.
     Offset {
-        /// In rad or rad/s.
+        /// Centre in rad or rad/s.
         value: Uncertain,
-        /// What was measured.
+        /// The measured quantity.
         observable: Observable,
     },
     /// An even harmonic, which no pendulum has.
     Even {
-        /// Its number.
+        /// Its order.
         n: usize,
-        /// Its amplitude as a part of the first harmonic.
+        /// Its amplitude relative to the first harmonic.
         part: Uncertain,
     },
     /// More or less of an odd harmonic in phase than the pendulum has.
     Odd {
-        /// Its number.
+        /// Its order.
         n: usize,
-        /// The measured one over that of theory.
+        /// Ratio of the measured harmonic to that of theory.
         ratio: Uncertain,
-        /// By what the angles would have to be multiplied for both to be the same; none where no factor would do.
+        /// Factor of the angles with which both would be the same; `None` where no factor achieves this.
         scale: Option<f64>,
     },
-    /// An odd harmonic a quarter of its period off.
+    /// An odd harmonic that is a quarter of its period off.
     Quadrature {
-        /// Its number.
+        /// Its order.
         n: usize,
-        /// As a part of the first harmonic.
+        /// Quadrature relative to the first harmonic.
         part: Uncertain,
     },
-    /// Harmonics that the rows are too far apart for.
+    /// Harmonics for which the rows are too far apart.
     NotSampled {
-        /// The highest that the sampling rate leaves.
+        /// The highest harmonic that the sampling rate allows.
         highest: usize,
-        /// The highest that was asked for.
+        /// The highest harmonic of the request.
         asked: usize,
     },
-    /// Windows without an answer.
+    /// Windows without a result.
     WindowsLeftOut {
-        /// How many.
+        /// Number of windows that are left out.
         windows: usize,
-        /// Of how many.
+        /// Number of all windows.
         of: usize,
     },
     /// Rows far from all harmonics.
     Outliers {
-        /// How many rows.
+        /// Number of rows.
         rows: usize,
     },
 }
 
-/// As rare as three standard deviations among normal errors, where no more harmonics are asked about than usually; rarer by as
-/// much as there are more.
+/// Probability of chance for the usual number of harmonics, that of three standard deviations of a normal error; lower in proportion
+/// where there are more.
 const BY_CHANCE: f64 = 2.7e-3;
 const USUALLY: f64 = 7.0;
 
-/// What windows leave of amplitudes that fall by a third to each side: of a harmonic itself, and of the first one, as parts.
+/// Errors in windows of amplitudes that fall by a third to each side: relative to a harmonic itself, and to the first one.
 const INEXACT: [f64; 2] = [1e-3, 1e-5];
 
-/// Whether a difference of so many uncertainties is more than chance, where these have so many degrees of freedom.
+/// Returns whether a difference of this many uncertainties is more than chance, where these have this many degrees of freedom.
 fn is_significant(deviation: Option<f64>, degrees_of_freedom: usize, harmonics: usize) -> bool {
     let chance = BY_CHANCE * (USUALLY / count(harmonics)).min(1.0);
     let limit = quantile(chance, count(degrees_of_freedom));
     deviation.is_some_and(|deviation| deviation.abs() > limit)
 }
 
-/// What harmonics are beside.
+/// Properties of the swing to which a harmonic belongs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub(super) observable: Observable,
     /// Its first harmonic.
     pub(super) first: f64,
-    /// The rate at which the amplitude falls over the frequency, both in rad/s.
+    /// The rate at which the amplitude falls (rad/s) over the frequency (rad/s).
     pub(super) decay: f64,
-    /// How many harmonics are asked about.
+    /// Number of harmonics that are tested.
     pub(super) harmonics: usize,
 }
 
-/// What a harmonic tells that grows with this power of the first.
+/// Remarks on a harmonic that grows with this power of the first.
 pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &Swing) -> Vec<SpectrumRemark> {
     let Swing { observable, first, decay, .. } = *swing;
     let Harmonic { n, in_phase, theory, .. } = *harmonic;
@@ -132,7 +132,7 @@ pub(super) fn of_harmonic(harmonic: &Harmonic, growth: f64, swing: &Swing) -> Ve
 }
 
 impl SpectrumRemark {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! The spectrum of a trace for the eye.
+//! The spectrum of a trace for display.
 
 use std::f64::consts::TAU;
 
@@ -9,14 +9,14 @@ use libration::watch::{Interrupted, Watch};
 
 /// More swings make lines no narrower where the frequency drifts, and would take long.
 const MOST_SWINGS: f64 = 60.0;
-/// A row stands for the time half way to its neighbours, for so many of the usual intervals at most: alike rows about a gap of
+/// Longest time for which a row stands, in usual intervals; it reaches half way to its neighbours. Rows that counted alike about a gap of
 /// three rows in 1200 made a floor of half a per cent of the first harmonic, where the third was below.
 const MOST_INTERVALS: f64 = 3.0;
 /// Points in the width of a line, one over the time.
 const OVERSAMPLING: f64 = 5.0;
 
-/// The periodogram of the first swings of a trace without its outliers, rows weighted by Hann's window, by the time
-/// they stand for and by their uncertainties, up to a frequency in Hz. Without that window the first harmonic of a few swings would hide the others.
+/// Computes the periodogram of the first swings of a trace without its outliers, rows weighted by Hann's window, by the time they stand for and
+/// by their uncertainties, up to a frequency in Hz. Without that window the first harmonic of a few swings would hide the others.
 pub(super) fn tapered(
     trace: &Trace,
     outliers: &[usize],

@@ -8,23 +8,23 @@ use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
 use libration::roots::{Tolerance, bisect};
 
-/// The first harmonic is varied by this part for slopes, whose errors are of its square, 1e-6 of them.
+/// Relative change of the first harmonic for slopes, whose errors are of the order of its square, 1e-6 of them.
 const STEP: f64 = 1e-3;
-/// The largest amplitude that is looked for, in rad: its first harmonic is 3.82, and a period fourteen times as long.
+/// The largest amplitude in the search, in rad: its first harmonic is 3.82, and a period fourteen times as long.
 const HIGHEST: f64 = PI - 1e-8;
 
-/// The undamped swing that has a given first harmonic, in what was measured.
+/// The undamped swing that has a given first harmonic of the measured quantity.
 #[derive(Clone, Debug)]
 pub struct Theory {
     /// The amplitude of the angle, in rad.
     pub amplitude: f64,
-    /// How the amplitude changes with the first harmonic that was measured.
+    /// Derivative of the amplitude with respect to the measured first harmonic.
     pub amplitude_slope: f64,
-    /// Beside cos nφ, where φ = 0 is a maximum of the first harmonic; from n = 0, in the unit of the first.
+    /// Coefficients of cos nφ, where φ = 0 is a maximum of the first harmonic; from n = 0, in the unit of the first.
     pub coefficients: Vec<f64>,
-    /// How each changes with the first.
+    /// Derivatives of the coefficients with respect to the first.
     pub slopes: Vec<f64>,
-    /// How each grows with the first.
+    /// Growth of each harmonic with the first.
     growths: Vec<Growth>,
 }
 
@@ -37,12 +37,12 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// As a harmonic of a bent scale of the angle does in small swings.
+    /// Returns the growth of a harmonic of a bent scale of the angle in small swings.
     pub fn by_number(n: usize) -> Self {
         Self { power: count(n), bend: 0.0 }
     }
 
-    /// Through three values, for the first less and more by [`STEP`]; by its number where theory has none, or next to none.
+    /// Fits the growth to three values, for the first less and more by [`STEP`]; by its order where theory has no such harmonic, or next to none.
     fn through(n: usize, [below, here, above]: [f64; 3]) -> Self {
         let [less, more] = [-STEP, STEP].map(libm::log1p);
         let [low, high] = [libm::log(below / here) / less, libm::log(above / here) / more];
@@ -51,7 +51,7 @@ impl Growth {
         if found.power.is_finite() && bend.is_finite() { found } else { Self::by_number(n) }
     }
 
-    /// How many times as large it is where the first is so many times as large.
+    /// Relative size of the harmonic for this relative size of the first.
     pub fn size(self, first: f64) -> f64 {
         let logarithm = libm::log(first.max(f64::MIN_POSITIVE));
         libm::exp((self.power + 0.5 * self.bend * logarithm) * logarithm)
@@ -59,8 +59,8 @@ impl Growth {
 }
 
 impl Theory {
-    /// Of a first harmonic of the angle (rad) or of the velocity (rad/s) at this frequency (rad/s); nothing where no swing is so
-    /// large.
+    /// Computes the swing with a first harmonic of the angle (rad) or of the velocity (rad/s) at this frequency (rad/s); `None` where no swing is
+    /// so large.
     pub fn new(first: f64, frequency: f64, observable: Observable, highest: usize) -> Option<Self> {
         let at = |first: f64| swing(first, frequency, observable, highest);
         let (amplitude, coefficients) = at(first)?;
@@ -74,13 +74,13 @@ impl Theory {
         Some(Self { amplitude, amplitude_slope: slope(low, high), coefficients, slopes, growths })
     }
 
-    /// How a harmonic grows with the first.
+    /// Growth of a harmonic with the first.
     pub fn growth(&self, n: usize) -> Growth {
         self.growths[n]
     }
 }
 
-/// Its amplitude and its coefficients from n = 0.
+/// The amplitude of the swing, and its coefficients from n = 0.
 fn swing(first: f64, frequency: f64, observable: Observable, highest: usize) -> Option<(f64, Vec<f64>)> {
     let scale = if observable == Observable::Angle { 1.0 } else { frequency };
     let amplitude = amplitude(first / scale)?;
@@ -107,7 +107,7 @@ fn amplitude(first: f64) -> Option<f64> {
     Some(inside)
 }
 
-/// Numbers and coefficients of the angle's harmonics.
+/// Orders and coefficients of the angle's harmonics.
 fn terms(amplitude: f64, highest: usize) -> Vec<(usize, f64)> {
     let pendulum = Pendulum::from_angular_frequency(1.0).expect("one is an angular frequency");
     let motion = Angle::from_radians(amplitude).ok().and_then(|angle| pendulum.released_from(angle).ok());

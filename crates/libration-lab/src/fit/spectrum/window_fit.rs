@@ -1,8 +1,8 @@
-//! The harmonics of a window of a few swings, by least squares beside a phase that the first harmonic defines.
+//! The harmonics of a window of a few swings, by least squares with a phase that the first harmonic defines.
 //!
-//! Beside a constant and a drift of it: cos φ and sin φ with quartics in time, cos nφ and sin nφ with the power of the first
-//! harmonic's amplitude by which theory lets them grow. The phase φ, a quartic in time, is the one by which sin φ has no part: it
-//! is corrected by what sin φ has until nothing changes.
+//! Columns next to a constant and a drift of it: cos φ and sin φ with quartics in time, cos nφ and sin nφ with the power of the first
+//! harmonic's amplitude with which they grow by theory. The phase φ, a quartic in time, is the one for which the coefficient of sin φ
+//! vanishes: it is corrected by that coefficient until nothing changes.
 
 use std::f64::consts::TAU;
 
@@ -12,10 +12,10 @@ use super::theory::{Growth, Theory};
 use crate::measurement::Observable;
 use crate::statistics::{Design, LinearFit, ROUNDING, count, robust_deviation};
 
-/// Rows further from the harmonics than so many robust standard deviations do not count: one in two million normal errors.
+/// Distance from the harmonics, in robust standard deviations, above which rows do not count: one in two million normal errors.
 const OUTLIER: f64 = 5.0;
-/// Passes in which rows count by how far off they are, before those beyond [`OUTLIER`] are left out; then passes until these are
-/// the same. With a third of the rows of a window spoilt by the amplitude of the swing 3 and 9 did.
+/// Passes in which rows count by their distance, before those beyond [`OUTLIER`] are left out; then passes until these are
+/// the same. With a third of the rows of a window spoilt by the amplitude of the swing 3 and 9 were enough.
 const GENTLE: usize = 3;
 const PASSES: usize = 9;
 /// Corrections of the phase. They shrink tenfold each or faster where swings are clear.
@@ -24,13 +24,13 @@ const CORRECTIONS: usize = 40;
 const SETTLED: f64 = 1e-9;
 /// Corrections below this leave the first harmonic's amplitude right to an eighth.
 const NEAR: f64 = 0.5;
-/// Where in the window the phase is corrected, from −1 to 1: near where Chebyshev would.
+/// Positions in the window at which the phase is corrected, from −1 to 1: close to Chebyshev nodes.
 const NODES: [f64; TERMS] = [-0.95, -0.59, 0.0, 0.59, 0.95];
 
 /// Coefficients of phase and amplitude in time. Where an amplitude of 60° falls by a third to each side, four left a third harmonic
 /// off by a hundredth, five by less than a thousandth.
 const TERMS: usize = 5;
-/// Of the columns: a constant, a drift, those of cos φ and of sin φ, and two of each harmonic more.
+/// First column of each kind: a constant, a drift, those of cos φ and of sin φ, and two of each further harmonic.
 const COSINE: usize = 2;
 const SINE: usize = COSINE + TERMS;
 const OTHERS: usize = SINE + TERMS;
@@ -38,7 +38,7 @@ const OTHERS: usize = SINE + TERMS;
 /// The rows of a window.
 #[derive(Clone, Debug)]
 pub(super) struct WindowRows<'a> {
-    /// The number of its first row in the trace.
+    /// The index of its first row in the trace.
     pub(super) first: usize,
     pub(super) times: &'a [f64],
     pub(super) values: &'a [f64],
@@ -48,21 +48,21 @@ pub(super) struct WindowRows<'a> {
     pub(super) ends: [f64; 2],
     /// The period to begin with, in s.
     pub(super) period: f64,
-    /// How many harmonics.
+    /// Number of harmonics.
     pub(super) highest: usize,
 }
 
-/// What is found in a window.
+/// Results of a window.
 #[derive(Clone, Debug)]
 pub(super) struct WindowFit {
     /// The phase as a polynomial from −1 to 1.
     phase: [f64; TERMS],
-    /// In s.
+    /// Time of the middle, in s.
     pub(super) middle: f64,
     half: f64,
     fit: LinearFit,
     design: Design,
-    /// The columns' rows: place in the window from −1 to 1, and weight.
+    /// The columns' rows: position in the window from −1 to 1, and weight.
     places: Vec<f64>,
     weights: Vec<f64>,
     /// Rows of the trace that do not count.
@@ -70,7 +70,7 @@ pub(super) struct WindowFit {
     pub(super) theory: Theory,
 }
 
-/// How many columns so many harmonics take.
+/// Number of columns for this number of harmonics.
 pub(super) fn columns(highest: usize) -> usize {
     OTHERS + 2 * (highest - 1)
 }
@@ -89,19 +89,19 @@ pub(super) fn sine_column(n: usize) -> usize {
     OTHERS + 2 * (n - 2) + 1
 }
 
-/// The phase and the shape on the way to where they settle.
+/// The phase and the shape during the iteration.
 #[derive(Clone, Debug)]
 struct State {
     phase: [f64; TERMS],
     /// The amplitude of the first harmonic over that in the middle.
     shape: [f64; TERMS],
-    /// Of the harmonics from n = 0.
+    /// Growth of the harmonics from n = 0.
     growths: Vec<Growth>,
 }
 
 impl WindowRows<'_> {
-    /// The harmonics, without outliers; nothing where the phase does not settle, the rows leave coefficients open, or no swing of a
-    /// pendulum is so large.
+    /// Fits the harmonics, without outliers; `None` where the phase does not settle, the rows do not determine the coefficients, or no swing
+    /// of a pendulum is so large.
     pub(super) fn fit(&self) -> Option<WindowFit> {
         let half = 0.5 * (self.ends[1] - self.ends[0]);
         let middle = 0.5 * (self.ends[1] + self.ends[0]);
@@ -154,7 +154,7 @@ impl WindowRows<'_> {
             if size < SETTLED {
                 return Some(Settled { fit, design, theory: theory? });
             }
-            // Where the phase is far off a part of the first harmonic is beside the sine.
+            // Where the phase is far off a part of the first harmonic is in the sine.
             if let (Some(theory), true) = (theory, size < NEAR) {
                 state.growths = (0..=self.highest).map(|n| theory.growth(n)).collect();
                 state.shape = cosine.map(|it| it / cosine[0]);
@@ -164,7 +164,7 @@ impl WindowRows<'_> {
     }
 }
 
-/// Part of the weight that a row has, by its residual in standard deviations.
+/// Factor of a row's weight, by its residual in standard deviations.
 fn weight(size: f64, pass: usize) -> f64 {
     match pass < GENTLE {
         true => size.max(1.0).recip().sqrt(),
@@ -173,7 +173,7 @@ fn weight(size: f64, pass: usize) -> f64 {
     }
 }
 
-/// Where the phase has settled.
+/// Results with the settled phase.
 #[derive(Clone, Debug)]
 struct Settled {
     fit: LinearFit,
@@ -182,7 +182,7 @@ struct Settled {
 }
 
 impl Settled {
-    /// Of all rows, in units of their own uncertainties.
+    /// Residuals of all rows, in units of their own uncertainties.
     fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &State) -> Vec<f64> {
         let highest = (self.fit.coefficients.len() - OTHERS) / 2 + 1;
         let fitted = state.matrix(places, own, highest) * &self.fit.coefficients;
@@ -191,7 +191,7 @@ impl Settled {
 }
 
 impl State {
-    /// The columns at these places, each row times its weight.
+    /// The columns at these positions, each row times its weight.
     fn matrix(&self, places: &[f64], weights: &[f64], highest: usize) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(places.len(), columns(highest));
         for (row, (&x, &weight)) in places.iter().zip(weights).enumerate() {
@@ -218,7 +218,7 @@ impl State {
     }
 }
 
-/// By how much c cos φ + s sin φ lags behind cos φ, as a polynomial through the nodes.
+/// Phase lag of c cos φ + s sin φ behind cos φ, as a polynomial through the nodes.
 fn lag(cosine: &[f64; TERMS], sine: &[f64; TERMS]) -> Option<[f64; TERMS]> {
     let mut lags = NODES.map(|x| libm::atan2(polynomial(sine, x), polynomial(cosine, x)));
     for node in 1..NODES.len() {
@@ -235,17 +235,17 @@ fn polynomial(coefficients: &[f64; TERMS], x: f64) -> f64 {
 }
 
 impl WindowFit {
-    /// Rows that count.
+    /// Number of rows that count.
     pub(super) fn rows(&self) -> usize {
         self.places.len() - self.outliers.len()
     }
 
-    /// Rows that count, less coefficients.
+    /// Number of rows that count, less that of coefficients.
     pub(super) fn degrees_of_freedom(&self) -> usize {
         self.rows().saturating_sub(self.fit.coefficients.len())
     }
 
-    /// The weighted sum of squares of what the harmonics leave.
+    /// The weighted sum of squares of the residuals.
     pub(super) fn chi2(&self) -> f64 {
         self.fit.chi2()
     }
@@ -254,17 +254,17 @@ impl WindowFit {
         self.fit.coefficients[column]
     }
 
-    /// In units of the variance of a row.
+    /// Covariance of two coefficients in units of the variance of a row.
     pub(super) fn covariance(&self, one: usize, other: usize) -> f64 {
         self.fit.covariance[(one, other)]
     }
 
-    /// Of the first harmonic, in rad/s, in the middle.
+    /// Frequency of the first harmonic in the middle, in rad/s.
     pub(super) fn frequency(&self) -> f64 {
         self.phase[1] / self.half
     }
 
-    /// Its variance, and that of the phase in the middle, in units of the variance of a row.
+    /// Variance of the frequency in units of the variance of a row.
     pub(super) fn frequency_variance(&self) -> f64 {
         let size = self.coefficient(COSINE) * self.half;
         self.covariance(SINE + 1, SINE + 1) / (size * size)
@@ -275,7 +275,7 @@ impl WindowFit {
         self.covariance(SINE, SINE) / (size * size)
     }
 
-    /// What the residuals have of cos mφ and of sin mφ.
+    /// Parts of cos mφ and of sin mφ in the residuals.
     pub(super) fn noise_at(&self, multiple: f64) -> [Wave; 2] {
         let wave = |of: fn(f64) -> f64| {
             let rows = self.places.iter().zip(&self.weights);
@@ -289,13 +289,13 @@ impl WindowFit {
     }
 }
 
-/// What residuals have of a wave.
+/// Part of a wave in the residuals.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wave {
-    /// The square of their product with it.
+    /// The square of their product with the wave.
     pub(super) square: f64,
-    /// The same of noise of variance one, on average: the square of what the columns do not span of the wave.
+    /// The mean of that square for noise of variance one: the square of the part of the wave that the columns do not span.
     pub(super) free: f64,
-    /// The square of all of it.
+    /// The square of the whole wave.
     pub(super) whole: f64,
 }

@@ -6,11 +6,11 @@ use crate::fit::cycles::Cycles;
 use crate::measurement::Trace;
 use crate::statistics::{count, median};
 
-/// Windows may have less than what is asked for by a tenth: nearly ten swings are two windows of five.
+/// Windows may have fewer swings than wanted by a tenth: nearly ten swings are two windows of five.
 const AT_LEAST: f64 = 0.9;
-/// A window needs so many rows for each coefficient.
+/// Least number of rows in a window, per coefficient.
 const ROWS_PER_COEFFICIENT: f64 = 1.5;
-/// No rows are missing for longer than so many periods: the phase is known from side to side then.
+/// Longest gap between rows, in periods, over which the phase can be followed.
 const LONGEST_GAP: f64 = 1.5;
 
 /// The windows of a trace, all of the same length.
@@ -19,14 +19,14 @@ pub(super) struct Windows<'a> {
     trace: &'a Trace,
     /// Middle and period of each cycle that counts.
     cycles: Vec<(f64, f64)>,
-    /// How many.
+    /// Number of windows.
     pub(super) count: usize,
-    /// How many swings the trace has.
+    /// Number of swings in the trace.
     pub(super) swings: f64,
 }
 
 impl<'a> Windows<'a> {
-    /// Of about so many swings.
+    /// Divides a trace into windows of about this number of swings.
     pub(super) fn new(trace: &'a Trace, found: &Cycles, swings_each: usize) -> Self {
         let kept = found.cycles.iter().filter(|cycle| !cycle.outlier);
         let cycles: Vec<(f64, f64)> = kept.map(|cycle| (cycle.time, cycle.period.value)).collect();
@@ -37,8 +37,8 @@ impl<'a> Windows<'a> {
         Self { trace, cycles, count: windows, swings }
     }
 
-    /// The highest harmonic that the time from row to row leaves: half an order below half the sampling rate, so that it stands
-    /// apart from its own alias.
+    /// The highest harmonic that the interval between rows allows: half an order below half the sampling rate, so that it is
+    /// separated from its own alias.
     pub(super) fn highest_sampled(&self) -> usize {
         let steps = self.trace.times().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let step = median(steps).unwrap_or(f64::INFINITY);

@@ -1,60 +1,60 @@
-//! What would make a measurement of swings better.
+//! Advice for a better measurement of swings.
 
 use std::fmt;
 
 use crate::measurement::Observable;
 use libration::quantity::{rounded, short};
 
-/// What would make a measurement of swings better.
+/// Advice for a better measurement of swings.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Advice {
     /// No length was given, so that there is no gravity.
     GiveLength,
-    /// The length was given without an uncertainty, which gravity owes most of its own to.
+    /// The length was given without an uncertainty, which causes most of gravity's.
     GiveLengthUncertainty,
     /// The relative uncertainty of the length is more than seven tenths of that of gravity: half of its variance, so that all else
     /// together is less.
     MeasureLengthBetter {
         /// The relative uncertainty of the length.
         relative_uncertainty: f64,
-        /// The part of the variance of gravity that the length makes.
+        /// The part of the length in the variance of gravity.
         share: f64,
     },
     /// β is in doubt, and a wrong scale of the angles can be why.
     CheckScale {
-        /// What the instrument sees.
+        /// The quantity that the instrument measures.
         observable: Observable,
     },
-    /// The data leave several kinds of damping.
+    /// The data do not separate several kinds of damping.
     RecordLonger {
         /// The largest and the smallest amplitude, in radians.
         amplitudes: [f64; 2],
     },
-    /// The residuals are no noise.
+    /// The residuals are not noise.
     LookAtResiduals,
     /// Outliers stand alone, fewer than three in a row at any end.
     CorrectOutliers,
     /// At least three rows in a row at an end are outliers.
     LeaveOutEnds {
-        /// Which ends.
+        /// The ends.
         ends: Vec<EndOfTrace>,
     },
-    /// The rounding of the times makes more than a quarter of the scatter, and even times would undo it.
+    /// The rounding of the times makes more than a quarter of the scatter, and an even grid of times would remove it.
     WriteMoreDigitsOfTimes {
         /// The step that the times are rounded to, in s.
         resolution: f64,
         /// The part of the scatter, at most 1.
         part: f64,
     },
-    /// The pendulum hangs at more than a hundredth of a radian, half a degree, on the scale of the instrument: what an eye sees.
+    /// The pendulum hangs at more than a hundredth of a radian, half a degree, on the scale of the instrument: visible to the eye.
     SetZero {
         /// The angle at rest, in radians.
         offset: f64,
     },
     /// There are fewer than fifteen rows in a period; eight are too few to place passages and turning points.
     SampleFaster {
-        /// Of the trace with the fewest.
+        /// Rows in a period, of the trace with the fewest.
         rows_per_period: f64,
     },
 }
@@ -62,24 +62,24 @@ pub enum Advice {
 /// Rows at an end of a trace that do not follow the motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EndOfTrace {
-    /// Those before a time.
+    /// Rows before a time.
     Before {
         /// The name of the trace.
         trace: String,
-        /// In seconds.
+        /// Time in seconds.
         time: f64,
     },
-    /// Those after a time.
+    /// Rows after a time.
     After {
         /// The name of the trace.
         trace: String,
-        /// In seconds.
+        /// Time in seconds.
         time: f64,
     },
 }
 
 impl Advice {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -98,7 +98,7 @@ impl Advice {
     }
 }
 
-/// How a length is measured.
+/// Definition of a length, for its measurement.
 const WHERE: &str = "from the axis of the pivot to the middle of the bob, which is its centre of mass";
 
 impl fmt::Display for Advice {
@@ -151,7 +151,7 @@ impl fmt::Display for Advice {
     }
 }
 
-/// Of the first amplitude: a decay to less shows already how it slows down.
+/// Ratio of the last to the first amplitude below which a decay already shows how it slows down.
 const FAR_ENOUGH: f64 = 0.25;
 
 fn record_longer(f: &mut fmt::Formatter<'_>, amplitudes: [f64; 2]) -> fmt::Result {

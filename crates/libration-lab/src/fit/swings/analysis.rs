@@ -1,4 +1,4 @@
-//! From recordings of swings to everything that they say.
+//! From recordings of swings to all results.
 
 use libration::watch::Watch;
 
@@ -13,23 +13,23 @@ use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces_watched, cyc
 use crate::fit::trace::{TraceFitError, compare, fit_traces};
 use crate::measurement::Trace;
 
-/// Why swings have no answer.
+/// Reasons why swings have no result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SwingsError {
     /// No motion could be fitted.
     #[error(transparent)]
     Motion(#[from] TraceFitError),
-    /// There is no gravity with this apparatus.
+    /// Gravity cannot be computed with this apparatus.
     #[error(transparent)]
     Gravity(#[from] BudgetError),
 }
 
-/// What traces of the same pendulum say. `watch` is asked before each evaluation of the motion, and at each
-/// step to the cycles, and may stop it all.
+/// Analyses traces of the same pendulum. `watch` is checked before each evaluation of the motion, and at each
+/// step to the cycles, and may cancel the analysis.
 ///
 /// # Errors
-/// No motion could be fitted, or there is no gravity with this apparatus.
+/// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus.
 pub fn swings(
     traces: &[Trace],
     options: &SwingsOptions<'_>,

@@ -1,4 +1,4 @@
-//! Which warnings swings give rise to.
+//! Conditions of the warnings about swings.
 
 use super::{FittedPendulum, SwingsFit, Warning};
 use crate::fit::budget::BudgetWarning;
@@ -44,12 +44,12 @@ fn mistaken_unit(found: &SwingsFit) -> Option<Warning> {
     })
 }
 
-/// Where a strong damping does not explain it.
+/// Warns of a refuted model, where a strong damping does not explain the contradiction.
 fn refuted(found: &SwingsFit) -> Option<Warning> {
     found.contradiction.clone().filter(Contradiction::refutes).map(Warning::ModelRefuted)
 }
 
-/// The first that contradicts the positions.
+/// Warns of the first pivot that contradicts the positions.
 fn pivot(traces: &[Trace]) -> Option<Warning> {
     let mut pivots = traces.iter().filter_map(Trace::fitted_pivot);
     let contradicted = |pivot: &FittedPivot| {
@@ -114,9 +114,9 @@ fn periods(found: &SwingsFit) -> Option<Warning> {
     Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation })
 }
 
-/// Traces that are fitted as of one pendulum and are not.
+/// Warns of traces that are fitted as those of one pendulum and belong to several.
 fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
-    /// [`Warning::DifferentPendulums`] says why.
+    /// Relative difference of T0, for the reason in [`Warning::DifferentPendulums`].
     const APART: f64 = 0.01;
     let known: Vec<(&Trace, &Cycles)> = traces
         .iter()
@@ -134,7 +134,7 @@ fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
 }
 
 fn implausible_length(pendulum: &FittedPendulum) -> Option<Warning> {
-    /// [`Warning::ImplausibleLength`] says why.
+    /// Plausible lengths in m, for the reason in [`Warning::ImplausibleLength`].
     const BUILT: std::ops::RangeInclusive<f64> = 0.01..=100.0;
     let FittedPendulum::Length(length) = pendulum else { return None };
     (!BUILT.contains(&length.value)).then_some(Warning::ImplausibleLength { length: length.value })

@@ -1,4 +1,4 @@
-//! Everything that recordings of swings say.
+//! All results of recordings of swings.
 
 use super::{Advice, FittedPendulum, Warning};
 use crate::fit::contradiction::{Contradiction, Estimate};
@@ -8,45 +8,45 @@ use crate::fit::{Beta, DampingModel, SIGNIFICANT, Uncertain};
 use crate::measurement::Trace;
 use crate::statistics::count;
 
-/// Everything that recordings of swings say.
+/// All results of recordings of swings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwingsFit {
-    /// Of the model that was asked for, or that the data prefer.
+    /// Fit of the given model, or of the one that the data prefer.
     pub fit: TraceFit,
-    /// With the other models, where they were compared.
+    /// Comparison with the other models, where they were compared.
     pub comparison: Option<Comparison>,
-    /// Of each trace.
+    /// Cycles of each trace.
     pub cycles: Vec<Result<Cycles, CyclesError>>,
-    /// The test of the exact law over all cycles, or why there is none.
+    /// The test of the exact law over all cycles, or the reason why there is none.
     pub beta: Result<Beta, CyclesError>,
     /// Fits that contradict each other, whose difference is a part of the uncertainty of T0.
     pub contradiction: Option<Contradiction>,
     /// Gravity or the length.
     pub pendulum: FittedPendulum,
-    /// What is doubtful, the gravest first.
+    /// Warnings, the gravest first.
     pub warnings: Vec<Warning>,
-    /// What would make the measurement better, what helps most first.
+    /// Advice for a better measurement, the most helpful first.
     pub advice: Vec<Advice>,
 }
 
 impl SwingsFit {
-    /// T0, in s: averaged over the models that the data leave, with what runs and contradicting fits add to its uncertainty. A scale of the angles that is wrong
-    /// by a few per cent is seen, and so in the uncertainty, where swings begin at 0.5 rad or more; from smaller ones the uncertainty of the scale has
-    /// to be [stated](super::SwingsOptions::angle_scale).
+    /// T0, in s: averaged over the models that are not ruled out, with the contributions of runs and contradicting fits to its uncertainty. A scale
+    /// of the angles that is wrong by a few per cent is seen, and so in the uncertainty, where swings begin at 0.5 rad or more; from smaller ones
+    /// the uncertainty of the scale has to be [stated](super::SwingsOptions::angle_scale).
     #[must_use]
     pub fn small_angle_period(&self) -> Uncertain {
         let model = self.contradiction.as_ref().map_or(0.0, Contradiction::uncertainty);
         self.period_of_runs().with_error(model)
     }
 
-    /// T0, in s, of which the uncertainty is enlarged where runs scatter by more than theirs: by √(χ²/ν) of T0 by their cycles.
+    /// T0, in s, of which the uncertainty is enlarged where runs scatter by more than theirs: by √(χ²/ν) of the T0 by their cycles.
     pub(super) fn period_of_runs(&self) -> Uncertain {
         let period = small_angle_period(&self.fit, self.comparison.as_ref());
         let runs: Vec<Uncertain> = self.cycles.iter().flatten().map(|cycles| cycles.t0).collect();
         Uncertain { uncertainty: period.uncertainty * scatter_of_runs(&runs), ..period }
     }
 
-    /// Of the whole motion, the cycles with β = 1 and with β free, and single runs the two that contradict each other by most. Cycles say nothing
+    /// The largest contradiction between the whole motion, the cycles with β = 1 and with β free, and single runs. Cycles are not used
     /// where the amplitude falls fast, nor where a scale of the angles is fitted.
     pub(super) fn contradicting(&self, traces: &[Trace]) -> Option<Contradiction> {
         if self.scale_is_fitted() || self.strong_damping().is_some() {
@@ -80,19 +80,19 @@ impl SwingsFit {
         )
     }
 
-    /// Whether T0 with β free is farther from that of the whole motion than the ways of measuring may differ.
+    /// Returns whether T0 with β free differs from that of the whole motion by more than the two methods may differ.
     fn is_contradicted_by(&self, beta: &Beta) -> bool {
         let period = self.fit.small_angle_period().value;
         (beta.t0.value - period).abs() > LEAST_CONTRADICTION * period
     }
 
-    /// The models that the data leave and that contradict the preferred one.
+    /// The models that are not ruled out and that contradict the preferred one.
     #[must_use]
     pub fn rivals(&self) -> Vec<DampingModel> {
         self.comparison.as_ref().map(Comparison::contradicting).unwrap_or_default()
     }
 
-    /// All cycles that were measured, with the number of their trace.
+    /// All cycles that were measured, with the index of their trace.
     pub fn all_cycles(&self) -> impl Iterator<Item = (usize, &Cycle)> {
         let measured =
             self.cycles.iter().enumerate().filter_map(|(trace, found)| Some((trace, found.as_ref().ok()?)));
@@ -106,13 +106,13 @@ impl SwingsFit {
         Some([sizes().reduce(f64::max)?, sizes().reduce(f64::min)?])
     }
 
-    /// Whether the scale of the angles was fitted.
+    /// Returns whether the scale of the angles was fitted.
     #[must_use]
     pub fn scale_is_fitted(&self) -> bool {
         self.fit.parameter("scale").is_some()
     }
 
-    /// By which part the amplitude falls in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.
+    /// Relative fall of the amplitude in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.
     #[must_use]
     pub fn fall_in_a_cycle(&self) -> Option<f64> {
         let all = self.cycles.iter().flatten().map(|found| &found.cycles);
@@ -127,9 +127,9 @@ impl SwingsFit {
         (weights > 0.0).then(|| sum / weights)
     }
 
-    /// T0 by the cycles of a single trace, where it is not that of the whole motion, and by how many uncertainties.
+    /// T0 by the cycles of a single trace, where it is not that of the whole motion, and its distance from it in uncertainties.
     pub(super) fn other_period(&self) -> Option<(f64, f64)> {
-        /// Below this part the ways of measuring may differ: the local fits alone are off by up to 5e-5 without any noise, and the
+        /// Relative difference below which the two methods may differ: the local fits alone are off by up to 5e-5 without any noise, and the
         /// damping adds as much (`without_noise_every_cycle_obeys_the_exact_law`).
         const WORTH_A_WORD: f64 = 1e-4;
         let [Ok(cycles)] = &self.cycles[..] else { return None };
@@ -141,14 +141,14 @@ impl SwingsFit {
     }
 }
 
-/// Of a fit, or averaged over those that the data leave.
+/// T0 of a fit, or averaged over the models that are not ruled out.
 pub(super) fn small_angle_period(fit: &TraceFit, comparison: Option<&Comparison>) -> Uncertain {
     comparison.map_or_else(|| fit.small_angle_period(), |comparison| comparison.small_angle_period().mean)
 }
 
-/// Relative: local fits are off by up to this without any noise, and the damping adds as much.
+/// Relative error of T0 by cycles: local fits are off by up to this without any noise, and the damping adds as much.
 const ERROR_OF_CYCLES: f64 = 5e-5;
-/// Relative: a difference of T0 with β free that is none.
+/// Largest negligible relative difference of T0 with β free.
 const LEAST_CONTRADICTION: f64 = 1e-5;
 
 /// √(χ²/ν) of values about their weighted mean, or one where that is less.

@@ -1,9 +1,9 @@
-//! Which advice swings give rise to.
+//! Conditions of the advice on swings.
 
 use super::{Advice, EndOfTrace, FittedPendulum, SwingsFit};
 use crate::measurement::{Faults, Observable, Trace};
 
-/// The advice, what helps most first.
+/// The advice, the most helpful first.
 pub(super) fn advice(found: &SwingsFit, traces: &[Trace]) -> Vec<Advice> {
     let faults: Vec<Faults> =
         traces.iter().map(|trace| Faults::detect(trace.times(), trace.values(), None)).collect();
@@ -41,7 +41,7 @@ fn damping(found: &SwingsFit) -> Option<Advice> {
     Some(Advice::RecordLonger { amplitudes })
 }
 
-/// Rows at an end that do not follow the motion, or else rows here and there.
+/// Advises on rows at an end that do not follow the motion, or otherwise on single rows.
 fn outliers(found: &SwingsFit, traces: &[Trace]) -> Option<Advice> {
     let fitted = traces.iter().zip(&found.fit.traces);
     let ends: Vec<EndOfTrace> =
@@ -53,9 +53,9 @@ fn outliers(found: &SwingsFit, traces: &[Trace]) -> Option<Advice> {
     }
 }
 
-/// Where a trace begins or ends with outliers one after the other.
+/// Ends of a trace with consecutive outliers.
 fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<EndOfTrace> {
-    /// Where one row in a hundred is an outlier, three stand at an end by chance in one trace of 500 000.
+    /// Least number of consecutive outliers. Where one row in a hundred is an outlier, three are at an end by chance in one trace of 500 000.
     const FEWEST: usize = 3;
     let (times, last) = (trace.times(), trace.len() - 1);
     let at_beginning = outliers.iter().enumerate().take_while(|(place, row)| place == *row).count();
@@ -68,9 +68,9 @@ fn strange_ends(trace: &Trace, outliers: &[usize]) -> Vec<EndOfTrace> {
     before.into_iter().chain(after).collect()
 }
 
-/// Rounded times, where they matter beside the other errors.
+/// Advises on rounded times, where they matter next to the other errors.
 fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
-    /// Of the scatter; as squares a sixteenth.
+    /// Part of the scatter; as squares a sixteenth.
     const WORTH_A_WORD: f64 = 0.25;
     let (noise, clock) = (faults.rounding_noise?, faults.clock.as_ref()?);
     let (resolution, _) = (clock.resolution?, clock.grid.as_ref()?);
@@ -78,9 +78,9 @@ fn times(found: &SwingsFit, faults: &Faults) -> Option<Advice> {
     (part > WORTH_A_WORD).then_some(Advice::WriteMoreDigitsOfTimes { resolution, part })
 }
 
-/// The zero of the angle, where the motion is that of the pendulum.
+/// Advises on the zero of the angle, where the motion is that of the pendulum.
 fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
-    /// In radians: half a degree, to which a protractor is read.
+    /// Angle in radians: half a degree, to which a protractor is read.
     const WORTH_A_WORD: f64 = 0.01;
     let offsets = found.fit.parameters.iter().filter(|parameter| parameter.name == "offset");
     let offset =
@@ -90,7 +90,7 @@ fn zero(found: &SwingsFit, observable: Observable) -> Option<Advice> {
 }
 
 fn rows(found: &SwingsFit, faults: &[Faults]) -> Option<Advice> {
-    /// In a period; nearly twice what the cycles need at least.
+    /// Rows in a period; nearly twice the number that the cycles need.
     const FEW: f64 = 15.0;
     let period = found.fit.small_angle_period().value;
     let rows = faults.iter().filter_map(|faults| faults.clock.as_ref().map(|clock| period / clock.interval));

@@ -1,5 +1,5 @@
-//! Recordings of swings of one pendulum → everything they say: the fitted motion, the cycles one by one, the test of the exact law,
-//! gravity or the length, what is doubtful about it, and what would make the measurement better.
+//! Recordings of swings of one pendulum → all results: the fitted motion, the cycles one by one, the test of the exact law,
+//! gravity or the length, warnings, and advice for a better measurement.
 //!
 //! # Examples
 //! ```

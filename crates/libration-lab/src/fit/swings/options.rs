@@ -1,22 +1,22 @@
-//! What is known of swings besides the recordings.
+//! Known quantities of swings besides the recordings.
 
 use crate::fit::DampingModel;
 use crate::fit::budget::{Apparatus, Correlation};
 use crate::fit::trace::TraceOptions;
 
-/// What is known of swings besides the recordings.
+/// Known quantities of swings besides the recordings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SwingsOptions<'a> {
-    /// The kinds of damping of the model; none to compare all.
+    /// The kinds of damping of the model; `None` to compare all.
     pub damping: Option<DampingModel>,
-    /// How the motion is fitted.
+    /// Options for the fit of the motion.
     pub trace: TraceOptions,
-    /// The pendulum, of which gravity is found; none to find the length.
+    /// The pendulum, with which gravity is computed; `None` to compute the length.
     pub apparatus: Option<Apparatus>,
     /// The relative standard uncertainty of all angles.
     pub angle_scale: Option<f64>,
     /// The relative standard uncertainty of the clock.
     pub clock: Option<f64>,
-    /// Of the inputs of gravity.
+    /// Correlations of the inputs of gravity.
     pub correlations: &'a [Correlation],
 }

@@ -1,4 +1,4 @@
-//! What ω0 says with the length of the pendulum, or without one.
+//! Gravity by ω0 and the length of the pendulum, or the length by ω0 alone.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use crate::fit::typical_amplitude::typical_amplitude;
 use crate::fit::uncertain::Uncertain;
 use libration::quantity::{Quantity, STANDARD_GRAVITY};
 
-/// What ω0 says with the length of the pendulum, or without one.
+/// Gravity by ω0 and the length of the pendulum, or the length by ω0 alone.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FittedPendulum {
     /// The length is known.
@@ -24,8 +24,8 @@ pub enum FittedPendulum {
     Length(Uncertain),
 }
 
-/// Of the period of small swings that the motions of this fit have; `model` is the relative standard uncertainty of it by fits that contradict
-/// each other.
+/// Computes gravity or the length from the period of small swings of this fit; `model` is its relative standard uncertainty by fits that
+/// contradict each other.
 pub(super) fn pendulum_of(
     fit: &TraceFit,
     t0: Uncertain,
@@ -42,7 +42,7 @@ pub(super) fn pendulum_of(
         t0: t0.into(),
         model,
         amplitude: typical_amplitude(ratios),
-        // What a fitted scale is worth is part of T0 already.
+        // The uncertainty of a fitted scale is part of T0's already.
         angle_scale: fit.parameter("scale").map_or(options.angle_scale, |_| Some(0.0)),
         clock: options.clock,
         degrees_of_freedom: fit.parameters[0].degrees_of_freedom,
@@ -52,13 +52,13 @@ pub(super) fn pendulum_of(
     Ok(FittedPendulum::Gravity { budget, length: apparatus.length })
 }
 
-/// Of a simple pendulum in standard gravity.
+/// Length of a simple pendulum in standard gravity.
 fn length(t0: Uncertain) -> Uncertain {
     let value = STANDARD_GRAVITY * (t0.value / TAU) * (t0.value / TAU);
     Uncertain { value, uncertainty: 2.0 * value * t0.relative() }
 }
 
-/// A damped motion was fitted, whose T0 is that without damping; an undamped one leaves the damping in it.
+/// The damping that T0 contains: a fit of damped motion gives T0 without damping, an undamped one leaves the damping in it.
 fn damping(fit: &TraceFit) -> PeriodDamping {
     match fit.damping.count() {
         0 => PeriodDamping::Unknown,

@@ -1,25 +1,25 @@
-//! How far β and the fitted motion can be relied on, which several warnings and pieces of advice need to know.
+//! Reliability of β and of the fitted motion, on which several warnings and pieces of advice depend.
 
 use super::SwingsFit;
 use crate::fit::cycles;
 use crate::fit::{Beta, MistakenUnit};
 
 impl SwingsFit {
-    /// The unit of the angles, where it is not the one that was said.
+    /// The unit of the angles, where it is not the stated one.
     pub(super) fn mistaken_unit(&self) -> Option<MistakenUnit> {
         let cycles = self.all_cycles().map(|(_, cycle)| cycle);
         self.beta.as_ref().ok().and_then(|beta| cycles::mistaken_unit(beta.factor.value, cycles))
     }
 
-    /// By which part the amplitude falls in a cycle, where that is so much that the period of single cycles, which the exact law
-    /// gives for a constant amplitude, says little.
+    /// Relative fall of the amplitude in a cycle, where it is so large that the period of single cycles, for which the exact law
+    /// assumes a constant amplitude, means little.
     pub(super) fn strong_damping(&self) -> Option<f64> {
         /// R − 1, which goes with the square of the amplitude, then changes by a fifth within a cycle.
         const STRONG: f64 = 0.1;
         self.fall_in_a_cycle().filter(|&fall| fall > STRONG)
     }
 
-    /// A β that the exact law does not explain, and neither strong damping, nor a scale that is fitted, nor a mistaken
+    /// A β that is not explained by the exact law, strong damping, a fitted scale or a mistaken
     /// unit.
     pub(super) fn doubtful_beta(&self) -> Option<&Beta> {
         let beta = self.beta.as_ref().ok().filter(|beta| beta.differs_from_one())?;
@@ -28,9 +28,9 @@ impl SwingsFit {
         (!explained).then_some(beta)
     }
 
-    /// Whether what the motion leaves is so large that its numbers mean little.
+    /// Returns whether the residuals of the motion are so large that its parameters mean little.
     pub(super) fn is_poor(&self) -> bool {
-        /// As a part of the swing, in root mean squares; errors of reading are a hundredth of it or so.
+        /// Residuals relative to the swing, in root mean squares; errors of reading are a hundredth of it or so.
         const POOR: f64 = 0.1;
         self.fit.unexplained.sqrt() > POOR
     }

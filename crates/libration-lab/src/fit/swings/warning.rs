@@ -1,10 +1,10 @@
-//! What is doubtful about what swings say.
+//! Warnings about the results of swings.
 
 use crate::fit::budget::BudgetWarning;
 use crate::fit::cycles::{Coefficient, CyclesError, CyclesWarning};
 use crate::fit::{Contradiction, DampingKind, DampingModel};
 
-/// What is doubtful about what swings say.
+/// A warning about the results of swings.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
@@ -12,12 +12,12 @@ pub enum Warning {
     NotConverged,
     /// The angles are [radians that were taken for degrees](crate::fit::MistakenUnit).
     AnglesAreRadians {
-        /// Of the angles as they were taken.
+        /// β of the angles in the unit in which they were read.
         beta: f64,
     },
     /// The angles are degrees that were taken for radians.
     AnglesAreDegrees {
-        /// Of the angles as they were taken.
+        /// β of the angles in the unit in which they were read.
         beta: f64,
     },
     /// Fits of the same data contradict each other by more than [chance](crate::fit::SIGNIFICANT).
@@ -30,77 +30,77 @@ pub enum Warning {
         /// The centre of the circle, in the same unit.
         found: [f64; 2],
     },
-    /// Of gravity and its uncertainty.
+    /// A warning about gravity and its uncertainty.
     Budget(BudgetWarning),
     /// The residuals are more than a tenth of the swing itself, where errors of reading are a hundredth or so.
     PoorFit {
-        /// Which part, as root mean squares.
+        /// Ratio of the residuals to the swing, as root mean squares.
         part: f64,
     },
     /// The damping [feeds energy](crate::fit::trace::TraceFit::dissipates) at some speeds, by more than two uncertainties.
     FeedsEnergy {
-        /// Of the model.
+        /// Damping of the model.
         damping: DampingModel,
     },
-    /// Coefficients of the damping are negative by more than two uncertainties, which the data ask for
-    /// [strongly enough](crate::fit::trace::Comparison::DECISIVE) or which was asked for.
+    /// Coefficients of the damping are negative by more than two uncertainties, in a model that the data support
+    /// [strongly enough](crate::fit::trace::Comparison::DECISIVE) or that was given.
     NegativeDamping {
-        /// At least one.
+        /// The negative coefficients, at least one.
         coefficients: Vec<Coefficient>,
     },
     /// A model explains the data better and is [not believed](crate::fit::trace::Comparison::better).
     BetterModelNotBelieved {
-        /// Of that model.
+        /// Damping of that model.
         damping: DampingModel,
-        /// By how much its criterion is lower.
+        /// Difference by which its criterion is lower.
         excess: f64,
-        /// Whose coefficient is negative; none where it is that it feeds energy.
+        /// Kind of damping with a negative coefficient; `None` where the reason is that it feeds energy.
         negative: Option<DampingKind>,
     },
-    /// Models are left that [contradict](crate::fit::trace::Comparison::contradicting) the preferred one.
+    /// Models that are not ruled out [contradict](crate::fit::trace::Comparison::contradicting) the preferred one.
     DampingNotSeparated {
         /// The preferred one.
         preferred: DampingModel,
-        /// At least one.
+        /// The models, at least one.
         rivals: Vec<DampingModel>,
     },
-    /// The residuals are [no noise](crate::fit::trace::Autocorrelation::is_noise): among noise one trace in some ten thousand is
-    /// told so.
+    /// The residuals are [not noise](crate::fit::trace::Autocorrelation::is_noise): for noise the warning is given for one trace in some ten
+    /// thousand.
     ResidualsNotNoise {
-        /// Over how many rows they are alike.
+        /// Number of rows over which they are alike.
         rows: f64,
-        /// By what that multiplies the uncertainty of ω0.
+        /// Resulting factor of the uncertainty of ω0.
         inflation: f64,
     },
     /// The rows scatter by half as much again as their stated uncertainties, or by two thirds of them: a difference that changes
     /// what the uncertainties mean, and beyond chance for any trace of a few dozen rows.
     StatedUncertainties {
-        /// The scatter over what is stated.
+        /// The ratio of the scatter to the stated uncertainties.
         ratio: f64,
     },
-    /// In place of what β and the periods of cycles would say: the amplitude falls by more than a tenth in a cycle, within which the
-    /// exact law, of a constant amplitude, then changes by a fifth of R − 1.
+    /// The amplitude falls by more than a tenth in a cycle, within which the exact law, which assumes a constant amplitude, then changes by a
+    /// fifth of R − 1. This warning replaces those about β and the periods of cycles.
     StrongDamping {
-        /// By which part the amplitude falls in a cycle.
+        /// Relative fall of the amplitude in a cycle.
         fall: f64,
     },
     /// β [differs from 1](crate::fit::Beta::differs_from_one), and no strong damping, fitted scale or wrong unit explains it.
     BetaNotOne {
-        /// In uncertainties.
+        /// Distance from 1 in uncertainties.
         deviation: f64,
-        /// By which part the angles are too small, if [a wrong scale](crate::fit::Beta::scale_error) can be why.
+        /// Relative error of the angles (positive where they are too small), if [a wrong scale](crate::fit::Beta::scale_error) can be the reason.
         scale_error: Option<f64>,
         /// The largest and the smallest amplitude, in radians.
         amplitudes: [f64; 2],
     },
     /// T0 by cycles differs from that of the whole motion, by more than chance and by more than a part in ten thousand, within which
-    /// both ways of measuring may differ.
+    /// both methods may differ.
     PeriodsDisagree {
         /// T0 by cycles, in s.
         by_cycles: f64,
         /// T0 by the whole motion, in s.
         by_motion: f64,
-        /// In uncertainties of both.
+        /// Difference in uncertainties of both.
         deviation: f64,
     },
     /// T0 by the cycles of one trace differs from that of another, by more than chance and by more than a hundredth: a length that
@@ -111,34 +111,34 @@ pub enum Warning {
         /// The trace with the longest T0, and this, in s.
         longest: (String, f64),
     },
-    /// A simple pendulum with this period is below a centimetre or above a hundred metres, which nobody builds.
+    /// A simple pendulum with this period is shorter than a centimetre or longer than a hundred metres, which is implausible.
     ImplausibleLength {
-        /// In m.
+        /// Length in m.
         length: f64,
     },
     /// Rows beyond five robust standard deviations from the motion.
     Outliers {
-        /// How many.
+        /// Number of rows.
         rows: usize,
     },
-    /// Of the cycles.
+    /// A warning about the cycles.
     Cycles {
         /// The name of the trace, where there are several.
         trace: Option<String>,
-        /// What a reader should know of them.
+        /// The warning.
         warning: CyclesWarning,
     },
     /// A trace has no cycles.
     NoCycles {
         /// The name of the trace, where there are several.
         trace: Option<String>,
-        /// Why.
+        /// Reason why there are none.
         error: CyclesError,
     },
 }
 
 impl Warning {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {

@@ -1,13 +1,13 @@
-//! Whether residuals are noise.
+//! Autocorrelation of residuals, and the test of whether they are noise.
 
 use crate::statistics::count;
 
-/// How alike residuals are that follow each other.
+/// Autocorrelation of consecutive residuals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Autocorrelation {
-    /// Of residuals so many rows apart as the place counted from zero says; the first is 1.
+    /// Autocorrelations by lag in rows, from lag zero; the first is 1.
     pub correlations: Vec<f64>,
-    /// After how many rows residuals are independent: 1 + 2 Σ ρₖ up to a window of six such times, at least 1 (A. Sokal,
+    /// Number of rows after which residuals are independent: 1 + 2 Σ ρₖ up to a window of six such times, at least 1 (A. Sokal,
     /// *Monte Carlo Methods in Statistical Mechanics*, doi:10.1007/978-1-4899-0319-8_6).
     pub time: f64,
     /// Ljung's and Box's n(n + 2) Σ ρₖ²/(n − k) over the first lags, less its mean for noise, over its standard deviation
@@ -21,7 +21,7 @@ const LAGS: usize = 20;
 const LONGEST_LAG: usize = 1000;
 
 impl Autocorrelation {
-    /// Of some series of residuals, each by itself.
+    /// Computes the autocorrelation of several series of residuals, without products across series.
     #[must_use]
     pub fn of_series(series: &[Vec<f64>]) -> Self {
         let rows: usize = series.iter().map(Vec::len).sum();
@@ -50,7 +50,7 @@ impl Autocorrelation {
         Self { correlations, time, excess: (statistic - degrees) / (2.0 * degrees).sqrt() }
     }
 
-    /// Whether nothing speaks against independent residuals: among noise one in some ten thousand fails.
+    /// Returns whether the residuals are consistent with independent ones: of noise one in some ten thousand fails.
     #[must_use]
     pub fn is_noise(&self) -> bool {
         self.excess < 5.0

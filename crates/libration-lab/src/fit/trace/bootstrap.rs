@@ -1,7 +1,7 @@
-//! By how much formal uncertainties are too small where residuals are not noise.
+//! Block bootstrap of the uncertainties where residuals are not noise, and the formal ones are too small.
 //!
-//! Residuals are laid out anew in blocks that begin at random rows (H. R. Künsch, Ann. Statist. 17, 1217 (1989),
-//! doi:10.1214/aos/1176347265), so that within a block they stay as alike as they are. The parameters answer linearly,
+//! Residuals are resampled in blocks that begin at random rows (H. R. Künsch, Ann. Statist. 17, 1217 (1989),
+//! doi:10.1214/aos/1176347265), so that within a block their correlation is kept. The parameters respond linearly,
 //! by the pseudo-inverse of the derivatives.
 
 use std::f64::consts::TAU;
@@ -15,10 +15,10 @@ use super::random::Random;
 use crate::measurement::Trace;
 use crate::statistics::count;
 
-/// The standard deviation of so many replicas is known to 1/√1000, or 3 %.
+/// Number of replicas, which gives the standard deviation to 1/√1000, or 3 %.
 const REPLICAS: usize = 500;
 
-/// How many rows a block has: it holds one swing, and the more the longer residuals remember and the more there is to choose from.
+/// Number of rows in a block: it holds one swing, and grows with the correlation time of the residuals and with the number of rows.
 pub(super) fn block(autocorrelation: &Autocorrelation, minimum: &Minimum, traces: &[Trace]) -> usize {
     let Some(longest) = traces.iter().max_by_key(|trace| trace.len()) else { return 1 };
     let end = longest.times()[0] + TAU / minimum.parameters[Layout::OMEGA0];
@@ -63,7 +63,7 @@ pub(super) fn deviations(
         .collect()
 }
 
-/// Blocks of the series, one behind the other, until the place is full.
+/// Fills the slice with random blocks of the series, concatenated.
 fn fill(place: &mut [f64], series: &[f64], block: usize, random: &mut Random) {
     let block = block.clamp(1, series.len().max(1));
     for part in place.chunks_mut(block) {

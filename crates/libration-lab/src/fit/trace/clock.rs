@@ -1,4 +1,4 @@
-//! What the clock leaves open: times that are all too long by one part in a thousand make ω0 too small by as much.
+//! Uncertainty by the clock: times that are all too long by one part in a thousand make ω0 too small by as much.
 
 use crate::measurement::Trace;
 use crate::statistics::count;

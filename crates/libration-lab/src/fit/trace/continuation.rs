@@ -1,4 +1,4 @@
-//! A fitted swing that goes on after its last row, as [`libration::decay`] describes it.
+//! A fitted swing continued after its last row, as [`libration::decay`] describes it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,34 +13,34 @@ use libration::quantity::Angle;
 /// A fitted swing from one of its turning points on.
 #[derive(Clone, Debug)]
 pub struct FittedDecay {
-    /// When it turns there, in the clock of the trace, in s.
+    /// Time of that turning point, in the clock of the trace, in s.
     pub start: f64,
-    /// The release from there.
+    /// The release from that turning point.
     pub decay: Decay,
 }
 
-/// Where and when a fitted swing turns.
+/// Time and amplitude of a turning point of a fitted swing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedTurningPoint {
-    /// In the clock of the trace, in s.
+    /// Time in the clock of the trace, in s.
     pub time: Uncertain,
-    /// From the bottom, in radians.
+    /// Angle from the bottom, in radians.
     pub amplitude: Uncertain,
 }
 
-/// Why a fitted swing cannot be continued.
+/// Reasons why a fitted swing cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ContinuationError {
-    /// Traces are counted from zero.
+    /// An index that is not one of a trace; traces are counted from zero.
     #[error("the fit has {traces} traces and none with the number {trace}: count from zero")]
     NoTrace {
-        /// What was asked for.
+        /// The given index.
         trace: usize,
-        /// How many there are.
+        /// Number of traces.
         traces: usize,
     },
-    /// It comes to rest before, or goes over the top for as long as a hundred periods.
+    /// The pendulum comes to rest before it turns, or goes over the top for as long as a hundred periods.
     #[error("the fitted motion does not turn after the first row: give a trace that swings to and fro")]
     DoesNotTurn,
     /// A frequency or an angle that no pendulum has.
@@ -51,27 +51,27 @@ pub enum ContinuationError {
     Decay(#[from] DecayError),
 }
 
-/// In periods of small swings. A swing turns within 12 of them even from 1e-15 below the top, (2/π)·ln(8e15)/2; what rotates for so much
-/// longer is no swing.
+/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top, (2/π)·ln(8e15)/2;
+/// a motion that rotates for so much longer is not a swing.
 const LONGEST: f64 = 100.0;
-/// Derivatives are differences over this part of an uncertainty, upwards, since coefficients of damping are never negative: what bends by a
+/// Step of differences relative to an uncertainty, upwards, since coefficients of damping are never negative: a derivative that changes by a
 /// tenth over an uncertainty errs by half a hundredth.
 const STEP: f64 = 0.1;
 
 impl TraceFit {
-    /// The fitted damping as [`libration::decay`] takes it.
+    /// The fitted damping in the form of [`libration::decay`].
     ///
     /// # Errors
-    /// No damping in the model, or a coefficient below zero.
+    /// Fails for a model without damping, or with a coefficient below zero.
     pub fn decay_damping(&self) -> Result<Damping, DecayError> {
         self.motion_parameters(0).damping()
     }
 
-    /// The swing of a trace from a turning point on, the first that is a quarter of a period after the first row: what `decay`
-    /// knows of it are the amplitude at any time, all turning points, and where it ends.
+    /// The swing of a trace from a turning point on, the first that is a quarter of a period after the first row. Its `decay`
+    /// gives the amplitude at any time, all turning points, and the end of the motion.
     ///
     /// # Errors
-    /// No such trace, no damping in the model or a coefficient below zero, a motion that does not turn.
+    /// Fails for an unknown trace, a model without damping or with a coefficient below zero, and a motion that does not turn.
     ///
     /// # Examples
     /// ```
@@ -100,11 +100,11 @@ impl TraceFit {
         Ok(found)
     }
 
-    /// The turning points of a trace from that of [`decay`](Self::decay) to a time in its clock, after its end too, with what the
-    /// parameters leave open. Another model of the damping may say something else.
+    /// The turning points of a trace from that of [`decay`](Self::decay) to a time in its clock, after its end too, with the uncertainty by the
+    /// parameters. Another model of the damping may give other ones.
     ///
     /// # Errors
-    /// As [`decay`](Self::decay).
+    /// Fails as [`decay`](Self::decay) does.
     pub fn turning_points(
         &self,
         trace: usize,
@@ -137,7 +137,7 @@ impl TraceFit {
         self.traces.get(trace).map(|trace| trace.start_time).ok_or(missing)
     }
 
-    /// The standard deviation of what changes by so much with one uncertainty of each parameter.
+    /// The standard deviation of a number that changes by these amounts with one uncertainty of each parameter.
     fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
         let product = |(i, &a): (usize, &usize)| -> f64 {
             let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
@@ -158,7 +158,7 @@ impl TraceFit {
     }
 }
 
-/// By how much a turning point differs from the one at its time, in one uncertainty; none where there is none.
+/// Difference of a turning point from the one at its time, in one uncertainty; `None` where there is none.
 fn change(turns: &[[f64; 2]], [time, amplitude]: [f64; 2], apart: f64) -> Option<[f64; 2]> {
     let nearest = turns.iter().min_by(|a, b| (a[0] - time).abs().total_cmp(&(b[0] - time).abs()))?;
     let differs = [nearest[0] - time, nearest[1] - amplitude];
@@ -168,7 +168,7 @@ fn change(turns: &[[f64; 2]], [time, amplitude]: [f64; 2], apart: f64) -> Option
 /// ω0, the coefficients of the damping, the first angle and the first velocity of a trace.
 struct MotionParameters {
     terms: Vec<DampingKind>,
-    /// Where they stand among the parameters of the fit.
+    /// Indices among the parameters of the fit.
     places: Vec<usize>,
     values: Vec<f64>,
 }
@@ -189,7 +189,7 @@ impl MotionParameters {
         Damping::new(&self.terms.iter().zip(self.coefficients()).map(term).collect::<Vec<_>>())
     }
 
-    /// With the time of the release after the first row.
+    /// Returns the decay with the time of the release after the first row.
     fn decay(&self) -> Result<FittedDecay, ContinuationError> {
         let damping = self.damping()?;
         let [start, angle] = self.turning_point().ok_or(ContinuationError::DoesNotTurn)?;
@@ -199,7 +199,7 @@ impl MotionParameters {
         Ok(FittedDecay { start, decay: Decay::new(pendulum, damping, angle)? })
     }
 
-    /// The first one a quarter of a period after the first row, before which a motion that is released there may turn or not,
+    /// The first turning point a quarter of a period after the first row, before which a motion that is released there may turn or not,
     /// by the error of its velocity.
     fn turning_point(&self) -> Option<[f64; 2]> {
         let (omega0, first) = (self.values[0], self.terms.len() + 1);

@@ -1,4 +1,4 @@
-//! The traces that are fitted, and how many of their rows count.
+//! The traces that are fitted, and the number of rows that count.
 
 use super::TraceFitError;
 use crate::fit::cycles;
@@ -11,7 +11,7 @@ pub struct Data<'a> {
 }
 
 impl<'a> Data<'a> {
-    /// Of traces with rows enough for so many parameters.
+    /// Checks that traces have enough rows for this number of parameters.
     pub(super) fn new(traces: &'a [Trace], parameters: usize) -> Result<Self, TraceFitError> {
         if traces.is_empty() {
             return Err(TraceFitError::NoTrace);
@@ -33,12 +33,12 @@ impl<'a> Data<'a> {
         }
     }
 
-    /// How many rows each trace has.
+    /// Number of rows of each trace.
     pub(super) fn rows(&self) -> Vec<usize> {
         self.traces.iter().map(Trace::len).collect()
     }
 
-    /// How many of them are within so much time of the first; at least so many as there are.
+    /// Number of rows of each trace within this time of the first; at least `least`, or all where there are fewer.
     pub(super) fn rows_within(&self, span: f64, least: usize) -> Vec<usize> {
         let within = |trace: &Trace| trace.times().partition_point(|&time| time <= trace.times()[0] + span);
         self.traces.iter().map(|trace| within(trace).max(least.min(trace.len()))).collect()

@@ -1,22 +1,22 @@
-//! What can be wrong with a fit of traces.
+//! Errors of a fit of traces.
 
-/// Why traces cannot be fitted; traces and rows are counted from one.
+/// Reasons why traces cannot be fitted; traces and rows are counted from one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TraceFitError {
     /// No trace at all.
     #[error("there is no trace: give at least one")]
     NoTrace,
-    /// Fewer rows than the parameters ask for.
+    /// Fewer rows than the parameters need.
     #[error("give at least {needed} rows of {name}: {rows} cannot determine {parameters} parameters")]
     TooFewRows {
-        /// Whose.
+        /// Name of the trace.
         name: String,
-        /// How many there are.
+        /// Number of its rows.
         rows: usize,
-        /// How many are to be found.
+        /// Number of parameters.
         parameters: usize,
-        /// How many rows would do.
+        /// Number of rows that are needed.
         needed: usize,
     },
     /// Two traces with the same rows, which would count as twice as many measurements.
@@ -33,34 +33,34 @@ pub enum TraceFitError {
          units of angle and time, and give at least one whole swing with six rows or more in each"
     )]
     NoPendulum {
-        /// Whose.
+        /// Name of the trace.
         name: String,
     },
     /// The angle goes to and fro by more than a turn.
     #[error("{0}")]
     BeyondATurn(#[from] crate::fit::cycles::BeyondATurn),
-    /// The motion cannot be computed from where the search began.
+    /// The motion cannot be computed from the start of the search.
     #[error("the motion cannot be followed from omega0 = {omega0} rad/s: check the units of angle and time")]
     NoMotion {
-        /// In rad/s.
+        /// Angular frequency in rad/s.
         omega0: f64,
     },
-    /// The best motion is not what was seen.
+    /// The best motion does not describe the data.
     #[error(
         "the best motion of the model leaves {percent:.0} % of the variance of the data unexplained: choose another \
          model, leave out whatever is not a free swing, or check the columns and the units of angle and time"
     )]
     Unexplained {
-        /// Of the variance.
+        /// Part of the variance in per cent.
         percent: f64,
     },
-    /// The data say nothing about a parameter.
+    /// The data do not determine a parameter.
     #[error("the data do not determine {parameter}: choose a model without it, or measure more of the swing")]
     Undetermined {
         /// Its name.
         parameter: &'static str,
     },
-    /// The callback said so.
+    /// Cancelled by the caller.
     #[error("the fit was interrupted")]
     Interrupted,
 }

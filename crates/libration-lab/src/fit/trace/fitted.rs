@@ -1,4 +1,4 @@
-//! What a fit of traces has found.
+//! The results of a fit of traces.
 
 use crate::statistics::count;
 use std::f64::consts::PI;
@@ -9,32 +9,32 @@ use crate::fit::Uncertain;
 /// A fitted number with its uncertainty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameter {
-    /// `omega0`, `dry`, `linear`, `quadratic`, `scale`, or of one trace `offset`, `theta0`, `velocity0`.
+    /// Name: `omega0`, `dry`, `linear`, `quadratic`, `scale`, or of one trace `offset`, `theta0`, `velocity0`.
     pub name: &'static str,
-    /// `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` where there is none.
+    /// Unit: `rad/s`, `rad/s^2`, `1/s`, `rad`; `1` where there is none.
     pub unit: &'static str,
-    /// The trace that alone has it, counted from zero; none if all share it.
+    /// Index of the trace that alone has it, counted from zero; `None` if all share it.
     pub trace: Option<usize>,
-    /// The value with its standard uncertainty: the formal one, times what the likeness of residuals from row to row makes of it,
-    /// with what the clock and a fitted pivot leave open.
+    /// The value with its standard uncertainty: the formal one, times the inflation by the correlation of residuals,
+    /// with the contributions of the clock and of a fitted pivot.
     pub estimate: Uncertain,
     /// The standard uncertainty if the residuals were independent.
     pub formal_uncertainty: f64,
-    /// Of Student's t, by which the intervals are found; fewer than rows less parameters where the noise remembers.
+    /// Degrees of freedom of Student's t for the intervals; fewer than rows less parameters where the noise is correlated.
     pub degrees_of_freedom: f64,
-    /// That hold the truth with 68.3 % and 95 %: by the profile likelihood for the shared parameters when asked for, else as if
+    /// Intervals that hold the truth with 68.3 % and 95 %: by the profile likelihood for the shared parameters where it is requested, otherwise as if
     /// the model were linear.
     pub intervals: [[f64; 2]; 2],
 }
 
-/// What the model says of one trace.
+/// The fit of one trace.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedTrace {
-    /// When its first row was, in the clock of the trace, in s.
+    /// Time of its first row, in the clock of the trace, in s.
     pub start_time: f64,
-    /// What should have been seen, in the unit of the trace, row by row.
+    /// Values of the fit, in the unit of the trace, row by row.
     pub fitted: Vec<f64>,
-    /// What was seen less that.
+    /// Measured values less those of the fit.
     pub residuals: Vec<f64>,
     /// Rows whose residuals are beyond five robust standard deviations, counted from zero.
     pub outliers: Vec<usize>,
@@ -49,34 +49,34 @@ impl FittedTrace {
     }
 }
 
-/// The best motion of a model through traces.
+/// The best motion of a model for the traces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TraceFit {
     /// The kinds of damping of the model.
     pub damping: DampingModel,
-    /// Those that all traces share, then those of each trace. A scale that was not free is not among them.
+    /// Parameters that all traces share, then those of each trace. A scale that was not free is not among them.
     pub parameters: Vec<Parameter>,
-    /// Of the parameters, in their order.
+    /// Correlations of the parameters, in their order.
     pub correlations: Vec<Vec<f64>>,
-    /// Trace by trace.
+    /// Fits of the traces, in their order.
     pub traces: Vec<FittedTrace>,
     /// Rows less parameters.
     pub degrees_of_freedom: usize,
-    /// How many rows with independent errors would tell ω0 and the damping as well; at most the number of rows.
+    /// Number of rows with independent errors that would determine ω0 and the damping as well; at most the number of rows.
     pub independent_rows: f64,
-    /// The weighted sum of squares over its degrees of freedom; none without uncertainties of the rows.
+    /// The weighted sum of squares over its degrees of freedom; `None` without uncertainties of the rows.
     pub chi2_per_dof: Option<f64>,
     /// Root mean square of the residuals, in the unit of the traces.
     pub rms: f64,
-    /// The part of the scatter of the data about their means that the motion leaves, as squares.
+    /// The sum of squares of the residuals over that of the data about their means.
     pub unexplained: f64,
-    /// Whether the residuals are noise.
+    /// Autocorrelation of the residuals.
     pub autocorrelation: Autocorrelation,
-    /// The number of rows that one block of the bootstrap has, where it was called for.
+    /// The number of rows in a block of the bootstrap, where it was needed.
     pub bootstrap_block: Option<usize>,
-    /// Whether the search ended at a minimum.
+    /// `true` if the search ended at a minimum.
     pub converged: bool,
-    /// In units of the stated uncertainties, outliers at their full size.
+    /// Residuals in units of the stated uncertainties, outliers at their full size.
     #[doc(hidden)]
     pub standard_residuals: Vec<f64>,
 }
@@ -96,12 +96,12 @@ impl TraceFit {
         Uncertain { value: period, uncertainty: period * omega0.estimate.uncertainty / omega0.estimate.value }
     }
 
-    /// Whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
+    /// Returns whether the damping takes energy at all speeds that the pendulum had, within two standard uncertainties. A single
     /// coefficient may be negative: the friction of a bearing can become less at higher speed.
     #[must_use]
     pub fn dissipates(&self) -> bool {
-        /// Between two of them a parabola dips by at most the 256th part of its quadratic term at the greatest speed. With 3 nothing
-        /// changed in 21 fits, with 50 one that was excluded already was found to give energy.
+        /// Number of speeds: between two of them a parabola dips by at most the 256th part of its quadratic term at the greatest speed. With 3
+        /// nothing changed in 21 fits, with 50 one that was excluded already was found to give energy.
         const SPEEDS: usize = 9;
         let fastest = (0..self.traces.len()).map(|trace| self.greatest_speed(trace)).fold(0.0, f64::max);
         (0..SPEEDS).all(|n| {
@@ -110,7 +110,7 @@ impl TraceFit {
         })
     }
 
-    /// Whether no coefficient of damping is negative by more than two standard uncertainties.
+    /// Returns whether no coefficient of damping is negative by more than two standard uncertainties.
     #[must_use]
     pub fn dissipates_by_each_term(&self) -> bool {
         self.negative_terms().is_empty()
@@ -161,7 +161,7 @@ impl TraceFit {
         libm::hypot(value("velocity0"), self.parameters[0].estimate.value * height)
     }
 
-    /// How many rows there are.
+    /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.traces.iter().map(|trace| trace.residuals.len()).sum()

@@ -1,11 +1,11 @@
-//! Huber's weights, which turn outliers down.
+//! Huber's weights, which reduce the influence of outliers.
 
 use crate::statistics::count;
 use crate::statistics::deviation_by_median;
 
 /// Huber's bound in standard deviations, at which 5 % of the precision is lost if there are no outliers.
 pub const BOUND: f64 = 1.345;
-/// Rows beyond so many robust standard deviations are called outliers: among normal errors one in 1.7 million. Of twelve
+/// Number of robust standard deviations beyond which rows are called outliers: among normal errors one in 1.7 million. Of twelve
 /// recordings (`search.rs`) with linear damping a strongly damped one had some with 4 and none with 5, one near the top some with 5 and none
 /// with 6.5.
 const OUTLIER: f64 = 5.0;
@@ -15,13 +15,13 @@ pub fn scale(residuals: &[f64]) -> f64 {
     deviation_by_median(residuals).unwrap_or(0.0)
 }
 
-/// The part of a residual by which a row is multiplied: the square of it is the weight.
+/// The factor of a row with this residual: its square is the weight.
 pub fn factor(residual: f64, scale: f64) -> f64 {
     let size = residual.abs();
     if size > BOUND * scale { (BOUND * scale / size).sqrt() } else { 1.0 }
 }
 
-/// Half the squares of residuals in units of the scale, beyond the bound only as much as they grow.
+/// Half the squares of residuals in units of the scale, beyond the bound growing only linearly.
 pub fn loss(residuals: &[f64], scale: f64) -> f64 {
     let one = |residual: &f64| match residual.abs() / scale {
         size if size > BOUND => BOUND * (size - 0.5 * BOUND),
@@ -30,12 +30,12 @@ pub fn loss(residuals: &[f64], scale: f64) -> f64 {
     residuals.iter().map(one).sum()
 }
 
-/// Whether a residual is one of an outlier.
+/// Returns whether a residual is that of an outlier.
 pub fn is_outlier(residual: f64, scale: f64) -> bool {
     scale > 0.0 && residual.abs() > OUTLIER * scale
 }
 
-/// The residuals of a least squares problem whose answer scatters as the robust one does: bounded, over the part of rows that
+/// The residuals of a least squares problem whose solution scatters as the robust one does: bounded, over the part of rows that
 /// are not (*Robust Statistics*, as below, section 7.6).
 pub fn bounded(residuals: &[f64]) -> Vec<f64> {
     let bound = BOUND * scale(residuals);
@@ -44,7 +44,7 @@ pub fn bounded(residuals: &[f64]) -> Vec<f64> {
     residuals.iter().map(|residual| residual.clamp(-bound, bound) / part).collect()
 }
 
-/// What the covariance of least squares is multiplied by: the mean square of the bounded residuals over the square of the
+/// Factor of the covariance of least squares: the mean square of the bounded residuals over the square of the
 /// part of rows that are not bounded, with Huber's correction for p parameters of n rows (*Robust Statistics*, Wiley 1981,
 /// doi:10.1002/0471725250, section 7.6).
 pub fn variance(residuals: &[f64], parameters: usize) -> f64 {

@@ -1,11 +1,11 @@
-//! How well a model explains data, for what it costs.
+//! Information criterion: quality of a model's fit against the number of its parameters.
 
 use super::{TraceFit, huber};
 use crate::statistics::akaike;
 use crate::statistics::count;
 
-/// Akaike's criterion with its correction for few data, up to a constant; infinite where the data are too few to judge. As many
-/// rows count as are independent, the same number for all models that are compared.
+/// Akaike's criterion with its correction for few data, up to a constant; infinite where the data are too few. Only independent
+/// rows count, the same number for all models that are compared.
 ///
 /// With a scale, also the same for all models, outliers count by Huber's loss (E. Ronchetti, Stat. Probab. Lett. 3, 21 (1985),
 /// doi:10.1016/0167-7152(85)90006-9); without one it is that of the residuals.

@@ -1,9 +1,9 @@
-//! Where each parameter of a fit stands.
+//! Order of the parameters of a fit.
 
 use super::{DampingModel, Parameter};
 use crate::measurement::{Observable, Trace};
 
-/// The places of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
+/// The order of the parameters: ω0, the coefficients of the damping and the scale, which all traces share, then offset,
 /// first angle and first velocity of each trace.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
@@ -31,7 +31,7 @@ impl Layout {
         1..1 + self.terms.count()
     }
 
-    /// How many radians are seen for each.
+    /// Index of the scale: measured radians per radian.
     pub fn scale(&self) -> usize {
         1 + self.terms.count()
     }
@@ -40,12 +40,12 @@ impl Layout {
         self.scale() + 1 + Self::OWN * trace
     }
 
-    /// First angle and first velocity.
+    /// Indices of first angle and first velocity.
     pub(super) fn first_state(&self, trace: usize) -> [usize; 2] {
         [1, 2].map(|place| self.offset(trace) + place)
     }
 
-    /// The places by which the motion of a trace is derived, in the order of [`Sample`](super::swing::Sample).
+    /// The indices by which the motion of a trace is differentiated, in the order of [`Seen`](super::swing::Seen).
     pub(super) fn of_motion(&self, trace: usize) -> impl Iterator<Item = usize> {
         [Self::OMEGA0].into_iter().chain(self.coefficients()).chain(self.first_state(trace))
     }

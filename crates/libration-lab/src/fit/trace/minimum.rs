@@ -13,66 +13,66 @@ use crate::measurement::Trace;
 use crate::statistics::levenberg_marquardt::{self, Linearised, NoResiduals};
 use nalgebra::DVector;
 
-/// Where a search begins, and what it may do.
+/// Start of a search, with its limits.
 #[derive(Clone, Debug)]
 pub struct Start {
-    /// Of all parameters.
+    /// Values of all parameters.
     pub parameters: Vec<f64>,
-    /// The places of those that are varied.
+    /// Indices of the parameters that are varied.
     pub free: Vec<usize>,
     /// Evaluations for each free parameter and one more.
     pub patience: usize,
-    /// How exact it is.
+    /// Accuracy of the search.
     pub care: Care,
 }
 
-/// How exact a search is.
+/// Accuracy of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Care {
-    /// Of the motion.
+    /// Tolerances of the motion.
     effort: Effort,
-    /// The relative change of the sum of squares that is none.
+    /// The relative change of the sum of squares that is negligible.
     tolerance: f64,
 }
 
 impl Care {
-    /// To ten times what motions are followed to.
+    /// Accuracy of results: ten times the tolerance of the motions.
     pub const FULL: Self = Self { effort: super::swing::EXACT, tolerance: 1e-11 };
-    /// To see which of some models is the right one: the last digits of the others are of no interest, and a sum of squares that is not
-    /// made of noise comes down slowly.
+    /// Accuracy for the choice of a model: the last digits of the others are irrelevant, and a sum of squares that does not
+    /// consist of noise falls slowly.
     pub(super) const COMPARISON: Self = Self { tolerance: 1e-9, ..Self::FULL };
-    /// To see where a way leads: sums of squares that differ by a thousandth are distinguished.
+    /// Accuracy for the end of a descent: sums of squares that differ by a thousandth are distinguished.
     pub(super) const SEARCH: Self = Self { effort: super::swing::ROUGH, tolerance: 1e-5 };
-    /// To begin to follow a motion.
+    /// Accuracy for the first swings.
     pub(super) const FIRST_SWINGS: Self = Self { tolerance: 1e-9, ..Self::SEARCH };
-    /// To follow a motion a little longer: it wants to be in phase.
+    /// Accuracy for a slightly longer part of a motion, which only needs to be in phase.
     pub(super) const GROWTH: Self = Self { tolerance: 1e-3, ..Self::SEARCH };
 }
 
 /// The best parameters that a search has found.
 #[derive(Clone, Debug)]
 pub struct Descent {
-    /// All of them.
+    /// Values of all parameters.
     pub parameters: Vec<f64>,
-    /// Of the residuals, times their weights.
+    /// Sum of squares of the residuals, times their weights.
     pub sum_of_squares: f64,
-    /// As a part of the scatter of the rows that count.
+    /// Sum of squares relative to the scatter of the rows that count.
     pub(super) unexplained: f64,
-    /// Of what was seen with the motion, in the worst part of a trace: the cosine of the phase between them.
+    /// Correlation of the data with the motion, in the worst part of a trace: the cosine of the phase between them.
     pub(super) least_correlation: f64,
     pub(super) converged: bool,
-    /// The rows there, where they are known.
+    /// The rows at these parameters, where they are known.
     rows: Option<Vec<Rows>>,
 }
 
-/// The best parameters, and what is known there.
+/// The best parameters, with the linearised problem.
 #[derive(Clone, Debug)]
 pub struct Minimum {
-    /// All of them.
+    /// Values of all parameters.
     pub parameters: Vec<f64>,
-    /// By the free parameters, of all rows.
+    /// Derivatives of all rows with respect to the free parameters, and residuals.
     pub linearised: Linearised,
-    /// Of all rows.
+    /// Weights of all rows.
     pub weights: Weights,
     pub(super) converged: bool,
 }
@@ -83,7 +83,7 @@ impl Minimum {
         self.linearised.residuals.norm_squared()
     }
 
-    /// As the end of a way down that leaves this part of the scatter.
+    /// Returns the end of a descent that leaves this part of the scatter.
     pub(super) fn to_descent(&self, unexplained: f64) -> Descent {
         let (parameters, sum_of_squares) = (self.parameters.clone(), self.sum_of_squares());
         let (converged, rows) = (self.converged, None);
@@ -97,7 +97,7 @@ impl Minimum {
     }
 }
 
-/// The way down from where the search starts. `watch` is asked before each evaluation of the motion.
+/// Descends from the start of a search. `watch` is checked before each evaluation of the motion.
 pub fn descent(
     model: &Model,
     series: &[Series<'_>],
@@ -143,7 +143,7 @@ pub fn descent(
     Ok(Descent { parameters, sum_of_squares, unexplained, least_correlation, converged, rows })
 }
 
-/// The sum of squares at a start, and by how much it would fall if the model were linear.
+/// The sum of squares at a start, and its decrease if the model were linear.
 pub(super) fn promised(
     model: &Model,
     series: &[Series<'_>],
@@ -160,7 +160,7 @@ pub(super) fn promised(
     Ok((sum, if free.is_empty() { 0.0 } else { few.promises() * sum }))
 }
 
-/// All rows at the end of a way down.
+/// All rows at the end of a descent.
 pub(super) fn linearised(
     model: &Model,
     series: &[Series<'_>],
@@ -176,14 +176,14 @@ pub(super) fn linearised(
 }
 
 impl Descent {
-    /// Whether it is known to leave nothing but noise.
+    /// Returns whether it is known to leave only noise.
     pub(super) fn leaves_noise(&self) -> bool {
         let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();
         self.rows.as_ref().is_some_and(|rows| Autocorrelation::of_series(&residuals(rows)).is_noise())
     }
 }
 
-/// The deeper of two ends, or the one there is.
+/// Returns the deeper of two ends, or the only one.
 pub(super) fn deeper(
     one: Result<Descent, TraceFitError>,
     other: Result<Descent, TraceFitError>,

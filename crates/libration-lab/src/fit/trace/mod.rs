@@ -1,14 +1,14 @@
 //! Traces of swings → ω0, damping and their uncertainties, at any amplitude.
 //!
-//! What was seen is y = offset + scale·θ, or + scale·θ′ for angular velocities, of a motion
+//! The model of the data is y = offset + scale·θ, or + scale·θ′ for angular velocities, with a motion
 //! θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| that begins with an angle and a velocity of its own in each trace. The
-//! equation is integrated together with its derivatives by all of these, and Levenberg's and Marquardt's method
-//! (J. J. Moré, Lect. Notes Math. 630, 105 (1978), doi:10.1007/BFb0067700) makes the sum of squares least. It begins from
-//! the weak form of the equation, which wants no guess, in the first swings, and takes more and more of the trace.
+//! equation is integrated together with its derivatives with respect to all of these, and Levenberg's and Marquardt's method
+//! (J. J. Moré, Lect. Notes Math. 630, 105 (1978), doi:10.1007/BFb0067700) minimises the sum of squares. It starts from
+//! the weak form of the equation, which needs no guess, in the first swings, and takes more and more of the trace.
 //!
-//! Uncertainties are those of the scatter, or of the stated ones if these are larger, times what the likeness of residuals
-//! from row to row makes of them: their noise is found with the parameters, and where they are no noise at all a bootstrap
-//! of blocks says whether that is enough. What is wrong in all rows together, as by a clock or a pivot that was fitted, is added.
+//! Uncertainties are those of the scatter, or of the stated ones if these are larger, times their inflation by the correlation of
+//! residuals: the noise is fitted with the parameters, and where residuals are not noise at all a bootstrap
+//! of blocks shows whether that is enough. Errors common to all rows, as by a clock or a pivot that was fitted, are added.
 
 mod error;
 mod options;
@@ -60,10 +60,10 @@ use problem::Problem;
 
 /// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
 ///
-/// `watch` is asked before each evaluation of the motion and may stop the fit.
+/// `watch` is checked before each evaluation of the motion and may stop the fit.
 ///
 /// # Errors
-/// Too few rows, a trace that no pendulum makes, parameters that the data do not determine, an interruption.
+/// Fails for too few rows, a trace that is not that of a pendulum, parameters that the data do not determine, and a cancellation.
 ///
 /// # Examples
 /// ```
@@ -95,7 +95,7 @@ pub fn fit_traces(
     check_explained(&fit).map(|()| fit)
 }
 
-/// Refuses a fit that leaves the better part of the data unexplained.
+/// Refuses a fit that leaves the greater part of the data unexplained.
 fn check_explained(fit: &TraceFit) -> Result<(), TraceFitError> {
     let percent = 100.0 * fit.unexplained;
     if fit.unexplained > search::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }

@@ -1,4 +1,4 @@
-//! What a pendulum with some kinds of damping should have shown.
+//! Values of a pendulum with some kinds of damping, to be compared with data.
 
 use super::DampingModel;
 use super::layout::Layout;
@@ -9,7 +9,7 @@ use crate::statistics::triangle;
 use libration::taylor::Effort;
 use nalgebra::{DMatrix, DVector};
 
-/// The motion of some traces, and the parameters it has.
+/// The motion of some traces, and its parameters.
 #[derive(Clone, Debug)]
 pub struct Model {
     pub layout: Layout,
@@ -17,28 +17,28 @@ pub struct Model {
     free_scale: bool,
 }
 
-/// What the rows of one trace miss, with the derivatives by the parameters that they depend on.
+/// Residuals of the rows of one trace, with the derivatives with respect to the parameters that they depend on.
 #[derive(Clone, Debug)]
 pub struct Rows {
-    /// Of all parameters.
+    /// Indices of these parameters among all.
     places: Vec<usize>,
     /// The derivatives, then the residuals, all times the weights.
     matrix: DMatrix<f64>,
 }
 
 impl Model {
-    /// Of so many traces; the scale of the angles is one if it is not free.
+    /// Returns the model of this number of traces; the scale of the angles is one if it is not free.
     pub(super) fn new(terms: DampingModel, traces: usize, free_scale: bool) -> Self {
         Self { layout: Layout::new(terms, traces), swing: Swing::new(terms), free_scale }
     }
 
-    /// The places of the parameters that are varied.
+    /// The indices of the parameters that are varied.
     pub fn free(&self) -> Vec<usize> {
         (0..self.layout.len()).filter(|&place| self.free_scale || place != self.layout.scale()).collect()
     }
 
-    /// The rows at each of some sets of parameters, those of all traces one behind the other; none where the motion cannot be
-    /// followed.
+    /// The rows of each trace at these parameters; `None` where the motion cannot be
+    /// integrated.
     pub fn rows(
         &self,
         series: &[Series<'_>],
@@ -103,7 +103,7 @@ impl Model {
 }
 
 impl Rows {
-    /// Of all parameters, those that the rows depend on.
+    /// Indices, among all parameters, of those that the rows depend on.
     pub fn places(&self) -> &[usize] {
         &self.places
     }
@@ -113,12 +113,12 @@ impl Rows {
         self.matrix.column(self.places.len()).iter().copied().collect()
     }
 
-    /// All rows, by all free parameters.
+    /// All rows, with derivatives with respect to all free parameters.
     pub fn whole(rows: &[Self], free: &[usize]) -> Linearised {
         stacked(&rows.iter().map(|rows| (&rows.places[..], &rows.matrix)).collect::<Vec<_>>(), free)
     }
 
-    /// As few as there are parameters, which have the same sum of squares with the same slopes.
+    /// Rows reduced to at most one more than there are parameters, with the same sum of squares and the same derivatives.
     pub fn few(rows: &[Self], free: &[usize]) -> Linearised {
         let few: Vec<DMatrix<f64>> = rows.iter().map(|rows| triangle(&rows.matrix)).collect();
         let parts = rows.iter().zip(&few).map(|(rows, few)| (&rows.places[..], few));
@@ -126,7 +126,7 @@ impl Rows {
     }
 }
 
-/// The rows of all parts one behind the other.
+/// Concatenates the rows of all parts.
 fn stacked(parts: &[(&[usize], &DMatrix<f64>)], free: &[usize]) -> Linearised {
     let total = parts.iter().map(|(_, matrix)| matrix.nrows()).sum();
     let mut residuals = DVector::zeros(total);

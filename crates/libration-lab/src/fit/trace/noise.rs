@@ -1,10 +1,10 @@
-//! What residuals that are alike from row to row make of uncertainties.
+//! Effect of correlated residuals on uncertainties.
 //!
-//! The noise is white, or the sum of a white part and of one that forgets itself as exp(−t/τ). Neither τ nor the parts are
+//! The noise is white, or the sum of a white part and of one with the correlation exp(−t/τ). Neither τ nor the parts are
 //! known: each noise counts by its restricted likelihood (H. D. Patterson and R. Thompson, Biometrika 58, 545 (1971),
-//! doi:10.1093/biomet/58.3.545), which heeds what the fitted parameters have taken out of the residuals; white noise
-//! counts as much beforehand as all others together. Under each the variance of a least squares estimate is a Σ aᵀ,
-//! where a is how the parameter answers to the rows. What the residuals leave open about the noise makes the degrees of
+//! doi:10.1093/biomet/58.3.545), which accounts for the loss of residuals to the fitted parameters; white noise has the
+//! same prior weight as all others together. Under each the variance of a least squares estimate is a Σ aᵀ,
+//! where a is the response of the parameter to the rows. The remaining uncertainty about the noise makes the degrees of
 //! freedom of Student's t finite (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946), doi:10.2307/3002019).
 
 use libration::watch::Watch;
@@ -16,12 +16,12 @@ use crate::parallel;
 use crate::statistics::levenberg_marquardt::Linearised;
 use crate::statistics::{count, median};
 
-/// What the noise does to one parameter.
+/// Effect of the noise on one parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// Its variance over the one it had if the residuals were independent.
+    /// Ratio of its variance to that of independent residuals.
     pub inflation: f64,
-    /// Of Student's t, by which its intervals are found.
+    /// Degrees of freedom of Student's t for its intervals.
     pub degrees_of_freedom: f64,
 }
 
@@ -29,19 +29,19 @@ pub struct Effect {
 /// uncertainty 4.3 times as large, with 0.95 too none changed by a twentieth. With ten parts from 0 to 0.9 two preferred another model, and
 /// others changed by up to 7 %.
 const WHITE_PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.7, 0.85];
-/// Times that are tried, in steps between rows: from so short a one, each longer by this factor. From 0.2 and 0.8 on, and with a factor of
+/// Shortest correlation time, in steps between rows; each further one is longer by [`FACTOR`]. From 0.2 and 0.8 on, and with a factor of
 /// 1.3, the uncertainty of T0 changed by a tenth in one of twelve recordings (`search.rs`); with 2.2 by a fifth in two.
 const SHORTEST: f64 = 0.4;
-/// By how much each time that is tried is longer than the one before.
+/// Ratio of successive correlation times.
 pub const FACTOR: f64 = 1.6;
-/// Longer times than this part of a trace are drift, and longer ones than so many rows cannot be distinguished from it. With 0.06 the
-/// uncertainty of T0 fell by 15 % in one of the twelve, with 0.25 it rose by 5 %; with 100 and 1600 rows nothing changed.
+/// Longest correlation time relative to a trace; longer ones are drift, and ones longer than `LONGEST_ROWS` cannot be distinguished from it. With
+/// 0.06 the uncertainty of T0 fell by 15 % in one of the twelve, with 0.25 it rose by 5 %; with 100 and 1600 rows nothing changed.
 const LONGEST_PART: f64 = 0.125;
 const LONGEST_ROWS: f64 = 400.0;
-/// Fewer cannot carry an interval: Student's quantile at 95 % is then 4.3.
+/// Least degrees of freedom, since fewer cannot carry an interval: Student's quantile at 95 % is then 4.3.
 const LEAST_DEGREES: f64 = 2.0;
 
-/// The effect on each parameter of a least squares problem, by how the parameters answer to the rows.
+/// The effect on each parameter of a least squares problem, by the response of the parameters to the rows.
 pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     let response = &problem.matrix;
     let rows = Rows::new(traces, problem);
@@ -67,7 +67,7 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     (0..response.nrows()).map(effect).collect()
 }
 
-/// From the logarithms of the inflation under each noise. Those of a variance with ν degrees of freedom scatter by √(2/ν).
+/// Averages the logarithms of the inflation under each noise. Those of a variance with ν degrees of freedom scatter by √(2/ν).
 pub fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect {
     let total: f64 = weights.iter().sum();
     let mean_of = |value: &dyn Fn(f64) -> f64| {
@@ -79,7 +79,7 @@ pub fn mean_effect(logarithms: &[f64], weights: &[f64], degrees: f64) -> Effect 
     Effect { inflation: libm::exp(mean), degrees_of_freedom }
 }
 
-/// The times in seconds after which a noise has forgotten all but 1/e.
+/// The correlation times in seconds, after which a noise has fallen to 1/e.
 pub fn times(traces: &[Trace]) -> Vec<f64> {
     let steps = traces.iter().flat_map(|trace| trace.times().windows(2).map(|pair| pair[1] - pair[0]));
     let Some(step) = median(steps.collect()) else { return vec![] };
@@ -89,40 +89,40 @@ pub fn times(traces: &[Trace]) -> Vec<f64> {
     times.take_while(|&time| time <= longest.min(LONGEST_ROWS * step)).collect()
 }
 
-/// What is left after each step of what is remembered for so long; nothing before the first row, and of what is white.
+/// Part of noise with this correlation time that remains after each step; zero before the first row, and for white noise.
 pub fn memories(time: f64, times: &[f64]) -> Vec<f64> {
     let one = |pair: &[f64]| if time > 0.0 { libm::exp((pair[0] - pair[1]) / time) } else { 0.0 };
     [0.0].into_iter().chain(times.windows(2).map(one)).collect()
 }
 
-/// A noise with what follows from it.
+/// A noise with its likelihood and the resulting variances.
 #[derive(Clone, Debug)]
 struct Tried {
-    /// The logarithm of the restricted likelihood, up to what is the same for all.
+    /// The logarithm of the restricted likelihood, up to a constant that is the same for all.
     likelihood: f64,
-    /// Of each parameter.
+    /// Variance of each parameter.
     variances: Vec<f64>,
 }
 
 /// The rows of one trace.
 #[derive(Debug)]
 pub struct Part<'a> {
-    /// In seconds.
+    /// Times in seconds.
     pub times: &'a [f64],
-    /// The place of its first row among those of all traces.
+    /// The index of its first row among those of all traces.
     pub first: usize,
-    /// The parameters on which these rows depend, and at the end the place of the residuals.
+    /// Indices of the parameters on which these rows depend, and at the end that of the residuals.
     pub places: Vec<usize>,
-    /// Row by row, the derivatives by these and the residual.
+    /// Derivatives with respect to these and the residual, row by row.
     pub rows: Vec<f64>,
 }
 
-/// All rows, with derivatives of the size of one.
+/// All rows, with derivatives scaled to norm one.
 #[derive(Debug)]
 pub struct Rows<'a> {
-    /// Trace by trace.
+    /// Rows of each trace.
     pub parts: Vec<Part<'a>>,
-    /// How many there are.
+    /// Number of parameters.
     pub parameters: usize,
 }
 
@@ -151,7 +151,7 @@ impl<'a> Rows<'a> {
         Self { parts, parameters }
     }
 
-    /// For noises that remember so long, with these white parts: the likelihoods, if their sizes are unknown, and the variances under
+    /// Evaluates noises with this correlation time and these white parts: the likelihoods, if their sizes are unknown, and the variances under
     /// them.
     fn tried(&self, time: f64, white: &[f64], response: &DMatrix<f64>, degrees: f64) -> Vec<Option<Tried>> {
         let memories: Vec<Vec<f64>> = self.parts.iter().map(|part| memories(time, part.times)).collect();
@@ -221,7 +221,7 @@ impl Part<'_> {
             let total = spread + white;
             let (gain, scale) = (spread / total, 1.0 / total.sqrt());
             determinant *= total;
-            // Each total is between the white part, or what is forgotten in a step, and one: so few do not underflow.
+            // Each total is between the white part, or the part lost in a step, and one: the product of eight does not underflow.
             if n % 8 == 7 {
                 logarithm += libm::log(determinant);
                 determinant = 1.0;

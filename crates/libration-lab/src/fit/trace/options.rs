@@ -1,13 +1,13 @@
-//! How traces are fitted.
+//! Options for the fit of traces.
 
-/// How traces are fitted.
+/// Options for the fit of traces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TraceOptions {
     /// Rows count the less the further they are from the motion (P. J. Huber, Ann. Math. Statist. 35, 73 (1964),
-    /// doi:10.1214/aoms/1177703732), so that outliers draw nothing.
+    /// doi:10.1214/aoms/1177703732), so that outliers have little influence.
     pub robust: bool,
-    /// The scale of the angles is to be found, and not taken to be right.
+    /// `true` to fit the scale of the angles, instead of taking it as right.
     pub free_scale: bool,
-    /// The intervals of the profile likelihood are wanted; they cost some ten further fits for each shared parameter.
+    /// `true` to compute the intervals of the profile likelihood; they cost some ten further fits for each shared parameter.
     pub profile: bool,
 }

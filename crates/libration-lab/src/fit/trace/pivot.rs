@@ -1,4 +1,4 @@
-//! What a pivot that was fitted to positions leaves open: where it is wrong all angles about it are wrong together, which no
+//! Uncertainty by a pivot that was fitted to positions: where it is wrong all angles about it are wrong together, which no
 //! residual shows.
 
 use nalgebra::{DMatrix, DVector};
@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use super::minimum::Minimum;
 use crate::measurement::{FittedPivot, Trace};
 
-/// The covariance of the parameters by the pivots, as far as they answer linearly to shifted angles. Traces about one pivot
+/// The covariance of the parameters by the pivots, as far as they respond linearly to shifted angles. Traces about one pivot
 /// share its error.
 pub(super) fn covariance(traces: &[Trace], minimum: &Minimum, response: &DMatrix<f64>) -> DMatrix<f64> {
     let mut sum = DMatrix::zeros(response.nrows(), response.nrows());

@@ -1,4 +1,4 @@
-//! Traces, the model that is to explain them, and what is asked for.
+//! Traces, the model that is fitted to them, and the options of the fit.
 
 use libration::watch::Watch;
 
@@ -18,31 +18,32 @@ use std::f64::consts::TAU;
 pub struct Problem<'a> {
     /// The traces.
     pub data: Data<'a>,
-    /// What is fitted to them.
+    /// The model that is fitted to them.
     pub model: Model,
     pub(super) options: TraceOptions,
-    /// Where the search of each trace begins.
+    /// Starts of the search, one for each trace.
     pub(super) beginnings: Vec<Beginning>,
-    /// How many small periods the longest trace has.
+    /// Length of the longest trace in periods of small swings.
     pub cycles: f64,
 }
 
 /// Evaluations for each parameter of a search that may have to go far, as MINPACK counts them: of 24 recordings (`search.rs`) all but
 /// one that no model describes ended alike with 10 and with 60.
 pub const PATIENCE: usize = 30;
-/// Of one that begins near a minimum that is known: with 1, 3 and 30 the parameters of 21 fits moved by less than 2e-6 of their uncertainties.
+/// Evaluations of a search that begins near a known minimum: with 1, 3 and 30 the parameters of 21 fits moved by less than 2e-6 of their
+/// uncertainties.
 const PATIENCE_NEAR: usize = 8;
 /// Rounds in which the weights of outliers are renewed: with 5, 10 and 100 twelve robust fits ended alike.
 const ROBUST_ROUNDS: usize = 30;
-/// A relative change of the sum of squares that is none: with 1e-6 they ended alike.
+/// Largest negligible relative change of the sum of squares: with 1e-6 they ended alike.
 const SETTLED: f64 = 1e-8;
 
-/// A linear model errs by the square of how far it goes: what is promised by a hundredth is wrong by far less, and the ends of intervals by
+/// A linear model errs by the square of its step: a predicted decrease of a hundredth is wrong by far less, and the ends of intervals by
 /// less than a thousandth of a deviation.
 const SMALL_PART: f64 = 0.01;
 
 impl<'a> Problem<'a> {
-    /// Traces with rows enough for these kinds of damping.
+    /// Checks that traces have enough rows for these kinds of damping, and prepares their fit.
     pub fn new(
         traces: &'a [Trace],
         terms: DampingModel,
@@ -60,13 +61,13 @@ impl<'a> Problem<'a> {
         Ok(Self { data, model, options, beginnings, cycles })
     }
 
-    /// The same traces with other kinds of damping.
+    /// Returns the problem of the same traces with other kinds of damping.
     pub(super) fn with_terms(&self, terms: DampingModel) -> Self {
         let model = Model::new(terms, self.data.traces.len(), self.options.free_scale);
         Self { model, ..self.clone() }
     }
 
-    /// The minimum near some parameters, robust if asked for.
+    /// Finds the minimum near some parameters, robust if requested.
     pub fn minimum_near(
         &self,
         parameters: Vec<f64>,
@@ -79,7 +80,7 @@ impl<'a> Problem<'a> {
         if !self.options.robust {
             return self.minimum_with(stated, Start { parameters, free, patience, care }, watch);
         }
-        // Least squares would be drawn away from where the search has come.
+        // Least squares would be drawn away from the start.
         let here = Start { parameters: parameters.clone(), free: vec![], patience, care };
         let weights = self.robust_weights(&self.minimum_with(stated, here, watch)?);
         let start = Start { parameters, free: free.clone(), patience, care };
@@ -98,7 +99,7 @@ impl<'a> Problem<'a> {
         Ok(best)
     }
 
-    /// Roughly where the way down from some parameters ends, by rows enough of all traces; with outliers turned down, if asked for,
+    /// Finds the approximate end of the descent from some parameters, by enough rows of all traces; with outliers down-weighted, if requested,
     /// the minimum by all rows.
     pub(super) fn approach(
         &self,
@@ -114,7 +115,7 @@ impl<'a> Problem<'a> {
         self.descent_over(self.cycles, start, watch)
     }
 
-    /// Roughly where the way down ends, by rows enough of so many small periods.
+    /// Finds the approximate end of the descent, by enough rows of this number of periods of small swings.
     pub(super) fn descent_over(
         &self,
         cycles: f64,
@@ -126,8 +127,8 @@ impl<'a> Problem<'a> {
         descent(&self.model, &series::of_search(self.data, &rows, &stated, cycles), start, watch)
     }
 
-    /// The least sum of squares next to some parameters with these free, at the weights of a minimum with this sum. Where the way down is
-    /// a small part of what the sum is above that, it is taken as if the model were linear.
+    /// The least sum of squares next to some parameters with these free, at the weights of a minimum with this sum. Where the decrease is
+    /// a small part of the sum's difference from that minimum, the model is taken as linear.
     pub fn sum_beside(
         &self,
         weights: &Weights,
@@ -159,7 +160,7 @@ impl<'a> Problem<'a> {
         Ok(Minimum { parameters, linearised, weights, converged })
     }
 
-    /// The part of the scatter of the data that a minimum leaves.
+    /// The part of the scatter of the data that remains at a minimum.
     pub(super) fn unexplained(&self, minimum: &Minimum) -> f64 {
         minimum.sum_of_squares() / series::scatter(&series::whole(self.data, &minimum.weights))
     }

@@ -1,5 +1,5 @@
-//! Intervals of the profile likelihood: how far a parameter may be moved, all others following it, until the sum of squares
-//! has grown by as much as the level says (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
+//! Intervals of the profile likelihood: the distance by which a parameter can be moved, with all others refitted, until the sum of squares
+//! has grown by the amount of the level (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
 //! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
 
 use libration::watch::Watch;
@@ -12,12 +12,12 @@ use nalgebra::DMatrix;
 
 /// Standard deviations within which a normal distribution has 68.27 % and 95 %.
 pub const LEVELS: [f64; 2] = [1.0, 1.959963984540054];
-/// Lengths that are tried, each by what the last one missed: in 21 recordings one correction was enough, so that with 1 and 12 nothing
-/// changed. Profiles that bend more take more.
+/// Number of distances that are tried, each corrected by the error of the last one: in 21 recordings one correction was enough, so that with 1 and
+/// 12 nothing changed. Profiles that are less parabolic need more.
 const TRIES: usize = 6;
-/// Deviations that differ by less are the same: with a tenth of it no end moved by a hundredth of an uncertainty.
+/// Largest negligible relative error of a distance: with a tenth of it no end moved by a hundredth of an uncertainty.
 const SAME: f64 = 0.005;
-/// No correction is larger: with 1.5 and 10 nothing changed.
+/// Largest factor of a correction: with 1.5 and 10 nothing changed.
 const LARGEST_CORRECTION: f64 = 3.0;
 
 /// The intervals if the model were linear.
@@ -28,12 +28,12 @@ pub fn linear_intervals(parameter: &Parameter) -> [[f64; 2]; 2] {
     })
 }
 
-/// Standard uncertainties that the two intervals reach from the value.
+/// Half-widths of the two intervals, in standard uncertainties.
 pub(super) fn quantiles(degrees_of_freedom: f64) -> [f64; 2] {
     LEVELS.map(|level| students(level, degrees_of_freedom))
 }
 
-/// Puts the intervals of all shared parameters in.
+/// Computes the intervals of all shared parameters.
 pub(super) fn intervals(
     problem: &Problem<'_>,
     minimum: &Minimum,
@@ -69,13 +69,13 @@ struct Profile<'a> {
     minimum: &'a Minimum,
     free: &'a [usize],
     covariance: &'a DMatrix<f64>,
-    /// Of the parameter among the free ones.
+    /// Index of the parameter among the free ones.
     place: usize,
     variance: f64,
 }
 
 impl Profile<'_> {
-    /// The value at so many standard deviations; as if the model were linear where the profile does not reach so far.
+    /// The value at this number of standard deviations; as if the model were linear where the profile does not reach so far.
     fn end(&self, deviations: f64, uncertainty: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let centre = self.minimum.parameters[self.free[self.place]];
         let mut distance = deviations * uncertainty;
@@ -94,8 +94,8 @@ impl Profile<'_> {
         Ok(centre + distance)
     }
 
-    /// By how many standard deviations the data contradict a value at this distance. The other parameters follow it from
-    /// where they would be if the model were linear.
+    /// Number of standard deviations by which the data contradict a value at this distance. The other parameters start at the values
+    /// that they would have if the model were linear.
     fn deviations(&self, distance: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
         let variance = self.covariance[(self.place, self.place)];
@@ -110,7 +110,7 @@ impl Profile<'_> {
     }
 }
 
-/// Student's quantile of so many degrees of freedom at a normal one, by the first terms of Cornish and Fisher
+/// Student's quantile for this number of degrees of freedom at a normal one, by the first terms of Cornish and Fisher
 /// (Abramowitz and Stegun 26.7.5).
 pub fn students(z: f64, degrees: f64) -> f64 {
     let square = z * z;

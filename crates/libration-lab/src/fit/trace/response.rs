@@ -1,4 +1,4 @@
-//! How parameters answer to residuals next to the minimum.
+//! Linear response of the parameters to residuals next to the minimum.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,24 +8,24 @@ use crate::measurement::Trace;
 use crate::statistics::levenberg_marquardt::Linearised;
 use crate::statistics::{Design, Undetermined};
 
-/// Derivatives of the motion are integrated to 1e-12, so that errors of that size, with those of an order of magnitude that add up
-/// on the way, are what is left of a column that the others span.
+/// Derivatives of the motion are integrated to 1e-12, so that errors of that size, accumulated by an order of magnitude
+/// during the integration, remain of a column that the others span.
 const EXACTNESS: f64 = 1e-11;
 
-/// A problem of least squares at its minimum, in which parameters answer linearly to residuals.
+/// A problem of least squares at its minimum, in which parameters respond linearly to residuals.
 pub(super) struct Response {
     pub(super) linearised: Linearised,
-    /// A row for each parameter, a column for each residual.
+    /// Matrix with a row for each parameter and a column for each residual.
     pub(super) matrix: DMatrix<f64>,
 }
 
 impl Response {
-    /// At a minimum, as its rows are weighted.
+    /// Computes the response at a minimum, with the weights of its rows.
     pub(super) fn new(minimum: &Minimum, parameters: &[Parameter]) -> Result<Self, TraceFitError> {
         Self::with(minimum.linearised.clone(), parameters)
     }
 
-    /// Of the problem that a robust one is in the limit of many rows: outliers are bounded there, and their rows have full
+    /// Computes the response of the problem that a robust one approaches for many rows: outliers are bounded there, and their rows have full
     /// weight, so that the noise is the same in all.
     pub(super) fn without_weights(
         minimum: &Minimum,
@@ -49,7 +49,7 @@ impl Response {
         Ok(Self { matrix: design.pseudo_inverse(), linearised })
     }
 
-    /// Of the parameters, if the residuals were independent with a variance of one.
+    /// Covariance of the parameters, if the residuals were independent with a variance of one.
     pub(super) fn covariance(&self) -> DMatrix<f64> {
         &self.matrix * self.matrix.transpose()
     }

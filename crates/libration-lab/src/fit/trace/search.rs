@@ -1,4 +1,4 @@
-//! The way to the minimum from no guess: from the first swings on, taking more and more of the traces.
+//! Search for the minimum without a guess: from the first swings on, with growing parts of the traces.
 
 use libration::watch::Watch;
 use std::f64::consts::TAU;
@@ -8,51 +8,51 @@ use super::layout::Layout;
 use super::minimum::{Care, Descent, Start, deeper};
 use super::problem::{PATIENCE, Problem};
 
-/// How more and more of the traces is taken, in small periods.
+/// Growth of the part of the traces that is fitted, in periods of small swings.
 ///
 /// The numbers were varied over 24 recordings with linear and quadratic damping: twelve measured ones by an encoder, released at up to
 /// 180°, and by videos, and twelve synthetic ones, of which three were released within 10° of the top, one began over it and two
-/// were angular velocities from 140° and 175°. What is said of a number is which of them ended in another minimum.
+/// were angular velocities from 140° and 175°. The comment on a number states which of them ended in another minimum.
 struct Growth {
-    /// With 0.75 to 3 cycles at first all ended alike but one near the top, lost with 0.75; with 6 six were lost.
+    /// First number of cycles. With 0.75 to 3 all ended alike but one near the top, lost with 0.75; with 6 six were lost.
     first: f64,
-    /// With 1.5 all ended alike; with 4 two were lost, the release at 180° and the one that begins over the top.
+    /// Ratio of successive numbers. With 1.5 all ended alike; with 4 two were lost, the release at 180° and the one that begins over the top.
     factor: f64,
-    /// Below it damping is not looked for: with damping from the first cycle on one near the top was lost, from 5.9 on the one
-    /// that begins over the top, and one more where damping is looked for in the whole trace only.
+    /// Number of cycles from which on damping is fitted: with damping from the first cycle on one near the top was lost, from 5.9 on the one
+    /// that begins over the top, and one more where damping is fitted to the whole trace only.
     damped_from: f64,
 }
 
-/// Quick, and careful: near the top a little damping decides whether the pendulum goes over it. Without the careful one the release
+/// A quick search, and a careful one: near the top a little damping decides whether the pendulum goes over it. Without the careful one the release
 /// at 179.5° was lost; with 0.4 to 1.5 cycles, factors of 1.15 to 1.7 and damping from 2.9 on it ended alike.
 const QUICK: Growth = Growth { first: 1.5, factor: 2.0, damped_from: 2.9 };
 const CAREFUL: Growth = Growth { first: 0.75, factor: 1.3, damped_from: 0.0 };
-/// Evaluations for each parameter on the way, as MINPACK counts them: 4 and 20 ended alike.
+/// Evaluations for each parameter during the growth, as MINPACK counts them: 4 and 20 ended alike.
 const PATIENCE_GROWING: usize = 10;
-/// Cycles from which on all kinds of damping are looked for at once: 5.9, 23.9 and 1000 ended alike; with all from the first cycle
+/// Cycles from which on all kinds of damping are fitted at once: 5.9, 23.9 and 1000 ended alike; with all from the first cycle
 /// on the two angular velocities were lost.
 const CYCLES_OF_ALL_DAMPING: f64 = 11.9;
-/// A search that has followed the data for so long is not lost where it fails later on: it is the model that fails. With 10⁶ all
+/// A search that has followed the data for more cycles than this is not lost where it fails later on: the model fails. With 10⁶ all
 /// ended alike; a model that is wrong is then tried twice.
 const CYCLES_OF_SEARCH: f64 = 5.0;
-/// Of the scatter of the data, the part that a fit leaves if it has not failed: 0.0005 and 0.05 ended alike. A right model leaves
+/// The part of the scatter of the data that a successful fit leaves at most: 0.0005 and 0.05 ended alike. A right model leaves
 /// more where noise is above a twentieth of the signal, and is then tried twice.
 const GOOD: f64 = 0.0025;
-/// The part beyond which it has: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
+/// The part beyond which a fit has failed: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
 pub(super) const HOPELESS: f64 = 0.5;
 
 /// A motion whose phase is less than an eighth of a turn from that of the data in all parts of a trace has lost no cycle.
 const IN_PHASE: f64 = 0.7;
-/// Two ways to sums of squares that differ by a smaller part have led to the same minimum.
+/// Relative difference of sums of squares below which two searches have led to the same minimum.
 const ALIKE: f64 = 1e-3;
 
-/// An end, and the number of cycles after which the model could no longer follow the data on the way to it.
+/// The end of a search, and the number of cycles after which the model could no longer follow the data.
 struct Followed {
     end: Descent,
     until: Option<f64>,
 }
 
-/// Roughly the minimum, from the first swings on; `known` is the deepest that is known already.
+/// Finds the approximate minimum, from the first swings on; `known` is the deepest that is known already.
 pub fn from_scratch(
     problem: &Problem<'_>,
     known: Option<&Descent>,
@@ -70,8 +70,8 @@ pub fn from_scratch(
     }
 }
 
-/// Whether the search failed, and not the model, as where it describes the beginning and fails later on, where the motion is in phase with
-/// all parts of the data, or where another way leads to the same end.
+/// Returns whether the search failed. The model has failed instead where it describes the beginning and fails later on; the search has succeeded
+/// where the motion is in phase with all parts of the data, or where another search leads to the same end.
 fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
     found.end.unexplained > GOOD
         && found.end.least_correlation < IN_PHASE
@@ -79,13 +79,13 @@ fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
         && !known.is_some_and(|known| are_alike(known, &found.end))
 }
 
-/// Whether two ways have led to the same minimum, in which the motion is in phase.
+/// Returns whether two searches have led to the same minimum, in which the motion is in phase.
 pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
     one.unexplained <= HOPELESS && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
 }
 
-/// Evaluations for each parameter of the last way down, for which there is little reason where the search has lost the data, and none where it has
-/// not come to an end either.
+/// Evaluations for each parameter of the last descent, for which there is little reason where the search has lost the data, and none where it has
+/// not converged either.
 pub(super) fn patience(end: &Descent) -> usize {
     match end.unexplained > HOPELESS {
         true if !end.converged => 1,
@@ -94,7 +94,7 @@ pub(super) fn patience(end: &Descent) -> usize {
     }
 }
 
-/// The minimum by growing parts of the traces.
+/// Finds the minimum by growing parts of the traces.
 fn grown(
     problem: &Problem<'_>,
     mut parameters: Vec<f64>,
@@ -104,7 +104,7 @@ fn grown(
     let mut cycles = growth.first;
     while cycles < problem.cycles {
         let free = free_within(problem.model.layout, cycles, growth);
-        // In the first swings a mistake is cheaply avoided and hard to mend: next to the top all depends on them.
+        // In the first swings an error is cheaply avoided and hard to correct: next to the top everything depends on them.
         let care = if cycles < CYCLES_OF_ALL_DAMPING { Care::FIRST_SWINGS } else { Care::GROWTH };
         let start = Start { parameters, free, patience: PATIENCE_GROWING, care };
         let found = problem.descent_over(cycles, start, watch)?;
@@ -119,7 +119,7 @@ fn grown(
     Ok(Followed { end, until: None })
 }
 
-/// The parameters that so many cycles determine: in few of them one kind of damping is as good as another.
+/// The parameters that this number of cycles determines: in few of them one kind of damping is as good as another.
 fn free_within(layout: Layout, cycles: f64, growth: &Growth) -> Vec<usize> {
     let damping = layout.coefficients();
     let is_free = |place: &usize| match damping.contains(place) {
@@ -130,7 +130,7 @@ fn free_within(layout: Layout, cycles: f64, growth: &Growth) -> Vec<usize> {
     (0..layout.len()).filter(is_free).collect()
 }
 
-/// The parameters at which the search begins, without damping.
+/// The starting parameters of the search, without damping.
 fn beginning(problem: &Problem<'_>) -> Vec<f64> {
     let layout = problem.model.layout;
     let mut parameters = vec![0.0; layout.len()];

@@ -10,24 +10,24 @@ use crate::statistics::{count, mean};
 /// Rows of one trace.
 #[derive(Clone, Debug)]
 pub struct Series<'a> {
-    /// What the values are.
+    /// Kind of the values.
     pub observable: Observable,
-    /// In seconds.
+    /// Times in seconds.
     pub times: Cow<'a, [f64]>,
-    /// What was seen at these times.
+    /// Measured values at these times.
     pub values: Cow<'a, [f64]>,
-    /// By which residuals are multiplied.
+    /// Factors of the residuals.
     pub weights: Cow<'a, [f64]>,
 }
 
-/// A search wants no more rows of a small period: of 24 recordings, with all models, those that some model describes ended as with all rows.
+/// Rows per period of small swings that a search uses: of 24 recordings, with all models, those that some model describes ended as with all rows.
 const ROWS_OF_A_SEARCH: f64 = 64.0;
 
 impl Series<'_> {
-    /// How alike the values and what should have been seen are in each of some parts of the rows, as a coefficient of correlation: the least
-    /// of them. It does not see the amplitude, but the phase: its cosine.
+    /// The least coefficient of correlation between the values and those of the fit, over some parts of the rows. It depends not on
+    /// the amplitude, but on the phase: it is its cosine.
     pub fn least_correlation(&self, residuals: &[f64]) -> f64 {
-        /// A motion that loses a cycle is out of phase for a good part of the trace before.
+        /// Number of parts: a motion that loses a cycle is out of phase for a good part of the trace before.
         const PARTS: usize = 10;
         let rows = (residuals.len() / PARTS).max(1);
         let missed = residuals.iter().zip(self.weights.iter()).map(|(residual, weight)| residual / weight);
@@ -37,7 +37,7 @@ impl Series<'_> {
     }
 }
 
-/// Of two columns; none of columns without scatter.
+/// Coefficient of correlation of two columns; zero for columns without scatter.
 fn correlation(one: &[f64], other: &[f64]) -> f64 {
     let [first, second] = [one, other].map(|column| mean(column.iter().copied()));
     let (mut product, mut squares) = (0.0, [0.0; 2]);
@@ -55,7 +55,7 @@ pub fn whole<'a>(data: Data<'a>, weights: &'a Weights) -> Vec<Series<'a>> {
     thinned(data, &data.rows(), weights, f64::INFINITY)
 }
 
-/// The first rows of each trace, of those that a search over so much time wants, which are evenly chosen.
+/// The first rows of each trace, thinned evenly to the number that a search over this many cycles uses.
 pub fn of_search<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, cycles: f64) -> Vec<Series<'a>> {
     thinned(data, rows, weights, ROWS_OF_A_SEARCH * cycles.max(1.0))
 }
@@ -71,7 +71,7 @@ pub(super) fn scatter(series: &[Series<'_>]) -> f64 {
     series.iter().map(of_one).sum()
 }
 
-/// Of the first rows of each trace every n-th, so that about so many are left and not fewer.
+/// Every n-th of the first rows of each trace, so that about `wanted` are left and not fewer.
 fn thinned<'a>(data: Data<'a>, rows: &[usize], weights: &'a Weights, wanted: f64) -> Vec<Series<'a>> {
     let every = |rows: usize| (1..).take_while(|&n| count(rows / n) >= wanted).last().unwrap_or(1);
     let one = |((trace, weights), &rows): ((&'a Trace, &'a [f64]), &usize)| {

@@ -1,4 +1,4 @@
-//! The motion of a damped pendulum, with its derivatives by everything it depends on.
+//! The motion of a damped pendulum, with its derivatives with respect to all parameters.
 //!
 //! θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated together with the equations of its derivatives by the
 //! coefficients of the damping and by a shift of the first state across the motion. The others follow: a shift along the motion
@@ -26,22 +26,22 @@ pub struct Swing {
     pub terms: DampingModel,
 }
 
-/// A motion that is asked for: from an angle and a velocity at the first of some times, which increase.
+/// A motion to be computed: from an angle and a velocity at the first of some times, which increase.
 #[derive(Clone, Debug)]
 pub struct Course<'a> {
     /// The angular frequency of small swings, in rad/s.
     pub omega0: f64,
-    /// Of the kinds of damping, in their order.
+    /// Coefficients of the kinds of damping, in their order.
     pub coefficients: &'a [f64],
     /// Angle in rad and angular velocity in rad/s at the first time.
     pub start: [f64; 2],
-    /// In seconds.
+    /// Times in seconds.
     pub times: &'a [f64],
-    /// What is seen of it.
+    /// The measured quantity.
     pub observable: Observable,
 }
 
-/// What is seen of a motion at the times asked for.
+/// Values of the measured quantity at the times of a course.
 #[derive(Clone, Debug)]
 pub struct Seen {
     /// The angle, or the angular velocity.
@@ -53,11 +53,11 @@ pub struct Seen {
 /// With relative errors of 1e-9 and 1e-14, absolute ones of 1e-10, and 2000 steps no parameter of 21 fits moved by 1e-6 of its uncertainty;
 /// the residuals of exact data are then 1e-12, and so is what can be tested.
 pub const EXACT: Effort = Effort { relative: 1e-12, absolute: 1e-15, most_steps: 20_000 };
-/// For what is not the last word.
+/// Tolerances for intermediate results.
 pub(super) const ROUGH: Effort = Effort { relative: 1e-9, absolute: 1e-12, ..EXACT };
 
 impl Swing {
-    /// Pendulums whose equation of motion has these terms.
+    /// Returns pendulums whose equation of motion has these terms.
     pub fn new(terms: DampingModel) -> Self {
         let coefficients: Vec<&str> = terms.iter().map(symbol).collect();
         let equation = with_sensitivities(&equation(terms), &coefficients, 1);
@@ -67,11 +67,11 @@ impl Swing {
         Self { system, terms }
     }
 
-    /// The motions, each bit for bit as it is alone; nothing where one of them cannot be followed.
+    /// Computes the motions, each bit for bit as it is alone; `None` where one of them cannot be integrated.
     pub fn seen(&self, courses: &[Course<'_>], effort: &Effort) -> Option<Vec<Seen>> {
         let ways = courses.iter().map(|course| Way::new(self, course));
         let mut ways = ways.collect::<Option<Vec<Way<'_>>>>()?;
-        // A pendulum that turns so much more often than it is looked at is far from any data.
+        // A pendulum that turns so much more often than it is sampled is far from any data.
         let most_rows = courses.iter().map(|course| course.times.len()).max().unwrap_or(0);
         for _ in 0..10 * most_rows + 100 {
             let mut under_way: Vec<&mut Way<'_>> = ways.iter_mut().filter(|way| !way.is_done()).collect();
@@ -85,7 +85,7 @@ impl Swing {
         None
     }
 
-    /// All ways on to their ends, or to where they turn.
+    /// Integrates all motions to their ends, or to where they turn.
     fn legs(&self, ways: &mut [&mut Way<'_>], effort: &Effort) -> Vec<Result<Solution, IntegrationError>> {
         let trajectories: Vec<Trajectory<'_>> = ways.iter().map(|way| way.trajectory()).collect();
         let mut take = |number: usize, step: &Step<'_>| {
@@ -93,19 +93,19 @@ impl Swing {
             ControlFlow::Continue(())
         };
         match &trajectories[..] {
-            // Side by side with nothing it would cost as much as eight.
+            // One motion alone would cost as much as eight in lanes.
             [one] => vec![one.integrate_watched(&self.system, effort, |step| take(0, step))],
             many => integrate_many_watched(&self.system, many, effort, take),
         }
     }
 
-    /// How many deviations there are: by the coefficients, and across the motion.
+    /// Number of deviations: by the coefficients, and across the motion.
     fn deviations(&self) -> usize {
         self.terms.count() + 1
     }
 }
 
-/// A motion on its way.
+/// A motion during its integration.
 struct Way<'a> {
     swing: &'a Swing,
     course: &'a Course<'a>,
@@ -115,13 +115,13 @@ struct Way<'a> {
     flow: [f64; 2],
     /// The size of both.
     speed: f64,
-    /// The angle, the velocity, and the deviations of what is seen, at all times before the next.
+    /// The angle, the velocity, and the deviations of the measured quantity, at all times before the next.
     columns: Vec<Vec<f64>>,
     next: usize,
 }
 
 impl<'a> Way<'a> {
-    /// Nothing where it has no beginning: at rest it has no direction.
+    /// Prepares a motion; `None` where it is at rest and so has no direction.
     fn new(swing: &'a Swing, course: &'a Course<'a>) -> Option<Self> {
         let (omega0, [angle, velocity]) = (course.omega0, course.start);
         let flow = [velocity, swing.acceleration(course, angle, velocity) / omega0];
@@ -138,7 +138,7 @@ impl<'a> Way<'a> {
         (speed > 0.0 && omega0 > 0.0).then(|| way.without_waiting())
     }
 
-    /// With what is seen where it is.
+    /// Records the values at the times of its start.
     fn without_waiting(mut self) -> Self {
         let state = self.moment.state.clone();
         let here =
@@ -147,7 +147,7 @@ impl<'a> Way<'a> {
         self
     }
 
-    /// The same state at so many more times.
+    /// Records the same state at this number of further times.
     fn fill(&mut self, times: usize, state: &[f64]) {
         for (column, number) in self.columns.iter_mut().zip(numbers(self.swing, self.course.observable)) {
             column[self.next..self.next + times].fill(state[number]);
@@ -164,7 +164,7 @@ impl<'a> Way<'a> {
         Trajectory { start: self.moment.clone(), parameters: self.parameters.clone(), times }
     }
 
-    /// What is seen in a step.
+    /// Records the values in a step.
     fn take(&mut self, step: &Step<'_>) {
         let times = &self.course.times[self.next..];
         let times = &times[..times.partition_point(|&time| time <= step.end())];
@@ -174,13 +174,13 @@ impl<'a> Way<'a> {
         self.next += times.len();
     }
 
-    /// Ends a leg; the motion goes on from there, turns, or stays.
+    /// Ends a leg; the motion continues, turns, or stays.
     fn arrive(&mut self, Solution { end, events, .. }: Solution) {
         self.moment = end;
         if events.is_empty() {
             return;
         }
-        // The last step may have gone on beyond.
+        // The last step may have gone on beyond the turning point.
         self.next = self.course.times.partition_point(|&time| time <= self.moment.time);
         let Some(turn) = events.iter().find(|event| is_turn(event)) else { return };
         let dry = self.swing.coefficient(DampingKind::Dry, self.course.coefficients);
@@ -190,7 +190,7 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// Lets the motion turn; false if dry friction holds it where it is.
+    /// Lets the motion turn; returns `false` if dry friction holds it in its position.
     fn turns(&mut self, contact: Contact, dry: f64) -> bool {
         let first = self.swing.deviations() + 1;
         let (angle, velocities) = self.moment.state.split_at_mut(first);
@@ -205,7 +205,7 @@ impl<'a> Way<'a> {
         goes_on
     }
 
-    /// From the angle, the velocity and the deviations.
+    /// Computes the values and derivatives from the angle, the velocity and the deviations.
     fn seen(self) -> Seen {
         let Self { swing, course, flow, speed, mut columns, .. } = self;
         let across = columns.pop().unwrap_or_default();
@@ -232,7 +232,7 @@ impl<'a> Way<'a> {
     }
 }
 
-/// ω0·∂θ/∂ω0 = tθ′ − b·∂θ/∂b − 2d·∂θ/∂d − θ′(0)·∂θ/∂θ′(0), and of velocities θ′ more: the angle is a function of ω0t, b/ω0, c, d/ω0²,
+/// ω0·∂θ/∂ω0 = tθ′ − b·∂θ/∂b − 2d·∂θ/∂d − θ′(0)·∂θ/∂θ′(0), with a further θ′ for velocities: the angle is a function of ω0t, b/ω0, c, d/ω0²,
 /// θ(0) and θ′(0)/ω0 alone.
 fn by_omega0(
     swing: &Swing,
@@ -268,7 +268,7 @@ fn by_omega0(
     sums
 }
 
-/// The numbers of the state that are kept.
+/// The indices of the state components that are kept.
 fn numbers(swing: &Swing, observable: Observable) -> impl Iterator<Item = usize> {
     let coordinates = swing.deviations() + 1;
     let first = if observable == Observable::Angle { 0 } else { coordinates };
@@ -281,7 +281,7 @@ impl Swing {
         all.find(|(term, _)| *term == kind).map_or(0.0, |(_, &value)| value)
     }
 
-    /// Where it is at rest as it begins to move, or stays.
+    /// Angular acceleration; for a state at rest that of its release, or zero where it stays.
     fn acceleration(&self, course: &Course<'_>, angle: f64, velocity: f64) -> f64 {
         let gravity = -course.omega0 * course.omega0 * libm::sin(angle);
         let [dry, linear, quadratic] = [DampingKind::Dry, DampingKind::Linear, DampingKind::Quadratic]
@@ -294,8 +294,8 @@ impl Swing {
     }
 }
 
-/// When, and at which angle, a pendulum with this damping turns that is at this angle with this velocity at zero time; nothing where
-/// it does not within that time, or cannot be followed.
+/// Time and angle of the next turning point of a pendulum with this damping, from this angle and velocity at zero time; `None` where
+/// it does not turn within that time, or cannot be integrated.
 pub(super) fn turning_point(
     terms: DampingModel,
     omega0: f64,
@@ -312,12 +312,12 @@ pub(super) fn turning_point(
     solution.events.iter().find(|event| is_turn(event)).map(|turn| [turn.time, turn.state[0]])
 }
 
-/// Whether the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
+/// Returns whether the velocity changes its sign: it may be zero at the start, or touch zero where friction stops the motion.
 fn is_turn(event: &Occurrence) -> bool {
     matches!(event.contact, Contact::Rising | Contact::Falling)
 }
 
-/// The motion ends where the velocity changes its sign.
+/// Adds a terminal event where the velocity changes its sign.
 fn until_it_turns(system: System) -> System {
     let formula = Expression::Symbol(Symbol::plain("theta").with_primes(1));
     let turning = Event { formula, direction: Direction::Any, ends_at: Some(1) };

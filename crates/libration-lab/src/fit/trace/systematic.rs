@@ -1,4 +1,4 @@
-//! Errors that all rows have together: they are added to what the scatter says, of which they know nothing.
+//! Errors common to all rows, which do not show in the scatter and are added to it.
 
 use nalgebra::DMatrix;
 
@@ -19,7 +19,7 @@ pub fn add(parameters: &mut [Parameter], correlations: &mut [Vec<f64>], covarian
     }
 }
 
-/// With an error of this standard deviation, which is known as if by infinitely many degrees of freedom: those of the sum are
+/// Adds an error of this standard deviation, which is known as if by infinitely many degrees of freedom: those of the sum are
 /// Welch's and Satterthwaite's (Guide to the Expression of Uncertainty in Measurement, G.4.1).
 fn widen(parameter: &mut Parameter, deviation: f64) {
     if deviation <= 0.0 {

@@ -13,7 +13,7 @@ use crate::fit::Uncertain;
 use crate::measurement::Trace;
 use crate::statistics::{count, mean};
 
-/// The fit with its uncertainties.
+/// Computes the fit with its uncertainties.
 pub fn fit(problem: &Problem<'_>, minimum: &Minimum, watch: &Watch<'_>) -> Result<TraceFit, TraceFitError> {
     let traces = problem.data.traces;
     let residuals = minimum.standard_residuals(traces);
@@ -57,14 +57,14 @@ pub fn fit(problem: &Problem<'_>, minimum: &Minimum, watch: &Watch<'_>) -> Resul
     })
 }
 
-/// How large residuals are beside their stated uncertainties.
+/// Size of the residuals compared with their stated uncertainties.
 struct Scatter {
     degrees_of_freedom: usize,
-    /// The sum of their squares for each degree of freedom.
+    /// The sum of their squares over the degrees of freedom.
     per_degree: f64,
-    /// Whether there are stated uncertainties.
+    /// `true` if there are stated uncertainties.
     is_stated: bool,
-    /// What the covariance of the parameters is multiplied by: the scatter, and no less than what is stated.
+    /// Factor of the covariance of the parameters: the scatter, and no less than is stated.
     variance: f64,
 }
 
@@ -91,7 +91,7 @@ fn described(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Parameter> {
     problem.model.free().into_iter().map(one).collect()
 }
 
-/// Uncertainties and intervals from the formal ones: by the noise, and by blocks of so many rows if that is more.
+/// Computes uncertainties and intervals from the formal ones: by the noise, and by the block bootstrap if that gives more.
 fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Response, block: Option<usize>) {
     let lengths: Vec<usize> = traces.iter().map(Trace::len).collect();
     let residuals = &response.linearised.residuals;
@@ -109,14 +109,14 @@ fn heed_noise(parameters: &mut [Parameter], traces: &[Trace], response: &Respons
     }
 }
 
-/// The rows over the geometric mean of what the noise makes of the variances of the shared parameters.
+/// The rows over the geometric mean of the inflations of the shared parameters' variances by the noise.
 fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
     let shared = parameters.iter().filter(|parameter| parameter.trace.is_none());
     let logarithms: Vec<f64> = shared
         .map(|it| 2.0 * libm::log(it.estimate.uncertainty / it.formal_uncertainty))
         .filter(|x| x.is_finite())
         .collect();
-    // Without any, NaN, of which the larger of two is the other.
+    // Without any it is NaN, for which `max` returns the other number.
     count(rows) / libm::exp(mean(logarithms.into_iter()).max(0.0))
 }
 
@@ -128,7 +128,7 @@ fn correlations(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
     (0..covariance.nrows()).map(row).collect()
 }
 
-/// A column cut into those of the traces.
+/// Splits a column into those of the traces.
 fn split(column: &[f64], traces: &[Trace]) -> Vec<Vec<f64>> {
     let mut rest = column.iter().copied();
     traces.iter().map(|trace| rest.by_ref().take(trace.len()).collect()).collect()
@@ -139,7 +139,7 @@ fn uncertainties(trace: &Trace) -> impl Iterator<Item = f64> {
     (0..trace.len()).map(|row| trace.uncertainties().map_or(1.0, |uncertainties| uncertainties[row]))
 }
 
-/// What was seen less what should have been, from residuals in units of the uncertainties.
+/// The fitted values and residuals of each trace, from residuals in units of the uncertainties.
 fn fitted(traces: &[Trace], all: &[f64]) -> Vec<FittedTrace> {
     let scale = huber::scale(all);
     let one = |(trace, column): (&Trace, Vec<f64>)| {

@@ -1,8 +1,8 @@
-//! ω0, the offset and the first state from a trace without integrating anything, good enough to begin with.
+//! ω0, the offset and the first state from a trace without any integration of the motion, good enough for a start.
 //!
 //! The equation of motion times a function φ that vanishes smoothly at the ends of a window, integrated by parts, has no
-//! derivatives of what was measured: ∫φ″θ = −k cos o·∫φ sin θ + k sin o·∫φ cos θ + b·∫φ′θ, with k = ω0² and the offset o.
-//! It is linear in k cos o, k sin o and b, holds at any amplitude, over the top too, and wants no guess.
+//! derivatives of the measured values: ∫φ″θ = −k cos o·∫φ sin θ + k sin o·∫φ cos θ + b·∫φ′θ, with k = ω0² and the offset o.
+//! It is linear in k cos o, k sin o and b, holds at any amplitude, over the top too, and needs no guess.
 
 use std::f64::consts::PI;
 
@@ -15,17 +15,17 @@ use crate::statistics::count;
 use crate::statistics::median;
 use crate::statistics::{least_squares, weighted_least_squares};
 
-/// Where a fit begins.
+/// Start of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Beginning {
     pub(super) omega0: f64,
-    /// Of what is seen: an angle, or an angular velocity.
+    /// Offset of the measured quantity: an angle, or an angular velocity.
     pub(super) offset: f64,
     /// The first angle from the bottom, and the first velocity.
     pub(super) state: [f64; 2],
 }
 
-/// A row with what the equation of motion makes of its angle.
+/// A row with the sine and cosine of its angle.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     time: f64,
@@ -34,16 +34,16 @@ struct Sample {
     cosine: f64,
 }
 
-/// What windows of one length tell.
+/// Estimate by windows of one length.
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
     omega0: f64,
     offset: f64,
-    /// What the equation leaves in the median window, relative to its terms and to the root of the number of windows.
+    /// Residual of the equation in the median window, relative to its terms and to the root of the number of windows.
     misfit: f64,
 }
 
-/// The beginning, by windows of that length at which the equation holds best; nothing where it holds at none.
+/// Computes the start, by windows of the length at which the equation holds best; `None` where it holds at none.
 pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     let times = trace.times();
     let (angles, bias) = match trace.observable() {
@@ -61,11 +61,11 @@ pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     })
 }
 
-/// Below so many windows what the equation leaves does not tell how well it holds. With 6 and 24 twelve recordings (`search.rs`) ended
+/// Least number of windows for a reliable residual of the equation. With 6 and 24 twelve recordings (`search.rs`) ended
 /// alike.
 const LEAST_WINDOWS: usize = 12;
 
-/// Window lengths from a few samples to the whole trace are tried: in short ones noise prevails, in long ones φ averages
+/// Tries window lengths from a few samples to the whole trace: in short ones noise prevails, in long ones φ averages
 /// everything away.
 fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     let span = times.last()? - times.first()?;
@@ -100,7 +100,7 @@ fn estimate(samples: &[Sample], gaps: &[usize], half: f64) -> Option<Estimate> {
     }
     let mut weights = vec![1.0; rows.len()];
     let (mut solution, mut scale) = (DVector::zeros(3), 0.0);
-    // Windows with outliers are turned down by the size of their residuals.
+    // Windows with outliers are down-weighted by the size of their residuals.
     for _ in 0..6 {
         let matrix = DMatrix::from_fn(rows.len(), 3, |i, k| rows[i][k + 1]);
         let values = DVector::from_fn(rows.len(), |i, _| rows[i][0]);
@@ -137,7 +137,7 @@ fn window(samples: &[Sample], gaps: &[usize], centre: f64, half: f64) -> Option<
         let cube = v * v * v;
         [second * deviation, -cube * sample.sine, cube * sample.cosine, -6.0 * u * v * v / half * deviation]
     };
-    // By trapezoids.
+    // Integration by the trapezoidal rule.
     let (mut sums, mut before) = ([0.0; 4], terms(&samples[0]));
     for pair in samples.windows(2) {
         let after = terms(&pair[1]);
@@ -150,9 +150,9 @@ fn window(samples: &[Sample], gaps: &[usize], centre: f64, half: f64) -> Option<
     Some(sums)
 }
 
-/// The angles of angular velocities, up to a constant, and the velocity that is seen at rest: the mean over whole cycles, of those
-/// from one turning point to the next on the same side. The amplitude falls, so that the turning points of one side drift upwards
-/// and those of the other downwards: the mean of both does not.
+/// The angles of angular velocities, up to a constant, and the measured velocity at rest: the mean over whole cycles, from the first turning point
+/// on one side, where the velocity crosses its mean, to the last one on the same side. The amplitude falls, so that the mean for one side deviates
+/// upwards and that for the other downwards: their average does not.
 fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
     let mean = |from: usize, to: usize| {
         integral(&times[from..=to], &velocities[from..=to]) / (times[to] - times[from]).max(f64::MIN_POSITIVE)
@@ -180,13 +180,13 @@ fn integrated(times: &[f64], velocities: &[f64]) -> (Vec<f64>, Option<f64>) {
     (angles, Some(bias))
 }
 
-/// Of samples, by trapezoids.
+/// Integral of samples, by the trapezoidal rule.
 fn integral(times: &[f64], values: &[f64]) -> f64 {
     let pairs = times.windows(2).zip(values.windows(2));
     pairs.map(|(time, value)| 0.5 * (value[0] + value[1]) * (time[1] - time[0])).sum()
 }
 
-/// The angle and its slope at the first time, from a parabola through what a sixth of a radian of phase has.
+/// The angle and its slope at the first time, from a parabola through the rows of the first 0.6 radians of phase.
 fn first_state(times: &[f64], angles: &[f64], omega0: f64) -> Option<[f64; 2]> {
     let near = times.partition_point(|&time| (time - times[0]) * omega0 < 0.6).clamp(4, times.len().max(4));
     let since: Vec<f64> = times.get(..near)?.iter().map(|time| time - times[0]).collect();

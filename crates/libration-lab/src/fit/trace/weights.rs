@@ -1,14 +1,14 @@
-//! By how much each row counts.
+//! Weights of the rows.
 
 use super::huber;
 use crate::measurement::Trace;
 
-/// By which the residual of each row is multiplied, trace by trace: one over its standard deviation, less for outliers.
+/// Factors of the residuals of all rows, trace by trace: one over the standard deviation, less for outliers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights(Vec<Vec<f64>>);
 
 impl Weights {
-    /// One over the stated uncertainty of each row, or one.
+    /// Returns one over the stated uncertainty of each row, or one.
     pub fn stated(traces: &[Trace]) -> Self {
         let weights = |trace: &Trace| match trace.uncertainties() {
             Some(uncertainties) => uncertainties.iter().map(|uncertainty| 1.0 / uncertainty).collect(),
@@ -17,7 +17,7 @@ impl Weights {
         Self(traces.iter().map(weights).collect())
     }
 
-    /// With outliers turned down, by residuals in units of the stated uncertainties.
+    /// Returns weights with outliers down-weighted, by residuals in units of the stated uncertainties.
     pub(super) fn robust(traces: &[Trace], residuals: &[f64]) -> Self {
         let scale = huber::scale(residuals);
         let mut weights = Self::stated(traces);
@@ -27,17 +27,17 @@ impl Weights {
         weights
     }
 
-    /// Those of each trace.
+    /// Weights of each trace.
     pub(super) fn traces(&self) -> impl Iterator<Item = &[f64]> {
         self.0.iter().map(Vec::as_slice)
     }
 
-    /// Those of all rows.
+    /// Weights of all rows.
     pub(super) fn rows(&self) -> impl Iterator<Item = f64> {
         self.0.iter().flatten().copied()
     }
 
-    /// Of each row, by which part of its stated weight it counts.
+    /// Ratio of each row's weight to its stated one.
     pub(super) fn parts<'a>(&'a self, traces: &[Trace]) -> impl Iterator<Item = f64> + use<'a> {
         self.rows().zip(Self::stated(traces).0.into_iter().flatten()).map(|(weight, stated)| weight / stated)
     }

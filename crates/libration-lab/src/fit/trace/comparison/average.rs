@@ -1,10 +1,10 @@
-//! Numbers averaged over the models that the data leave.
+//! Averages over the models that are not ruled out.
 
 use super::{Comparison, Standing};
 use crate::fit::Uncertain;
 use crate::fit::trace::TraceFit;
 
-/// A number averaged over the models that the data leave.
+/// A number averaged over the models that are not ruled out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelAverage {
     /// The mean, each model with its weight; its uncertainty includes the spread between the models.
@@ -14,7 +14,7 @@ pub struct ModelAverage {
 }
 
 impl Comparison {
-    /// How much the data speak for each model (Akaike's weights, Burnham and Anderson 2002, section 2.9): the sum is 1, and those that are
+    /// Akaike weights of the models (Burnham and Anderson 2002, section 2.9): the sum is 1, and those that are
     /// excluded have none.
     #[must_use]
     pub fn weights(&self) -> Vec<f64> {
@@ -36,14 +36,14 @@ impl Comparison {
         self.averaged(|fit| Some(fit.small_angle_period()))
     }
 
-    /// A shared parameter, averaged over the models that have it; none if no model has.
+    /// A shared parameter, averaged over the models that have it; `None` if no model has it.
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<ModelAverage> {
         let estimate = |fit: &TraceFit| fit.parameter(name).map(|parameter| parameter.estimate);
         self.fits.iter().any(|fit| estimate(fit).is_some()).then(|| self.averaged(estimate))
     }
 
-    /// With the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
+    /// Averages with the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
     fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> ModelAverage {
         let weights = self.weights();
         let known =

@@ -1,4 +1,4 @@
-//! Which kinds of damping the data tell apart.
+//! Comparison of the kinds of damping by the data.
 
 mod average;
 mod models;
@@ -15,39 +15,39 @@ use crate::statistics::count;
 /// The same traces under several models.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// One for each model that could be fitted, simpler ones first.
+    /// Fits, one for each model that could be fitted, simpler ones first.
     pub fits: Vec<TraceFit>,
-    /// Akaike's criterion of each, less the least.
+    /// Differences of each model's Akaike criterion from the least one.
     pub aicc_differences: Vec<f64>,
-    /// The place of the model that the data prefer: the simplest of those whose evidence is within [`Self::SUBSTANTIAL`] of the
+    /// Index of the preferred model: the simplest of those whose evidence is within [`Self::SUBSTANTIAL`] of the
     /// best.
     pub preferred: usize,
-    /// How many rows were counted as independent, by the residuals of the largest model; never fewer than it takes to judge that.
+    /// Number of rows that count as independent, by the residuals of the largest model; never fewer than needed for the comparison.
     pub independent_rows: f64,
 }
 
 impl Comparison {
-    /// Models whose criterion differs by less explain the data nearly as well; the data cannot tell them apart (Burnham and
+    /// Models whose criterion differs by less explain the data nearly as well; the data cannot distinguish them (Burnham and
     /// Anderson 2002, section 2.6).
     pub const INDISTINGUISHABLE: f64 = 4.0;
-    /// Beyond it a model has essentially no support (ibidem): a weight of e⁻⁵, or 1 in 148.
+    /// Difference beyond which a model has essentially no support (ibidem): a weight of e⁻⁵, or 1 in 148.
     pub const UNSUPPORTED: f64 = 10.0;
-    /// Of models whose criterion is within this of the least, which have substantial support (ibidem), the simplest is preferred.
+    /// Difference from the least criterion below which models have substantial support (ibidem); the simplest of them is preferred.
     pub const SUBSTANTIAL: f64 = 2.0;
-    /// So many of its uncertainties a coefficient does not move by chance: one in 370 times.
+    /// Number of its uncertainties beyond which the change of a coefficient is not chance, which exceeds it once in 370 times.
     pub const MOVED: f64 = 3.0;
-    /// A coefficient within so many of its uncertainties from zero is none.
+    /// Number of its uncertainties from zero within which a coefficient counts as zero.
     pub const ZERO: f64 = 2.0;
-    /// A coefficient is believed to be negative where the criterion differs by more: a weight of e⁻¹⁰, or 1 in 22 000.
+    /// Difference of the criterion above which a negative coefficient is accepted: a weight of e⁻¹⁰, or 1 in 22 000.
     pub const DECISIVE: f64 = 20.0;
 
-    /// The model that the data prefer.
+    /// The preferred model's fit.
     #[must_use]
     pub fn best(&self) -> &TraceFit {
         &self.fits[self.preferred]
     }
 
-    /// The criterion, with what it takes to believe in a negative coefficient; infinite for what no friction does.
+    /// The criterion, with the penalty for a negative coefficient; infinite for damping that feeds energy.
     fn evidence(&self, place: usize) -> f64 {
         evidence(&self.fits[place], self.aicc_differences[place])
     }
@@ -71,7 +71,7 @@ impl Comparison {
 
 /// The independent rows of the largest model. Where they are fewer than its parameters, the criterion would be infinite for the
 /// large models, or for all of them, and the simplest one preferred however badly it describes the data. With the fewest that
-/// make it finite a parameter more costs some ten times as much as with many rows: only a far better fit is worth it.
+/// make it finite a further parameter costs some ten times as much as with many rows: only a far better fit is worth it.
 fn rows_that_count(largest: &TraceFit) -> f64 {
     // The variance of the residuals is a parameter too, and n − k − 1 must be above zero.
     largest.independent_rows.max(count(largest.parameters.len() + 1) + 2.0)
@@ -85,7 +85,7 @@ fn evidence(fit: &TraceFit, excess: f64) -> f64 {
     }
 }
 
-/// Of the models within [`Comparison::SUBSTANTIAL`] of the best one those with the fewest terms, and of these the best.
+/// Index of the simplest model: of those within [`Comparison::SUBSTANTIAL`] of the best one those with the fewest terms, and of these the best.
 pub fn simplest(counts: &[usize], evidence: &[f64]) -> usize {
     let least = evidence.iter().copied().fold(f64::INFINITY, f64::min);
     let close = (0..counts.len()).filter(|&place| evidence[place] <= least + Comparison::SUBSTANTIAL);

@@ -13,8 +13,7 @@ use crate::parallel;
 
 /// Fits every combination of dry friction, linear and quadratic drag to traces.
 ///
-/// # Errors
-/// Those of [`fit_traces`](crate::fit::trace::fit_traces), if not even one model can be fitted.
+/// Fails as [`fit_traces`](crate::fit::trace::fit_traces) does, if not even one model can be fitted.
 pub fn compare(
     traces: &[Trace],
     options: &TraceOptions,
@@ -46,19 +45,19 @@ pub fn compare(
     Ok(comparison)
 }
 
-/// A model that is tried.
+/// A model that is fitted for the comparison.
 struct Candidate<'a> {
     problem: Problem<'a>,
     minimum: Option<Minimum>,
-    /// What it says, or why it cannot be fitted.
+    /// The fit, or the reason why there is none.
     fit: Result<TraceFit, TraceFitError>,
 }
 
 impl<'a> Candidate<'a> {
-    /// Beside simpler models that have been tried before.
+    /// Fits a model next to simpler ones that have been fitted before.
     ///
     /// # Errors
-    /// An interruption.
+    /// Fails if the search was interrupted.
     fn new(problem: Problem<'a>, simpler: &[Self], watch: &Watch<'_>) -> Result<Self, TraceFitError> {
         let (minimum, fit) = match minimum(&problem, simpler, watch) {
             Ok(minimum) => {
@@ -77,7 +76,7 @@ impl<'a> Candidate<'a> {
         self.problem.model.layout.terms()
     }
 
-    /// Whether the model is in phase with the data.
+    /// Returns whether the model is in phase with the data.
     fn follows(&self) -> bool {
         self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= search::HOPELESS)
     }
@@ -87,14 +86,14 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// Why the last of the models could not be fitted.
+/// The reason why the last of the models could not be fitted.
 fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
     let mut reasons = candidates.iter().rev().filter_map(|candidate| candidate.fit.as_ref().err());
     reasons.next().cloned().unwrap_or(TraceFitError::NoTrace)
 }
 
-/// The deepest minimum of those near models with one kind of damping less, and of that which is found from the first swings
-/// on; nothing more is looked for where the model or a smaller one leaves nothing but noise. Nothing is near a motion that is out of phase.
+/// The deepest minimum of those near models with one kind of damping less, and of that found from the first swings
+/// on; the search ends early where the model or a smaller one leaves only noise. Models that are out of phase are not used as starts.
 fn minimum(
     problem: &Problem<'_>,
     simpler: &[Candidate<'_>],
@@ -115,7 +114,7 @@ fn minimum(
         }
     }
     let leaves_noise = near.last().is_some_and(|end| end.as_ref().is_ok_and(Descent::leaves_noise));
-    // Where two ways lead to the same end there is no need for a third.
+    // Where two starts lead to the same end a third is not needed.
     let is_known = near.iter().enumerate().any(|(n, one)| {
         near[..n]
             .iter()

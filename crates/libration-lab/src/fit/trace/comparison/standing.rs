@@ -1,18 +1,18 @@
-//! How models stand beside the one that the data prefer.
+//! Standing of models relative to the preferred one.
 
 use super::Comparison;
 use crate::fit::trace::{DampingKind, DampingModel, TraceFit};
 
-/// How a model stands beside the preferred one.
+/// Standing of a model relative to the preferred one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
-    /// The one that the data prefer.
+    /// The preferred model.
     Preferred,
-    /// The data cannot tell it from the preferred one.
+    /// The data cannot distinguish it from the preferred one.
     Tied,
     /// Worse, but the data do not exclude it.
     Possible,
-    /// It explains the data as well or better, by too little to believe in a coefficient that is negative.
+    /// It explains the data as well or better, by too little to accept a negative coefficient.
     Negative,
     /// It feeds energy to the pendulum at some speed, which no friction does.
     FeedsEnergy,
@@ -21,7 +21,7 @@ pub enum Standing {
 }
 
 impl Standing {
-    /// A name that stays.
+    /// A stable name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl Standing {
 }
 
 impl Comparison {
-    /// How the model at this place stands.
+    /// The standing of the model at this index.
     #[must_use]
     pub fn standing(&self, place: usize) -> Standing {
         let fit = &self.fits[place];
@@ -60,9 +60,9 @@ impl Comparison {
         (0..self.fits.len()).filter(left).map(|place| self.fits[place].damping).collect()
     }
 
-    /// Those of the rivals that contradict the preferred model: they lack a kind of damping that it has, or with what they add to
-    /// it a coefficient of the damping becomes another, by more than [`Self::MOVED`] of the uncertainties that it states. A model that contains the
-    /// preferred one, with a coefficient more that is zero within two of its uncertainties, contradicts nothing.
+    /// The rivals that contradict the preferred model: they lack a kind of damping that it has, or their additional terms change
+    /// a coefficient of the damping by more than [`Self::MOVED`] of its stated uncertainties. A model that contains the
+    /// preferred one, with a further coefficient that is zero within two of its uncertainties, contradicts nothing.
     #[must_use]
     pub fn contradicting(&self) -> Vec<DampingModel> {
         let preferred = self.best();
@@ -91,8 +91,8 @@ impl Comparison {
             .collect()
     }
 
-    /// The models that explain the data better than the preferred one and are not believed, with by how much: a criterion that is
-    /// lower by less than [`Self::SUBSTANTIAL`] is no evidence.
+    /// The models that explain the data better than the preferred one and are not accepted, each with the difference of the criterion: one
+    /// that is lower by less than [`Self::SUBSTANTIAL`] is not evidence.
     pub fn better(&self) -> impl Iterator<Item = (&TraceFit, f64)> {
         let doubtful = self
             .fits
@@ -103,7 +103,7 @@ impl Comparison {
         with_evidence.filter(|(_, evidence)| *evidence > Self::SUBSTANTIAL)
     }
 
-    /// By how much the criterion is above that of the preferred model.
+    /// Difference of the criterion from that of the preferred model.
     fn excess_over_preferred(&self, place: usize) -> f64 {
         self.aicc_differences[place] - self.aicc_differences[self.preferred]
     }
