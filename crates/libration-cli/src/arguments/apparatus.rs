@@ -29,7 +29,7 @@ pub(crate) struct ApparatusOptions {
     /// Density of the air [default: 1.20(2)kg/m^3]
     #[arg(long, value_name = "DENSITY", value_parser = text::density_with_uncertainty, requires = "length")]
     air_density: Option<Quantity>,
-    /// How much the string is stretched by the hanging bob
+    /// Stretch of the string under the hanging bob
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "length")]
     stretch: Option<Quantity>,
     /// Relative uncertainty of the scale of all angles, such as 0.01 or 1%

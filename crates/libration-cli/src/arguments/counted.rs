@@ -2,7 +2,7 @@
 
 use libration_lab::measurement::{Column, CountedPeriods, Table};
 
-/// How many periods each time of the table lasts.
+/// Number of periods that each time of the table lasts.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct CountedOptions {
     /// The times are half periods, from one side to the other

@@ -8,7 +8,7 @@ use libration_lab::measurement::{
 };
 use std::path::Path;
 
-/// How a recording is read, where the file is not to decide it.
+/// Options for the reading of a recording, in place of what the file says.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Reading (detected in the file unless given)")]
 pub(crate) struct RecordingOptions {
@@ -36,7 +36,7 @@ pub(crate) struct RecordingOptions {
     /// Column of vertical positions
     #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with = "angle")]
     y: Option<Column>,
-    /// Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted
+    /// Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted
     #[arg(long, value_name = "X,Y", value_parser = pivot)]
     pivot: Option<(f64, f64)>,
     /// Column of uncertainties of the angles or angular velocities
@@ -63,7 +63,7 @@ pub(crate) struct RecordingOptions {
     /// Sheet of a workbook or file of an archive, by number or name
     #[arg(long, value_parser = column)]
     sheet: Option<Column>,
-    /// What separates the cells
+    /// Separator of the cells
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
     /// Decimal point or decimal comma

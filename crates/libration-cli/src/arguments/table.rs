@@ -5,10 +5,10 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
-/// How a table is written, where it is not to be inferred from the file.
+/// Options for the layout of a table, in place of what is inferred from the file.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
-    /// What separates the columns [default: detected]
+    /// Separator of the columns [default: detected]
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
     /// Whether the first row names the columns
@@ -130,7 +130,7 @@ pub(crate) enum DisplacementUnit {
     Cm,
     Mm,
     In,
-    /// Of a converter, or of anything else: volts, for one
+    /// Values of a converter or of anything else, volts for instance
     Counts,
 }
 

@@ -38,7 +38,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
     --output exercises.html
   libration derive --method perturbation \"x'' + x + 0.1*x^3 = 0\" --amplitude 0.5")]
 pub(crate) struct Derive {
-    /// Which derivation
+    /// The derivation
     #[arg(long, alias = "road", value_enum)]
     method: Method,
     #[command(flatten)]
@@ -51,7 +51,7 @@ pub(crate) struct Derive {
     /// Leave out the results, as exercises, and give them as answers at the end
     #[arg(long)]
     exercises: bool,
-    /// How the derivation is written
+    /// Format of the derivation
     #[arg(long, value_enum, default_value = "markdown")]
     format: Format,
     /// Write to this file instead of standard output
@@ -89,7 +89,7 @@ struct SeriesOptions {
 enum Method {
     /// The exact period: energy, elliptic integral, series, mean
     Elliptic,
-    /// Where the published formulas for the period come from
+    /// Origin of the published formulas for the period
     Formulas,
     /// Motion and period of any conservative oscillator, order by order
     Perturbation,

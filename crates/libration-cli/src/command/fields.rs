@@ -13,7 +13,7 @@ use crate::output::{Form, FormOptions, csv};
 use crate::query_error::{QueryError, argument};
 use std::io::{self, Write};
 
-/// What the fields of JSON and CSV answers mean: names, units, meanings
+/// The fields of JSON and CSV results: names, units, meanings
 ///
 /// In names, [] stands for each entry of a list, and capitals for a name that depends on the question: KEY is the key of a
 /// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is none, or where it depends on the question.

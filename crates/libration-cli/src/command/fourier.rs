@@ -29,7 +29,7 @@ pub(crate) struct Fourier {
     /// The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s
     #[arg(long, default_value = "0rad/s", value_parser = arguments::angular_velocity)]
     velocity: f64,
-    /// How many harmonics to list
+    /// Number of harmonics to list
     #[arg(long, conflicts_with = "tolerance", value_parser = arguments::count::<LIMIT>)]
     harmonics: Option<usize>,
     /// List all harmonics of the angle that are at least this large, in radians

@@ -160,7 +160,7 @@ pub enum PendulumError {
     ShorterThanSmallSwings {
         /// The period, in seconds.
         period: f64,
-        /// That of small swings, in seconds.
+        /// The period of small swings, in seconds.
         small: f64,
     },
     /// A period ratio whose amplitude is closer to the top than is kept.

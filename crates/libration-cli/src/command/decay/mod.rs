@@ -22,7 +22,7 @@ pub(crate) use fields::answers;
 use libration::decay::TurningPoint;
 use report::{Cycle, Report};
 
-/// How the swings of a damped pendulum die down, cycle by cycle
+/// The decay of a damped pendulum, cycle by cycle
 ///
 /// The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy falls at its mean rate over an undamped cycle (exact at any
 /// amplitude), and with the small-amplitude law. The duration of each cycle is compared with the exact period at the

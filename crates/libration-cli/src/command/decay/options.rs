@@ -75,7 +75,7 @@ impl SlowFlowOptions {
 
 const DAMPING_ORDER: usize = 2;
 
-/// How far the motion is followed.
+/// Options for the end of the motion.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[group(multiple = false)]
 pub(super) struct Extent {

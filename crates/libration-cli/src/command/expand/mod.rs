@@ -92,7 +92,7 @@ pub(crate) struct Expand {
     /// The highest power of the expansion parameter [default: 7; 31 with --evaluate, 15 where no powers vanish]
     #[arg(long, value_parser = arguments::count::<MAX_ORDER>)]
     order: Option<usize>,
-    /// What the expansion parameter means [default: fundamental, of a slow flow `x_max`]
+    /// Meaning of the expansion parameter [default: fundamental, of a slow flow `x_max`]
     #[arg(long)]
     gauge: Option<Gauge>,
     /// Give the slow flow under weak damping or excitation to this power of its strength [default: 2]
@@ -105,7 +105,7 @@ pub(crate) struct Expand {
     /// or 40deg where the variable is an angle; for a limit cycle, at this value of its parameter
     #[arg(long, value_name = "AMPLITUDE", conflicts_with = "latex")]
     evaluate: Option<String>,
-    /// What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt
+    /// The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt
     /// or sin 3Ωt
     #[arg(long, default_value = "period", requires = "evaluate")]
     quantity: SeriesQuantity,
@@ -119,7 +119,7 @@ pub(crate) struct Expand {
     form: FormOptions,
 }
 
-/// What an expansion is written as, beside tables, JSON and CSV.
+/// Formats of an expansion besides tables, JSON and CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Format {
     /// The same as --latex

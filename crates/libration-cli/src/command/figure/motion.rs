@@ -19,7 +19,7 @@ pub(super) struct Motion {
     /// Angles of release
     #[arg(long, default_value = "30deg,90deg,150deg,179deg", value_parser = arguments::angle_list)]
     amplitudes: AngleList,
-    /// How many small-angle periods to show
+    /// Number of small-angle periods to show
     #[arg(long, default_value = "2", value_parser = arguments::positive)]
     periods: f64,
     #[command(flatten)]

@@ -28,7 +28,7 @@ pub(super) struct Series {
     /// The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
     #[arg(long, default_value = "33", value_parser = arguments::count::<MAX_ORDER>)]
     order: usize,
-    /// What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+    /// The quantity that is expanded: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
     #[arg(long, default_value = "period")]
     quantity: SeriesQuantity,
     /// Plot the error against the highest power of the partial sum instead, at these amplitudes, such as 30deg,90deg,150deg

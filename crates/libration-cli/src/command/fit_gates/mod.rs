@@ -39,7 +39,7 @@ swing.")]
 pub(crate) struct FitGates {
     /// Times of one photogate, optionally with its state (blocked or not); - for standard input
     file: PathBuf,
-    /// What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern]
+    /// Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from their pattern]
     #[arg(long, value_enum)]
     signals: Option<Signals>,
     /// Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is]

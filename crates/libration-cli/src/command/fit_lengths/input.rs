@@ -10,7 +10,7 @@ use libration::quantity::{Angle, Quantity};
 use libration_lab::fit::{LengthColumns, LengthTable};
 use std::path::PathBuf;
 
-/// Which file, and how to read it.
+/// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
     /// A table of lengths and periods, optionally with uncertainties; - for standard input

@@ -6,7 +6,7 @@ use crate::query_error::QueryError;
 use libration_lab::fit::{PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
-/// Which file, and how to read it.
+/// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
     /// A table of amplitudes and periods, optionally with uncertainties; - for standard input

@@ -9,7 +9,7 @@ use libration_lab::fit::response::{AmplitudeErrors, ResponseColumns, ResponseTab
 use libration_lab::measurement::Unit;
 use std::path::PathBuf;
 
-/// Which file, and how to read it.
+/// The file, and options for reading it.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
     /// A table of drive frequencies and amplitudes, optionally with phases and with uncertainties; - for standard input

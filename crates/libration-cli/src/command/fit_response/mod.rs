@@ -38,7 +38,7 @@ pub(crate) struct FitResponse {
     /// The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes are angles]
     #[arg(long, value_enum)]
     model: Option<ModelChoice>,
-    /// What was measured as the amplitude
+    /// The quantity measured as the amplitude
     #[arg(long, value_enum, default_value = "peak")]
     measured: Measured,
     /// Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png

@@ -5,7 +5,7 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::Trace;
 use std::path::{Path, PathBuf};
 
-/// Which files.
+/// The files.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Input {
     /// Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input

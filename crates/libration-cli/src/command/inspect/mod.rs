@@ -19,7 +19,7 @@ pub(crate) fn answers() -> Vec<Answers> {
     [fields::answers(), vec![spectrum::answers()]].concat()
 }
 
-/// What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted
+/// The contents of a file of measurements: its columns with quantities and units, its faults, and what would be fitted
 ///
 /// Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options.
 /// Where a file leaves something open, it is described together with the options that would settle it.
@@ -34,7 +34,7 @@ pub(crate) fn answers() -> Vec<Answers> {
   printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
   printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
 pub(crate) struct Inspect {
-    /// What the instrument wrote: text, Excel, or an archive of text files; - for standard input
+    /// File of the instrument: text, Excel, or an archive of text files; - for standard input
     file: PathBuf,
     /// In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians
     #[arg(long, requires = "json", conflicts_with = "spectrum")]

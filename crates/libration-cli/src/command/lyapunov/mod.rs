@@ -45,10 +45,10 @@ pub(crate) struct Lyapunov {
     /// Number of intervals to measure, each about one period of the motion
     #[arg(long, value_name = "N", default_value = "1000", value_parser = count::<MOST_INTERVALS>, conflicts_with = "time")]
     intervals: usize,
-    /// How long to measure, in seconds, instead of a number of intervals
+    /// Duration of the measurement in seconds, instead of a number of intervals
     #[arg(long, value_name = "T", value_parser = positive)]
     time: Option<f64>,
-    /// How long to wait before measuring, in seconds [default: 100 intervals]
+    /// Time before the measurement, in seconds [default: 100 intervals]
     #[arg(long, value_name = "T", value_parser = not_negative)]
     transient: Option<f64>,
     /// The relative error allowed in each step

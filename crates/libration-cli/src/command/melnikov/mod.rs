@@ -21,7 +21,7 @@ pub(crate) use fields::answers;
 /// Largest q of a resonance p:q.
 const MOST_PERIODS: usize = 1000;
 
-/// When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap
+/// Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap
 ///
 /// Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first order. Where the Melnikov function has
 /// simple zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.

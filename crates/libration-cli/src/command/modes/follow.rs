@@ -15,7 +15,7 @@ use std::io::{self, Write};
 /// Width at which lines are broken, in columns.
 const COLUMNS: usize = 100;
 
-/// Which mode is followed, and how far.
+/// The mode that is followed, and its range.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct FollowOptions {
     /// Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their stability

@@ -45,7 +45,7 @@ pub(crate) struct OrbitQuestion {
     /// A guess of the period, in seconds; of a driven system the period of the answer
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "drive_periods")]
     period: Option<f64>,
-    /// How many periods of the drive the orbit takes, for subharmonic answers
+    /// Number of periods of the drive in one period of the orbit, for subharmonic orbits
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
     /// The coordinate whose value at the start is kept, of a family of orbits near a guess [default: the farthest from zero]

@@ -23,7 +23,6 @@ impl Swing {
         Self { amplitude, uncertainty, small_angle_period, exact: pendulum.swing_period(&amplitude) }
     }
 
-<<<<<<< HEAD
     /// An angle of the swing in radians, to the second digit of its uncertainty.
     fn radians(&self, angle: f64) -> String {
         match self.uncertainty {
@@ -34,10 +33,6 @@ impl Swing {
 
     /// The swings of many amplitudes.
     pub(super) fn all(given: &[(Amplitude, Option<f64>)], pendulum: &Pendulum) -> Vec<Self> {
-=======
-    /// The swings of many amplitudes.
-    pub(super) fn all(amplitudes: &[Amplitude], pendulum: &Pendulum) -> Vec<Self> {
->>>>>>> wt_D
         let small_angle_period = pendulum.small_angle_period();
         let amplitudes: Vec<Amplitude> = given.iter().map(|(amplitude, _)| *amplitude).collect();
         let mut exact = vec![SwingPeriod::default(); amplitudes.len()];

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// How the modes of a system near rest change slowly: the normal form with its resonances, and the exchange of energy between modes
+/// Slow changes of the modes of a system near rest: the normal form with its resonances, and the exchange of energy between modes
 ///
 /// With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order. Terms that turn as fast as aⱼ stay in aⱼ′,
 /// exactly where the modes are exact; all others are taken out, each divided by its divisor.

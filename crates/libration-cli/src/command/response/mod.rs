@@ -71,10 +71,10 @@ pub(crate) struct ResponseQuestion {
     over: ParameterSpan,
     #[command(flatten)]
     initial: InitialOptions,
-    /// How many periods of the drive an answer takes, for subharmonic answers
+    /// Number of periods of the drive in one period of the response, for subharmonic responses
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// How many turns the angle of --coordinate makes in an answer, for rotating answers; backwards where negative
+    /// Number of turns of the angle of --coordinate in one period, for rotating responses; backwards where negative
     #[arg(long, value_name = "N", value_parser = turns, allow_negative_numbers = true)]
     turns: Option<i32>,
     /// Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2
@@ -83,13 +83,13 @@ pub(crate) struct ResponseQuestion {
     /// The value at which answers are looked for, for curves that close within the range [default: the ends of the range]
     #[arg(long, value_name = "VALUE", value_parser = value)]
     at: Option<f64>,
-    /// How many times one after the other answers may lose their symmetry or double their period and be followed
+    /// Number of successive losses of symmetry and period doublings that are followed
     #[arg(long, value_name = "N", default_value = "2", value_parser = whole)]
     generations: usize,
     /// The coordinate whose amplitude is meant [default: the first]
     #[arg(long, value_name = "NAME")]
     coordinate: Option<String>,
-    /// Compute the parameter at special points to so many digits, up to 100
+    /// Compute the parameter at special points to this number of digits, up to 100
     #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
     digits: Option<usize>,
     /// Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none]

@@ -23,13 +23,13 @@ struct Kind {
     ends_at: Option<u64>,
 }
 
-/// What ends a motion.
+/// Conditions that end a motion.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct UntilOptions {
     /// End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; --times says how long it is waited for
     #[arg(long, value_name = "EQUATION|EXPR")]
     until: Option<String>,
-    /// Which passages count for --until: rising, falling, or any
+    /// Direction of the passages that count for --until: rising, falling, or any
     #[arg(long, value_enum, requires = "until", default_value_t = Way::Any)]
     direction: Way,
     /// End the motion at the n-th passage that counts for --until

@@ -108,7 +108,7 @@ pub(crate) struct Simulate {
     /// Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'"
     #[arg(long, value_name = "NAME=FORMULA,…")]
     columns: Option<String>,
-    /// How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0)
+    /// Derivatives of the motion with respect to parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0)
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     sensitivity: Vec<String>,
     /// Estimate no errors of the states: saves the time for that

@@ -47,13 +47,13 @@ pub(crate) struct StabilityQuestion {
     map: [ParameterSpan; 2],
     #[command(flatten)]
     initial: InitialOptions,
-    /// How many periods of the drive an answer takes
+    /// Number of periods of the drive in one period of the response
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// How many times answers may lose their symmetry or double their period
+    /// Number of successive losses of symmetry and period doublings that are followed
     #[arg(long, value_name = "N", default_value = "1", value_parser = at_most::<MOST_GENERATIONS>)]
     generations: usize,
-    /// On so many lines each way driven motions are followed; 0 for rest alone
+    /// Number of lines each way on which driven motions are followed; 0 for rest alone
     #[arg(long, value_name = "N", default_value = "3", value_parser = at_most::<MOST_LINES>)]
     lines: usize,
     /// Draw the map to FILE.svg or FILE.png instead of listing the curves

@@ -23,7 +23,7 @@ const MOST_HARMONICS: usize = 99;
 /// More than any trace has.
 const MOST_SWINGS: usize = 100_000;
 
-/// What is asked of the harmonics.
+/// Options for the harmonics.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Harmonics")]
 pub(super) struct SpectrumQuestion {
@@ -33,7 +33,7 @@ pub(super) struct SpectrumQuestion {
     /// The highest harmonic
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "7", value_parser = arguments::count::<MOST_HARMONICS>)]
     harmonics: usize,
-    /// How many swings are taken together as a window, three at least
+    /// Number of swings in a window, three at least
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "5", value_parser = arguments::count::<MOST_SWINGS>)]
     swings: usize,
     /// Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png
