@@ -7,6 +7,7 @@ use super::point::BranchPoint;
 use super::space::Space;
 use super::units::{in_units, largest_swing};
 use libration_motion::internals::periodic::{CLOSED, extrema, multiplier_errors};
+use libration_motion::orbit::Stability;
 use libration_motion::taylor::{OwnedStep, StateLayout};
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::eigenvalues;
@@ -109,7 +110,7 @@ impl Family<'_> {
             ranges: ranges(&self.layout, &motion.steps, space, period),
             multipliers: vec![],
             multiplier_errors: vec![],
-            stable: false,
+            stability: Stability::Undetermined,
             error: 0.0,
         };
         let units = self.units(&point, largest_swing(&point), 1.0);

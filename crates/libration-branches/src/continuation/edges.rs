@@ -93,7 +93,7 @@ impl<'a> Grid<'a> {
         let tests = Tests::new(&image, 0.0)?;
         let own = multipliers(&image, &vec![1.0; self.rest.len()], 0.0, 0.0)?;
         let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
-        Some((tests, stability != Stability::Unstable))
+        Some((tests, stability.may_last()))
     }
 
     /// Zeros of the tests along the lines of the grid.

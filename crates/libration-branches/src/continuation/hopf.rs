@@ -2,6 +2,7 @@
 
 use super::field::{Field, Rates};
 use super::point::BranchPoint;
+use libration_motion::orbit::Stability;
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::internals::linear::{eigenvalues, solve};
 use libration_numbers::internals::roots::{NoZero, newton};
@@ -57,7 +58,7 @@ pub(super) fn hopf(
         rotation: None,
         ranges: state.iter().map(|x| [*x; 2]).collect(),
         state,
-        stable: false,
+        stability: Stability::Undetermined,
         multipliers: vec![],
         multiplier_errors: vec![],
         error,

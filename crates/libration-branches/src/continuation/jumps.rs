@@ -27,7 +27,7 @@ pub(super) fn jumps<'a>(
     let jump = |number: usize, fold: &SpecialPoint| {
         let points = &branches[number].points;
         let neighbours = [points.get(fold.before.checked_sub(1)?)?, points.get(fold.before)?];
-        let left = neighbours.into_iter().find(|point| point.stable)?;
+        let left = neighbours.into_iter().find(|point| point.is_stable())?;
         let value = fold.point.parameter;
         let pairs = branches
             .iter()
@@ -36,7 +36,7 @@ pub(super) fn jumps<'a>(
         Some(Jump {
             rising: left.parameter < value,
             from: fold.point.clone(),
-            to: to.filter(|it| it.stable).collect(),
+            to: to.filter(|it| it.is_stable()).collect(),
         })
     };
     let folds = branches.iter().enumerate().flat_map(|(number, branch)| {
@@ -49,7 +49,9 @@ pub(super) fn jumps<'a>(
 /// Neighbours on stable stretches of a branch with a value between them.
 fn stable_stretches(branch: &Branch, value: f64) -> impl Iterator<Item = [&BranchPoint; 2]> {
     let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
-    pairs.filter(move |[a, b]| a.stable && b.stable && (a.parameter < value) != (b.parameter < value))
+    pairs.filter(move |[a, b]| {
+        a.is_stable() && b.is_stable() && (a.parameter < value) != (b.parameter < value)
+    })
 }
 
 /// The motion at a value between two points; the nearer of them, with their distance as its error, where none is found between them.

@@ -24,8 +24,8 @@ pub struct BranchPoint {
     /// The error of each multiplier: an estimate from the error of the flow. An estimate: of 47 358 values of random oscillators with
     /// kinks and without one was off by more, by 2.7 times, where the motion nearly grazes a kink.
     pub multiplier_errors: Vec<f64>,
-    /// `true` unless a multiplier is outside the unit circle by more than its error: all deviations die out, or none grows where energy is conserved.
-    pub stable: bool,
+    /// The stability that the multipliers establish within their errors.
+    pub stability: Stability,
     /// Error estimate of the state: its change across the branch by another tolerance of the integration and by rounding.
     pub error: f64,
 }
@@ -39,11 +39,17 @@ impl BranchPoint {
         amplitude_of(self.ranges[coordinate], is_angle, rotates)
     }
 
+    /// Returns whether no deviation is known to grow: `true` unless a multiplier is outside the unit circle by more than its error.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        self.stability.may_last()
+    }
+
     /// The motion with multipliers and their errors, and the stability that follows.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
         let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
-        Self { multipliers, multiplier_errors, stable: stability != Stability::Unstable, ..self }
+        Self { multipliers, multiplier_errors, stability, ..self }
     }
 
     /// Returns whether the two multipliers whose product is nearest to one are complex, rather than a real one and its inverse.

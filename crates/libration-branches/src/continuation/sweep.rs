@@ -118,7 +118,7 @@ impl Response {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
         let found =
-            points.find_map(|it| it.filter(|it| it.stable && it.parameter.to_bits() == end.to_bits()));
+            points.find_map(|it| it.filter(|it| it.is_stable() && it.parameter.to_bits() == end.to_bits()));
         found.map(|point| &point.state[..])
     }
 }

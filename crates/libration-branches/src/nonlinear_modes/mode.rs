@@ -3,7 +3,7 @@
 use super::belonging::Release;
 use super::{LostMode, NoNonlinearMode, Reason};
 use crate::normal_modes::{Behaviour, Mode, NormalModes};
-use libration_motion::orbit::{NoOrbit, Orbit, OrbitGuess, Stability};
+use libration_motion::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration_numbers::expression::Equation;
 use libration_numbers::watch::Watch;
 use std::f64::consts::TAU;
@@ -64,7 +64,7 @@ impl ModePoint {
     /// Returns whether small deviations do not grow.
     #[must_use]
     pub fn is_stable(&self) -> bool {
-        self.orbit.floquet().is_some_and(|floquet| floquet.stability != Stability::Unstable)
+        self.orbit.floquet().is_some_and(|floquet| floquet.stability.may_last())
     }
 }
 

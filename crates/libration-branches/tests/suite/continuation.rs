@@ -94,7 +94,7 @@ fn losses_of_symmetry_and_doublings_are_exact_and_each_branch_is_followed_once()
     let [first, second] = [&doubled[0].points[0], &doubled[0].points[1]];
     assert!(
         (first.parameter - 1.066372862455207).abs() < 1e-12
-            && second.stable
+            && second.is_stable()
             && second.parameter > first.parameter
     );
     assert!((second.period - 6.0 * PI).abs() < 1e-12);
@@ -111,7 +111,7 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
     let response = over(&equation(duffing, &[("c", "0.1"), ("b", "-0.1"), ("F", "0.1")]), "w", [0.5, 1.5]);
     assert_eq!(response.branches.len(), 1);
     assert_eq!(response.branches[0].special, []);
-    assert!(response.branches[0].points.iter().all(|point| point.stable));
+    assert!(response.branches[0].points.iter().all(|point| point.is_stable()));
     // The 1/3-subharmonic answer has a curve of its own, which a start near it finds.
     let options = ResponseOptions {
         start: Some(vec![3.06, 3.95]),
@@ -178,12 +178,12 @@ fn neighbouring_branches_are_not_mistaken_for_each_other() {
     assert_eq!(response.branches.len(), 2);
     let [low, high] = [0, 1].map(|number| response.branches[number].points.last().unwrap());
     assert_eq!((low.parameter, high.parameter), (0.85, 0.85));
-    assert!((low.amplitude(0, true) - 1.5277505972561323741).abs() < 1e-12 && !low.stable);
+    assert!((low.amplitude(0, true) - 1.5277505972561323741).abs() < 1e-12 && !low.is_stable());
     let multipliers = [0.6822691251387183, 1.2642656414894033];
     for (found, expected) in low.multipliers.iter().rev().zip(multipliers) {
         assert!((found.re - expected).abs() < 1e-11 && found.im.abs() < 1e-300, "{found:?}");
     }
-    assert!(high.stable && (high.amplitude(0, true) - 1.58).abs() < 0.01, "{}", high.amplitude(0, true));
+    assert!(high.is_stable() && (high.amplitude(0, true) - 1.58).abs() < 0.01, "{}", high.amplitude(0, true));
 }
 
 #[test]
@@ -211,7 +211,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
         response.branches.iter().filter(|it| it.origin == Origin::PeriodDoubling).collect();
     assert_eq!((swings.len(), swings[0].ending), (1, Ending::BranchPoint));
     // At rest again: the swings of w = 2 and below, of which the two roads tell one each.
-    let at_two: Vec<&BranchPoint> = response.branches[0].points.iter().filter(|it| !it.stable).collect();
+    let at_two: Vec<&BranchPoint> = response.branches[0].points.iter().filter(|it| !it.is_stable()).collect();
     assert!(at_two.iter().all(|point| (edges[0]..=edges[1]).contains(&point.parameter)));
     let swing = over(&shaken, "w", [1.9, 2.0]);
     let ends: Vec<f64> = swing
@@ -267,7 +267,7 @@ fn sweeps_of_the_integrator_land_on_the_stable_branches() {
         .iter()
         .rev()
         .filter(|point| point.parameter > 0.8)
-        .take_while(|point| point.stable)
+        .take_while(|point| point.is_stable())
         .step_by(4)
         .collect();
     assert!(upwards.len() > 2 && downwards.len() > 2);

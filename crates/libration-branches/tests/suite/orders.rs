@@ -21,7 +21,7 @@ fn an_isola_that_no_sweep_meets_is_found_and_followed_once_around() {
     let response = sought("x'' = -0.15*x' - x - x^3 + 5*cos(w*t)", [2.5, 6.0], &["1/3"]).unwrap();
     let [primary, isola] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
     // Nothing leads from the one to the other.
-    assert!(primary.special.is_empty() && primary.points.iter().all(|it| it.stable));
+    assert!(primary.special.is_empty() && primary.points.iter().all(|it| it.is_stable()));
     assert_eq!((isola.origin, isola.ending), (Origin::FreeOscillation, Ending::Closed));
     assert_eq!((isola.space.drive_periods(), isola.points.first()), (3, isola.points.last()));
     for expected in [5.294354133015056, 3.648857400987054] {

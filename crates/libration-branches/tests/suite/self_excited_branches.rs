@@ -25,7 +25,7 @@ fn van_der_pols_cycle_has_its_period_from_weak_to_strong_excitation() {
         [(&branch.points[0], 6.6632868593231301897), (branch.points.last().unwrap(), 19.078369566939014070)]
     {
         assert!((point.period - period).abs() < 1e-13 * period, "{:?} {period:?}", point.period);
-        assert!(point.error < 1e-11 && point.stable, "{point:?}");
+        assert!(point.error < 1e-11 && point.is_stable(), "{point:?}");
     }
     for point in &branch.points {
         let own: Vec<f64> = point.multipliers.iter().map(|it| it.re).collect();
@@ -50,7 +50,7 @@ fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
         let multiplier = libm::exp(TAU * (m + 3.0 * r2 - 5.0 * r2 * r2));
         let found = point.multipliers.iter().find(|it| it.re.to_bits() != 1.0_f64.to_bits()).unwrap();
         assert!((found.re - multiplier).abs() < 1e-10 * multiplier.max(1.0), "{point:?} {multiplier}");
-        assert_eq!(point.stable, r2 > 0.5, "{point:?}");
+        assert_eq!(point.is_stable(), r2 > 0.5, "{point:?}");
     }
     let folds = special(branch, SpecialKind::Fold);
     assert!(folds.len() == 1 && (folds[0] + 0.25).abs() < 1e-14, "{folds:?}");

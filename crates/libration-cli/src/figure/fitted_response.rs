@@ -101,14 +101,14 @@ fn stretches(curve: &FittedCurve, height: impl Fn(&FittedCurvePoint) -> f64, nam
         for point in branch {
             let place = (point.frequency, height(point));
             if let (Some(stable), Some((_, points))) = (last, found.last_mut())
-                && stable == point.stable
+                && stable == point.stability.may_last()
             {
                 points.push(place);
             } else {
                 let joint = last.and_then(|_| found.last()?.1.last().copied());
-                found.push((point.stable, joint.into_iter().chain([place]).collect()));
+                found.push((point.stability.may_last(), joint.into_iter().chain([place]).collect()));
             }
-            last = Some(point.stable);
+            last = Some(point.stability.may_last());
         }
     }
     let mut seen = [!named; 2];

@@ -111,13 +111,13 @@ fn stretches(curve: &ResponseCurve<'_>, branch: &Branch) -> Vec<(bool, Vec<(f64,
         let special: Vec<(f64, f64)> =
             branch.special.iter().filter(|it| it.before == number).map(|it| curve.place(&it.point)).collect();
         match found.last_mut() {
-            Some((stable, points)) if *stable == point.stable => points.extend(special),
+            Some((stable, points)) if *stable == point.is_stable() => points.extend(special),
             Some((_, points)) => {
                 let joint = special.first().copied().unwrap_or_else(|| curve.place(point));
                 points.push(joint);
-                found.push((point.stable, if special.is_empty() { vec![joint] } else { special }));
+                found.push((point.is_stable(), if special.is_empty() { vec![joint] } else { special }));
             }
-            None => found.push((point.stable, special)),
+            None => found.push((point.is_stable(), special)),
         }
         if let Some((_, points)) = found.last_mut() {
             points.push(curve.place(point));

@@ -209,6 +209,7 @@ const FURTHER: [&str; 56] = [
     "motion|180deg|--times|0,1",
     "period|179deg",
     "period|60deg|--length|57cm",
+    "period|--period|2.10(1)s",
     "fourier|0|--velocity|7rad/s",
     "formulas|--amplitude|90deg|--tolerance|1e-3",
     "decay|1|--quadratic|0.1|--omega0|1|--cycles|2",

@@ -259,7 +259,8 @@ fn a_mode_is_followed_to_large_amplitudes_with_its_stability() {
     // By collocation and by shooting in 130-bit floats.
     assert!((points[1]["period_s"].as_f64().unwrap() - 6.287_859_494_514_626).abs() < 1e-12, "{points:?}");
     assert!((points[1]["start"][1].as_f64().unwrap() + 1.099_990_501_943_477_8).abs() < 1e-11);
-    assert_eq!((&points[0]["stable"], &points[1]["stable"]), (&true.into(), &false.into()));
+    // Two pairs of multipliers: energy is conserved.
+    assert_eq!((&points[0]["stability"], &points[1]["stability"]), (&"neutral".into(), &"unstable".into()));
     // Of every multiplier an error, and the two at 1, which meet in a family of orbits, are there within it.
     for point in answer["points"].as_array().unwrap() {
         let multipliers = point["multipliers"].as_array().unwrap();

@@ -28,7 +28,8 @@ fn a_response_has_the_fields_of_the_contract() {
             .unwrap()
             .iter()
             .map(|it| it[0].as_f64().unwrap().hypot(it[1].as_f64().unwrap()));
-        assert_eq!(point["stable"].as_bool().unwrap(), sizes.fold(0.0, f64::max) <= 1.0 + 1e-9);
+        let is_attracting = sizes.fold(0.0, f64::max) < 1.0;
+        assert_eq!(point["stability"], if is_attracting { "attracting" } else { "unstable" });
     }
     let special = branch["special"].as_array().unwrap();
     let folds: Vec<&Value> = special.iter().filter(|it| it["kind"] == "fold").collect();
@@ -63,7 +64,7 @@ fn a_response_is_told_in_words() {
     // Beyond both neighbours, of which one is stable.
     let value = |row: usize| rows[row][2].parse::<f64>().unwrap();
     assert!(value(fold) > value(fold - 1) && value(fold) > value(fold + 1));
-    assert_eq!((rows[fold - 1][5], rows[fold + 1][5]), ("true", "false"));
+    assert_eq!((rows[fold - 1][5], rows[fold + 1][5]), ("attracting", "unstable"));
 }
 
 #[test]

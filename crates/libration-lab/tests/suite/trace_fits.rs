@@ -559,7 +559,9 @@ fn what_cannot_be_fitted_is_refused() {
 fn assert_kept(coverage: &Coverage) {
     println!("{coverage:?} {:?}", coverage.parts());
     let [one, two] = coverage.parts();
-    assert!((0.65..=0.71).contains(&one) && (0.93..=0.97).contains(&two), "{coverage:?}");
+    // 500 traces have some 1740 intervals, whose parts have standard errors of 1.1 and 0.5 %: these bounds are five of them away. Of 1500 traces
+    // with another seed 68.3 and 95.7 % held the truth.
+    assert!((0.627..=0.739).contains(&one) && (0.929..=0.981).contains(&two), "{coverage:?}");
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};
-use std::cmp::Ordering;
 
 /// The Floquet multipliers of a periodic orbit: the eigenvalues of its monodromy matrix, which maps a deviation to what it is one period later.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,25 +22,48 @@ pub struct Floquet {
 pub enum Stability {
     /// All die out.
     Attracting,
-    /// No deviation grows exponentially, some persist, as in conservative systems; or the errors of the multipliers leave the decision open.
+    /// No deviation grows exponentially and some persist, as in conservative systems: the volume of deviations is kept.
     Neutral,
     /// Some grow exponentially.
     Unstable,
+    /// The errors of the multipliers leave the decision open.
+    Undetermined,
 }
 
 impl Stability {
     /// The stability of multipliers with their errors: attracting where all are inside the unit circle by more than their errors, unstable where
-    /// one is outside by more.
+    /// one is outside by more. Otherwise neutral where the product of all is 1 within its error, which is the factor of the volume of deviations, and
+    /// undetermined where it is not.
     #[must_use]
     pub fn of(multipliers: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        multipliers.into_iter().fold(Self::Attracting, |stability, (size, error)| match stability {
-            _ if size - error > 1.0 => Self::Unstable,
-            // An error that is not a number establishes nothing.
-            Self::Attracting if !matches!((size + error).partial_cmp(&1.0), Some(Ordering::Less)) => {
-                Self::Neutral
-            }
-            other => other,
-        })
+        let all: Vec<(f64, f64)> = multipliers.into_iter().collect();
+        if all.iter().any(|(size, error)| size - error > 1.0) {
+            return Self::Unstable;
+        }
+        // An error that is not a number establishes nothing.
+        if all.iter().all(|(size, error)| size + error < 1.0) {
+            return Self::Attracting;
+        }
+        let volume: f64 = all.iter().map(|(size, _)| size).product();
+        let largest: f64 = all.iter().map(|(size, error)| size + error).product();
+        if (volume - 1.0).abs() <= largest - volume { Self::Neutral } else { Self::Undetermined }
+    }
+
+    /// Returns whether no deviation is known to grow exponentially: `false` for [`Stability::Unstable`] alone.
+    #[must_use]
+    pub fn may_last(self) -> bool {
+        self != Self::Unstable
+    }
+
+    /// The word for it in files: `attracting`, `neutral`, `unstable` or `undetermined`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Attracting => "attracting",
+            Self::Neutral => "neutral",
+            Self::Unstable => "unstable",
+            Self::Undetermined => "undetermined",
+        }
     }
 }
 

@@ -638,3 +638,22 @@ fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
         assert!(!found.to_string().contains("comes to rest"), "{start:?}: {found}");
     }
 }
+
+/// At each boundary: all inside by more than their errors, one on the circle within its error in a contraction and in a map that keeps volumes, one
+/// outside by less and by more than its error.
+#[test]
+fn stability_is_what_multipliers_establish_within_their_errors() {
+    let of = |multipliers: &[(f64, f64)]| Stability::of(multipliers.iter().copied());
+    let [inside, outside] = [1.0_f64.next_down(), 1.0_f64.next_up()];
+    assert_eq!(of(&[]), Stability::Attracting);
+    assert_eq!(of(&[(inside, 0.0), (0.5, 0.0)]), Stability::Attracting);
+    assert_eq!(of(&[(outside, 0.0), (0.5, 0.0)]), Stability::Unstable);
+    assert_eq!(of(&[(0.9, 0.1), (0.5, 1e-9)]), Stability::Undetermined);
+    assert_eq!(of(&[(1.0, 1e-12), (1e-300, 1e-16)]), Stability::Undetermined);
+    assert_eq!(of(&[(1.0, 1e-12), (0.0, 1e-16)]), Stability::Undetermined);
+    assert_eq!(of(&[(1.0, 1e-12), (1.0, 1e-12)]), Stability::Neutral);
+    assert_eq!(of(&[(1.0 + 5e-13, 1e-12), (1.0 - 6e-13, 1e-12)]), Stability::Neutral);
+    assert_eq!(of(&[(1.0 + 2e-12, 1e-12), (1.0 - 2e-12, 1e-12)]), Stability::Unstable);
+    assert_eq!(of(&[(0.5, f64::NAN), (0.5, 0.0)]), Stability::Undetermined);
+    assert_eq!(of(&[(2.0, 0.1), (0.5, f64::NAN)]), Stability::Unstable);
+}

@@ -213,7 +213,9 @@ fn of_curve() -> Fields<OnCurve> {
         Of::number("angular_frequency_rad_per_s", "rad/s", "frequency of the drive", |it| it.point.frequency),
         Of::number("amplitude", "", "as it was measured", |it| it.point.amplitude),
         Of::number("phase_rad", "rad", "by how much the answer lags behind the drive", |it| it.point.phase),
-        Of::value("stable", "", "whether small deviations die out", |it| it.point.stable.into()),
+        Of::value("stability", "", "attracting, neutral, unstable or undetermined", |it| {
+            it.point.stability.name().into()
+        }),
     ])
 }
 
@@ -248,8 +250,8 @@ pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
             it.fitted.amplitude
         }),
         Of::number("residual", "1", "what is left, in standard deviations", |it| it.fitted.residual),
-        Of::value("stable", "", "whether small deviations from this answer die out", |it| {
-            it.fitted.stable.into()
+        Of::value("stability", "", "stability of this response: attracting or unstable", |it| {
+            it.fitted.stability.name().into()
         }),
         Of::value("between_folds", "", "whether it surely is where no answer lasts", |it| {
             it.fitted.between_folds.into()

@@ -180,8 +180,13 @@ fn of_point() -> Fields<ModePoint> {
             |it| it.series_frequency,
         )
         .rounded("ω + κa²", 8),
-        Of::value("stable", "", "whether no small deviation grows exponentially", |it| it.is_stable().into())
-            .words("stable", |it| if it.is_stable() { "yes" } else { "no" }.to_owned()),
+        Of::value(
+            "stability",
+            "",
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers)",
+            |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
+        )
+        .words("stable", |it| if it.is_stable() { "yes" } else { "no" }.to_owned()),
         Of::value("multipliers[][]", "1", "Floquet multipliers, real and imaginary part", |it| {
             let multipliers =
                 it.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();

@@ -98,8 +98,8 @@ pub(super) fn of_orbit() -> Fields<Answer> {
         Of::value(
             "stability",
             "",
-            "attracting, neutral or unstable; null where it was not asked for",
-            |it| it.orbit.floquet().map(|floquet| words(floquet.stability)[0]).into(),
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); null where it was not asked for",
+            |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
         )
         .line_of("stability", stability),
         Of::present(
@@ -153,11 +153,12 @@ fn kind(kind: OrbitKind) -> [&'static str; 2] {
     }
 }
 
-fn words(stability: Stability) -> [&'static str; 2] {
+fn in_words(stability: Stability) -> &'static str {
     match stability {
-        Stability::Attracting => ["attracting", "stable: all deviations die out"],
-        Stability::Neutral => ["neutral", "neutral: no deviation grows exponentially, some stay"],
-        Stability::Unstable => ["unstable", "unstable: deviations grow"],
+        Stability::Attracting => "stable: all deviations die out",
+        Stability::Neutral => "neutral: no deviation grows exponentially, some stay",
+        Stability::Unstable => "unstable: deviations grow",
+        Stability::Undetermined => "undetermined: a multiplier is on the unit circle within its error",
     }
 }
 
@@ -188,7 +189,7 @@ fn stability(answer: &Answer) -> String {
     let Some(floquet) = answer.orbit.floquet() else {
         return "not computed for a release from rest: give a guess with --period".to_owned();
     };
-    format!("{}; Floquet multipliers {}", words(floquet.stability)[1], listed(floquet))
+    format!("{}; Floquet multipliers {}", in_words(floquet.stability), listed(floquet))
 }
 
 fn listed(floquet: &Floquet) -> String {

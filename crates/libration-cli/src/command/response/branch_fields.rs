@@ -150,7 +150,12 @@ fn of_place<'a>() -> Fields<Place<'a>> {
         ),
         Of::number("maximum", "", "greatest value, likewise", |it| it.range()[1]),
         Of::number("period_s", "s", "period of the answer", |it| it.point.period),
-        Of::value("stable", "", "whether no deviation grows", |it| it.point.stable.into()),
+        Of::value(
+            "stability",
+            "",
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers)",
+            |it| it.point.stability.name().into(),
+        ),
         Of::value(
             "multipliers[][]",
             "1",

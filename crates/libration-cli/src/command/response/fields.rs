@@ -153,9 +153,12 @@ pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
         Of::value("period_s", "s", "period of the answer; empty for what a sweep leads to", |it| {
             it.place().map_or(Value::Null, |it| json::number(it.point.period))
         }),
-        Of::value("stable", "", "whether no deviation grows; empty for what a sweep leads to", |it| {
-            it.place().map(|it| it.point.stable).into()
-        }),
+        Of::value(
+            "stability",
+            "",
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for what a sweep leads to",
+            |it| it.place().map(|it| it.point.stability.name()).into(),
+        ),
         Of::value(
             "error",
             "",

@@ -8,6 +8,7 @@ use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
 use libration::continuation::{Ending, OrderAnswers, OrderFinding, Origin};
+use libration::orbit::Stability;
 use std::f64::consts::PI;
 use std::io::{self, Write};
 
@@ -153,7 +154,13 @@ fn rotating(turns: i32, periods: u32) -> String {
 fn summary(branch: &Numbered<'_>) -> String {
     let (answer, points) = (branch.answer, &branch.branch.points);
     let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
-    let stable = points.iter().filter(|point| point.stable).count();
+    let number =
+        |wanted: &[Stability]| points.iter().filter(|point| wanted.contains(&point.stability)).count();
+    let stable = number(&[Stability::Attracting, Stability::Neutral]);
+    let open = match number(&[Stability::Undetermined]) {
+        0 => String::new(),
+        open => format!(", {open} undetermined"),
+    };
     let periods = match (answer.response.driven, branch.branch.space.drive_periods()) {
         (true, periods) => match (answer.turns(branch.branch), periods) {
             (0, 1) => "period of the drive".to_owned(),
@@ -201,7 +208,7 @@ fn summary(branch: &Numbered<'_>) -> String {
         }
     };
     format!(
-        "{}, {symmetric}{periods}: {} points, {stable} of them stable, up to {}{over_the_top}{even}; {}{at}{before}{unresolved}",
+        "{}, {symmetric}{periods}: {} points, {stable} of them stable{open}, up to {}{over_the_top}{even}; {}{at}{before}{unresolved}",
         origin(branch.branch.origin)[1],
         points.len(),
         answer.amplitude_text(largest),

@@ -6,6 +6,7 @@ use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
 use crate::fit::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchPoint, Jump, NoBranch, Response, ResponseOptions};
+use libration::orbit::Stability;
 use libration::taylor::{Moment, System, Trajectory};
 use libration::watch::Watch;
 use std::f64::consts::{PI, TAU};
@@ -19,8 +20,8 @@ pub struct FittedCurvePoint {
     pub amplitude: f64,
     /// Phase lag of the response's fundamental behind the drive, in radians.
     pub phase: f64,
-    /// `true` if small deviations die out.
-    pub stable: bool,
+    /// The behaviour of small deviations.
+    pub stability: Stability,
 }
 
 /// A frequency at which a slow sweep jumps to another branch.
@@ -75,7 +76,7 @@ impl ResponseFit {
             frequency: point.parameter,
             amplitude,
             phase: fundamental.argument(),
-            stable: point.stable,
+            stability: point.stability,
         })
     }
 

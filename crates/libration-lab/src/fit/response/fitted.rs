@@ -8,6 +8,7 @@ use super::{MeasuredAmplitude, ResponseModel};
 use crate::fit::Uncertain;
 use crate::fit::scatter::{self, Scatter};
 use crate::statistics::{akaike, count};
+use libration::orbit::Stability;
 use nalgebra::{DMatrix, DVector};
 
 /// The parameters of an oscillator under a drive.
@@ -50,8 +51,8 @@ pub struct FittedAnswer {
     pub residual: f64,
     /// Phase lag of the fitted response's fundamental behind the drive, in radians.
     pub phase: f64,
-    /// `true` if small deviations from this response die out.
-    pub stable: bool,
+    /// The behaviour of small deviations from this response.
+    pub stability: Stability,
     /// `true` if it is between the folds, where no response is stable: by more than three standard deviations of the amplitude.
     pub between_folds: bool,
     /// Distance in rad/s of the frequency beyond the fold at which its branch ends, where it is more than three of their uncertainties.
@@ -175,7 +176,7 @@ fn answer(fit: &ResponseFit, row: &Row, found: &FoundRow, required: &RequiredDri
         amplitude: found.amplitude,
         residual: sign * DVector::from_row_slice(&found.residuals).norm(),
         phase: required.drive.argument(),
-        stable: required.stable,
+        stability: required.stability,
         between_folds: found.slope < -2.0 * FAR * found.bend.abs(),
         beyond_fold: beyond_fold(fit, row, found, required),
     }

@@ -7,6 +7,7 @@ use libration::algebra::Complex;
 
 use super::MeasuredAmplitude;
 use super::model::ResponseModel;
+use libration::orbit::Stability;
 use libration::taylor::{Effort, Moment, System, Trajectory, integrate_many, with_sensitivities};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::RefCell;
@@ -30,7 +31,7 @@ pub(super) struct RequiredDrive {
     /// The derivative by the amplitude.
     pub(super) by_amplitude: Complex,
     /// `true` if small deviations from the response die out.
-    pub(super) stable: bool,
+    pub(super) stability: Stability,
     /// Start of Newton's method for a neighbouring response.
     shape: Shape,
 }
@@ -96,7 +97,7 @@ impl OneHarmonic {
         .scaled(0.5 / (STEP * amplitude));
         let square = frequency * frequency;
         let shape = Shape { peak: amplitude, cosine: drive.re / square, sine: drive.im / square };
-        RequiredDrive { drive, by_coefficients, by_amplitude, stable: true, shape }
+        RequiredDrive { drive, by_coefficients, by_amplitude, stability: Stability::Undetermined, shape }
     }
 }
 
@@ -317,7 +318,7 @@ impl Linear {
             drive: (force * phase).scaled(square),
             by_coefficients,
             by_amplitude,
-            stable: is_stable(end),
+            stability: stability(end),
             shape,
         }
     }
@@ -328,11 +329,12 @@ pub(super) fn along(number: Complex, change: Complex) -> f64 {
     (number.re * change.re + number.im * change.im) / number.abs()
 }
 
-/// Returns whether both multipliers of half a period are inside the unit circle.
-fn is_stable(end: &End) -> bool {
+/// The stability of a motion by its two multipliers of half a period. Without their errors, which the fit does not need, none is undetermined.
+fn stability(end: &End) -> Stability {
     let last = end.copies - 1;
     let [a, b, c, d] =
         [end.state[3 * (last - 1)], end.state[3 * last], end.velocity(last - 1), end.velocity(last)];
     let (trace, determinant) = (a + d, a * d - b * c);
-    determinant < 1.0 && trace.abs() < 1.0 + determinant
+    let attracts = determinant < 1.0 && trace.abs() < 1.0 + determinant;
+    if attracts { Stability::Attracting } else { Stability::Unstable }
 }
