@@ -35,7 +35,7 @@ test("an amplitude without a unit is in the degrees that the derivation shows, a
     const derived = async (...words) => assert.equal(await shown(room), await inBody(room, command("derive", ...words, "--format", "html").output));
     assert.equal(await unit(), "°");
     await derived("--method", "elliptic", "--amplitude", "45deg");
-    await room.getByLabel("What to follow").selectOption("perturbation");
+    await room.getByLabel("Method").selectOption("perturbation");
     await enter(room, "Oscillator or equation", "duffing");
     await enter(room, "Your amplitude", "0.4");
     assert.equal(await unit(), "");
@@ -65,7 +65,7 @@ test("steps open one after the other by the keyboard, and a link leads to a form
 
 test("a derivation is saved in every form as the command writes it", () =>
   visit("derivations?road=limit-cycle", async (room) => {
-    for (const [button, format] of [["a page", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["a Jupyter notebook", "ipynb"]]) {
+    for (const [button, format] of [["HTML", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["Jupyter notebook", "ipynb"]]) {
       const { bytes } = await saved(room, button);
       assert.equal(bytes.toString(), command("derive", "--method", "limit-cycle", "--format", format).output);
     }
@@ -91,7 +91,7 @@ test("wrong entries are answered beside their fields", () =>
     await enter(room, "Your amplitude", "400");
     assert.match((await errors(room)).join(), /is not below pi/);
     await enter(room, "Your amplitude", "");
-    await room.getByLabel("What to follow").selectOption("perturbation");
+    await room.getByLabel("Method").selectOption("perturbation");
     await enter(room, "Order", "1000");
     assert.equal(await room.getByLabel("Order", { exact: true }).getAttribute("aria-invalid"), "true");
   }));

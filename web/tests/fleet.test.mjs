@@ -34,7 +34,7 @@ for (const [system, fragment, set, at] of [["double_pendulum", DOUBLE, [], 3.7],
     visit(`${fragment}&motions=100&time=${at}`, async (room) => {
       await says(room, `at t = ${at.toPrecision(4)} s`);
       const found = await states(room);
-      const { bytes } = await saved(room, "Save the starts as CSV");
+      const { bytes } = await saved(room, "Save the initial states as CSV");
       const starts = join(folder, `${system}.csv`);
       writeFileSync(starts, bytes);
       // Behind the time comes another one: the command's last step ends for its last time.
@@ -49,21 +49,21 @@ for (const [system, fragment, set, at] of [["double_pendulum", DOUBLE, [], 3.7],
 test("with the mouse: two thousand double pendulums run, stand, step, and begin again", () =>
   visit(DOUBLE, async (room) => {
     await says(room, "2000 motions at t = 0 s");
-    await room.getByRole("button", { name: "Run the fleet" }).click();
+    await room.getByRole("button", { name: "Run the ensemble" }).click();
     await says(room, "of real time");
-    await room.getByRole("button", { name: "Pause the fleet" }).click();
-    await room.getByRole("button", { name: "Run the fleet" }).waitFor();
+    await room.getByRole("button", { name: "Pause the ensemble" }).click();
+    await room.getByRole("button", { name: "Run the ensemble" }).waitFor();
     await room.waitForFunction(() => location.hash.includes("time="));
     const stands = time(room);
     assert.ok(stands > 0.2, `${stands}`);
-    await room.getByRole("button", { name: "Fleet one step" }).click();
+    await room.getByRole("button", { name: "Step the ensemble" }).click();
     await room.waitForFunction((before) => !location.hash.includes(`time=${before}`), stands);
     assert.ok(Math.abs(time(room) - stands - 1 / 30) < 1e-9);
-    await room.getByText("The same as a command").click();
+    await room.getByText("Equivalent command").click();
     assert.match(await room.locator(".equivalents code").first().textContent(), new RegExp(`simulate double_pendulum --each starts.csv --times ${time(room)} --tolerance 1e-8`));
-    const { bytes } = await saved(room, "Save the fleet as PNG");
+    const { bytes } = await saved(room, "Save the ensemble as PNG");
     assert.equal(bytes.subarray(1, 4).toString(), "PNG");
-    await room.getByRole("button", { name: "Fleet to the start" }).click();
+    await room.getByRole("button", { name: "Restart the ensemble" }).click();
     await says(room, "at t = 0 s");
     assert.ok(Number.isNaN(time(room)));
   }));
@@ -71,7 +71,7 @@ test("with the mouse: two thousand double pendulums run, stand, step, and begin 
 test("with keys only, on a phone; and a link shows the same again", () =>
   visit(`${DRIVEN}&motions=50`, async (room) => {
     await says(room, "50 motions at t = 0 s");
-    await room.getByRole("button", { name: "Run the fleet" }).focus();
+    await room.getByRole("button", { name: "Run the ensemble" }).focus();
     await room.keyboard.press("Enter");
     await says(room, "of real time");
     await room.keyboard.press("Space");
@@ -80,7 +80,7 @@ test("with keys only, on a phone; and a link shows the same again", () =>
     await visit(new URL(room.url()).hash.slice(1), async (again) => {
       await says(again, "differ by");
       await again.waitForFunction(() => !/ t = 0 s/.test(document.querySelector(".fleet-words")?.textContent ?? "0"));
-      await again.getByText("The fleet goes to").waitFor({ state: "detached" });
+      await again.getByText("Integrating the ensemble to").waitFor({ state: "detached" });
       assert.deepEqual((await states(again)).rows, found.rows);
     });
   }, { viewport: PHONE }));
@@ -89,11 +89,11 @@ test("a driven fleet draws its section, and one without bodies its states alone"
   visit(`${DRIVEN}&motions=50`, async (room) => {
     const picture = (name) => room.locator(".fleet figure", { hasText: name });
     await says(room, "50 motions");
-    assert.ok(await picture("States at each period of the drive").isVisible());
+    assert.ok(await picture("Stroboscopic section, once per period of the drive").isVisible());
     assert.match(await picture("Bodies").locator("canvas").getAttribute("aria-label"), /50 motions at t = 0 s/);
     await visit(`chaos?system=lorenz&set=&initial=x%3D1,y%3D1,z%3D1;x%3D1.001,y%3D1,z%3D1&at=z-27&motions=40&${REST}`, async (other) => {
       await says(other, "40 motions");
-      assert.deepEqual(await other.locator(".fleet figure:visible figcaption").allTextContents(), ["States now", "How far they are apart"]);
+      assert.deepEqual(await other.locator(".fleet figure:visible figcaption").allTextContents(), ["Current states", "Distance between motions"]);
     });
   }));
 
@@ -111,18 +111,18 @@ test("what is no fleet is answered in words", () =>
       ["Number of motions", "1", /whole number from 2 to 20000/],
       ["Number of motions", "many", /whole number from 2 to 20000/],
       ["Number of motions", "20", undefined],
-      ["Tolerance of a step", "0", /give a number from 1e-18 to 0.1/],
-      ["Tolerance of a step", "1e-8", undefined],
+      ["Relative tolerance", "0", /give a number from 1e-18 to 0.1/],
+      ["Relative tolerance", "1e-8", undefined],
     ]) {
       await enter(room, label, entry);
       await room.waitForFunction((wanted) => ([...document.querySelectorAll(".error")].some((it) => it.checkVisibility())) === wanted, said !== undefined, { timeout: 60_000 });
       if (said !== undefined) assert.match((await errors(room)).join(" "), said);
     }
     for (const entry of ["theta1=120deg", "theta1=120deg; theta2=1deg", "theta1=pi/3; theta1=pi/2"]) {
-      await enter(room, "Starts", entry);
-      await room.getByText("A fleet needs two starts").waitFor();
+      await enter(room, "Initial states", entry);
+      await room.getByText("An ensemble needs two initial states").waitFor();
       assert.deepEqual(await errors(room), []);
     }
-    await enter(room, "Starts", "theta1=120deg; theta1=121deg");
+    await enter(room, "Initial states", "theta1=120deg; theta1=121deg");
     await says(room, "20 motions at t = 0 s");
   }));

@@ -172,7 +172,7 @@ test("each example is the pendulum that it names, without damping and driving", 
       await room.getByRole("button", { name, exact: true }).click();
       await settled(room);
       assert.match(await room.locator(".how").textContent(), /^Exact solution/, name);
-      for (const [label, value] of [["Damping c in 1/s", "0"], ["Torque A in 1/s²", "0"], ["Its frequency ω in rad/s", "2/3"], ["Length", "1m"]]) assert.equal(await room.getByLabel(label, { exact: true }).inputValue(), value);
+      for (const [label, value] of [["Damping c in 1/s", "0"], ["Drive amplitude A in 1/s²", "0"], ["Drive frequency ω in rad/s", "2/3"], ["Length", "1m"]]) assert.equal(await room.getByLabel(label, { exact: true }).inputValue(), value);
       await enter(room, "Damping c in 1/s", "0.3");
       assert.match(await room.locator(".how").textContent(), /integrated/);
     }
@@ -294,7 +294,7 @@ test("with damping it is integrated, and says so", () =>
 
 test("ghosts, the formulas' list, the picture and the numbers come from the command", () =>
   visit("pendulum?angle=90deg&t=1&small-angle=yes&fourier-3=yes", async (room) => {
-    await room.getByLabel("The period of a formula", { exact: true }).focus();
+    await room.getByLabel("Approximate period", { exact: true }).focus();
     await room.waitForFunction(() => document.querySelectorAll("option[value=molina]").length === 1, null, { timeout: 60_000 });
     await room.getByRole("button", { name: "Draw the picture" }).click();
     await room.waitForFunction(() => document.querySelector(".picture")?.shadowRoot?.querySelector("svg") != null, null, { timeout: 60_000 });
