@@ -1,4 +1,4 @@
-// Room 6 beside the command: diagrams, sections, neighbours and verdicts, and what cannot be computed.
+// Room 6 compared with the command: diagrams, sections, neighbours and verdicts, and invalid entries.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -72,7 +72,7 @@ test("each system to begin with has its pictures and its verdict", () =>
     }
   }));
 
-/** What is found, however it is asked. */
+/** The verdict. */
 const verdict = (room) => room.locator("p.verdict").textContent();
 const entry = (room, label) => room.getByLabel(label, { exact: true }).inputValue();
 const QUICKLY = "points=20&intervals=300&until=5&each=5";
@@ -180,11 +180,11 @@ test("the periodic orbit and the answers over a parameter are the command's", ()
 /** The part of the results with this title. */
 const part = (room, title) => room.locator("section", { has: room.getByRole("heading", { name: title, exact: true }) });
 
-/** A number as the page writes it, with so many digits, and a round one without zeros at its end. */
+/** A number as the page writes it, with `count` digits, and a round one without trailing zeros. */
 const written = (value, count) => value.toPrecision(count).replace("-", "−");
 const short = (value) => String(Number(value.toPrecision(6))).replace("-", "−");
 
-/** What is saved of a part is what the command writes. */
+/** Asserts that the saved files of a part are those of the command. */
 async function savedAsAsked(place, words) {
   const { bytes } = await saved(place, "Save the picture as SVG");
   assert.equal(bytes.toString(), command(...words, "--figure", "-").output);
@@ -311,7 +311,7 @@ test("what is wrong in a folded part is said beside its field", () =>
     }
   }));
 
-/** What a room asks the command, as the first words. */
+/** Records the first words of the queries of a room. */
 async function listening(room) {
   await room.evaluate(() => {
     const post = Worker.prototype.postMessage;
@@ -331,7 +331,7 @@ test("nothing further is asked unasked, nor again while it stays the same", () =
     const first = await asked();
     assert.ok(first.includes("section") && first.includes("lyapunov"), first.join(" "));
     assert.deepEqual(first.filter((it) => ["response", "stability", "melnikov", "resonance"].includes(it)), []);
-    // By keys: the part is unfolded, and its first field is next.
+    // With keys, the part is unfolded, and its first field is next.
     await room.locator("summary", { hasText: "Thresholds of chaos" }).focus();
     await room.keyboard.press("Enter");
     await room.keyboard.press("Tab");

@@ -1,4 +1,4 @@
-// Room 4 beside the command: the text of each road, its steps, links to formulas, exercises, and both documents.
+// Room 4 compared with the command: the text of each method, its steps, links to formulas, exercises, and both documents.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -6,7 +6,7 @@ import { answer, close, command, enter, errors, saved, settled, visit } from "./
 
 after(close);
 
-/** What stands in the body of a page, without spaces. */
+/** The text of the body of a page, without spaces. */
 const inBody = (room, page) =>
   room.evaluate((source) => {
     const { body } = new DOMParser().parseFromString(source.replaceAll(/<style>[^]*?<\/style>/g, ""), "text/html");

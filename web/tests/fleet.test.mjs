@@ -1,4 +1,4 @@
-// Fleets: the states beside those of the command, bit for bit; run, paused, stepped and linked by mouse and keyboard; what cannot be followed.
+// Ensembles: the states compared with those of the command, bit for bit; run, paused, stepped and linked by mouse and keyboard; invalid entries.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -11,17 +11,17 @@ const folder = mkdtempSync(join(tmpdir(), "fleet-"));
 after(() => rmSync(folder, { recursive: true }));
 after(close);
 
-/** The other pictures of the room small, so that they are there soon. */
+/** Small sizes for the other pictures of the room, so that they are ready soon. */
 const REST = "over=&value=&points=20&intervals=10&until=5";
 const DOUBLE = `chaos?system=double_pendulum&set=&initial=theta1%3D120deg,theta2%3D120deg;theta1%3D120deg,theta2%3D121deg&at=sin(theta1)&${REST}`;
 const DRIVEN = `chaos?set=c%3D1/2,A%3D1.5&initial=theta%3D0.2;theta%3D0.3&${REST}`;
 
 const words = (room) => room.locator(".fleet-words").textContent();
-/** Waits until the fleet says this. */
+/** Waits until the words of the ensemble contain this text. */
 const says = (room, text) => room.waitForFunction((text) => document.querySelector(".fleet-words")?.textContent.includes(text), text, { timeout: 60_000 });
 const time = (room) => Number(new URLSearchParams(new URL(room.url()).hash.split("?")[1]).get("time") ?? NaN);
 
-/** The states that the page saves, one row a motion. */
+/** The states saved by the page, one row per motion. */
 async function states(room) {
   const { name, bytes } = await saved(room, "Save the states as CSV");
   assert.equal(name, "states.csv");
@@ -30,14 +30,14 @@ async function states(room) {
 }
 
 for (const [system, fragment, set, at] of [["double_pendulum", DOUBLE, [], 3.7], ["driven_pendulum", DRIVEN, ["--set", "c=1/2,A=1.5"], 21]]) {
-  test(`the states of a fleet of ${system} are those of the command, bit for bit`, () =>
+  test(`the states of an ensemble of ${system} are those of the command, bit for bit`, () =>
     visit(`${fragment}&motions=100&time=${at}`, async (room) => {
       await says(room, `at t = ${at.toPrecision(4)} s`);
       const found = await states(room);
       const { bytes } = await saved(room, "Save the initial states as CSV");
       const starts = join(folder, `${system}.csv`);
       writeFileSync(starts, bytes);
-      // Behind the time comes another one: the command's last step ends for its last time.
+      // The query has a later time as well, since the command shortens its last step to end at its last time.
       const answer = command("simulate", system, ...set, "--each", starts, "--times", `${at},${at + 20}`, "--tolerance", "1e-8", "--json");
       assert.equal(answer.status, 0, answer.error);
       const { motions } = JSON.parse(answer.output);
@@ -85,7 +85,7 @@ test("with keys only, on a phone; and a link shows the same again", () =>
     });
   }, { viewport: PHONE }));
 
-test("a driven fleet draws its section, and one without bodies its states alone", () =>
+test("a driven ensemble has its section, and one without bodies its states only", () =>
   visit(`${DRIVEN}&motions=50`, async (room) => {
     const picture = (name) => room.locator(".fleet figure", { hasText: name });
     await says(room, "50 motions");
@@ -97,14 +97,14 @@ test("a driven fleet draws its section, and one without bodies its states alone"
     });
   }));
 
-test("when motions can no longer be trusted it is said", () =>
+test("the page reports when motions can no longer be trusted", () =>
   visit(`${DOUBLE.replace("121deg", "120.00001deg")}&motions=20&tolerance=1e-3&time=10`, async (room) => {
     await says(room, "can no longer be trusted");
     await says(room, "at t = 10.00 s");
     assert.match(await words(room), /From t = 0?\.?\d+/);
   }));
 
-test("what is no fleet is answered in words", () =>
+test("an invalid ensemble is reported in words", () =>
   visit(`${DOUBLE}&motions=20`, async (room) => {
     await says(room, "20 motions");
     for (const [label, entry, said] of [

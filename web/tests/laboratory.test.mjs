@@ -1,4 +1,4 @@
-// Room 5 beside the command: files of every kind, choices, saved answers, and files that are damaged.
+// Room 5 compared with the command: files of every kind, options, saved results, and damaged files.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { close, command, EXAMPLES, enter, errors, saved, settled, visit } from "
 after(close);
 /** The fit in words, below the report. */
 const inWords = (room) => room.locator(".results section details pre").evaluate((it) => it.textContent);
-/** What the command says, and of the report that it writes. */
+/** The output of the command, with the line about the report that it writes. */
 const reported = (words) => `${command(...words).output}report.html written: report with pictures\n`;
 
 async function give(room, ...files) {

@@ -1,4 +1,4 @@
-// The first room: numbers beside the command's, the mouse and the keys, links that show the same again.
+// Room 1: numbers compared with the command's, the mouse and the keys, links that restore the state.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -29,7 +29,7 @@ for (const angle of ["60deg", "179.99deg", "pi-1e-9", "180deg-1e-9deg", "2.5rad"
 
 /** Periods by mpmath, 4·√(l/g)·K(sin²(θ₀/2)) with l = 1 m and g = 9.80665 m/s². */
 const [PERIOD_45_DEGREES, PERIOD_THREE_QUARTERS] = [2.08661217983495861704, 2.07930775334818431137];
-/** What stands in a field for numbers without a unit. */
+/** The unit shown in a field for bare numbers. */
 const unitOf = (room, label) => room.locator(".field", { has: room.getByLabel(label, { exact: true }) }).locator(".unit").textContent();
 
 test("a number without a unit has the unit that stands in the field", () =>
@@ -136,7 +136,7 @@ test("a pendulum that is taken out of the hand goes on", () =>
     await room.mouse.up();
     assert.equal(await room.getByLabel("Angle", { exact: true }).inputValue(), "150deg");
     assert.equal(await room.getByRole("button", { name: "Pause" }).count(), 1);
-    // What stood still stands where it stood, and can be taken again.
+    // A paused pendulum stays where it was, and can be taken again.
     await room.getByRole("button", { name: "Pause" }).click();
     const stood = await time();
     await take(room);

@@ -1,4 +1,4 @@
-// Room 3 beside the command: series, terms and backbones of oscillators built-in and typed, and entries that are none.
+// Room 3 compared with the command: series, terms and backbones of built-in and typed oscillators, and invalid entries.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";

@@ -30,7 +30,7 @@ export class ValueKeeper {
     if (known !== undefined || before !== "") this.#form.put("value", known === undefined ? "" : known.slice(known.indexOf("=") + 1).trim());
   }
 
-  /** The parameter of the range, if it is valid. */
+  /** The name of the parameter of the range; empty without `=`. */
   #now(): string {
     const over = this.#form.value("over");
     return over.includes("=") ? nameOf(over) : "";

@@ -15,7 +15,7 @@ export interface Axes {
 
 /** The upper end of the axis of errors. */
 const HIGHEST = 10;
-/** Upper end of the axis of amplitudes, in degrees: at the top itself there is no period. */
+/** Largest amplitude that can be chosen, in degrees: at the top itself there is no period. */
 const LARGEST = 179.9;
 
 export class ErrorPicture {

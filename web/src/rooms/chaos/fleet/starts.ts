@@ -6,7 +6,7 @@ import { type Command, extended, words } from "../../../parts/command.ts";
 /** The name of the table in the command. */
 export const FILE = "starts.csv";
 
-/** The table of `count` initial states from one to the other, both as in `theta=0.2,theta'=1`; `undefined` unless all are numbers with equal units. */
+/** The table of `count` initial states from one to the other, both as in `theta=0.2,theta'=1`; `undefined` unless all are numbers and the units agree. */
 export function table(from: string, to: string, count: number): string | undefined {
   const [first, last] = [read(from), read(to)];
   if (first === undefined || last === undefined || first.size !== last.size) return undefined;
