@@ -119,9 +119,9 @@ export const chaos = {
     way: (from: string, to: string) => `from ${from} to ${to}`,
     curve: (name: string, way: string, cusps: readonly string[]) => `${name}: ${way}${cusps.length === 0 ? "" : `; through ${cusps.length === 1 ? "a cusp" : "cusps"} at ${cusps.join(" and at ")}`}.`,
     edges: {
-      branch_point: "Stability boundary of the state at rest: branch point, with solutions of the same period",
-      period_doubling: "Stability boundary of the state at rest: period doubling",
-      neimark_sacker: "Stability boundary of the state at rest: Neimark–Sacker bifurcation",
+      branch_point: "Stability boundary of the state at rest (branch point)",
+      period_doubling: "Stability boundary of the state at rest (period doubling)",
+      neimark_sacker: "Stability boundary of the state at rest (Neimark–Sacker bifurcation)",
     } as Readonly<Record<string, string>>,
     kinds: {
       fold: "Folds of driven motions (jumps)",
