@@ -1,5 +1,5 @@
-// Compares the answers of modules with those of the native program, the first argument. The modules are the one that runs everywhere, and, if
-// it is named, one that was compiled for relaxed vector instructions, which is left out where node or the processor is not made for it.
+// Compares the results of modules with those of the native program, the first argument. The modules are the portable one and, if given, one
+// compiled for relaxed vector instructions, which is skipped if node or the processor does not support them.
 
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 const [native, plain, relaxed] = process.argv.slice(2).filter((argument) => !argument.startsWith("--"));
 const expected = execFileSync(native, { encoding: "utf8", maxBuffer: 1 << 28 }).trim().split("\n");
 
-/** The module's functions; a sentence where they cannot be had, or round twice. */
+/** The module's functions; a message if they are not available, or round twice. */
 async function functions(file) {
     try {
         const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
@@ -18,7 +18,7 @@ async function functions(file) {
     }
 }
 
-/** How many answers are wrong. */
+/** The number of wrong results. */
 function compare(name, { count, bits }) {
     if (count() !== expected.length) {
         console.error(`${count()} answers on ${name}, ${expected.length} natively`);

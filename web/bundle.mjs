@@ -1,4 +1,4 @@
-// Puts the page together: node bundle.mjs OUTPUT [ID=MODULE.wasm …]. Says how large each part is.
+// Builds the page: node bundle.mjs OUTPUT [ID=MODULE.wasm …]. Prints the size of each part.
 
 import { build } from "esbuild";
 import { licences } from "./licences.mjs";
@@ -18,7 +18,7 @@ async function bundled(path, define = {}) {
   return outputFiles[0].text.trimEnd();
 }
 
-/** As `src/engine/lzma.ts` decompresses it. */
+/** The compressed bytes, in the format that `src/engine/lzma.ts` decompresses. */
 function lzma(bytes) {
   const made = execFileSync("xz", ["--format=lzma", "--lzma1=preset=9e,lc=4,pb=0", "--stdout"], { input: bytes, maxBuffer: 1 << 28 });
   // xz, which writes to a pipe, leaves the size open.
@@ -26,7 +26,7 @@ function lzma(bytes) {
   return made;
 }
 
-/** As `src/engine/base91.ts` reads it; zeros fill the last pair of letters. */
+/** The text that `src/engine/base91.ts` reads; zeros fill the last pair of letters. */
 function base91(bytes) {
   const letters = Array.from({ length: 92 }, (_, n) => String.fromCharCode(35 + n)).filter((letter) => letter !== "<");
   const pairs = [];
@@ -41,7 +41,7 @@ function base91(bytes) {
     const value = kept >>> bits;
     pairs.push(letters[Math.floor(value / 91)] + letters[value % 91]);
     kept &= (1 << bits) - 1;
-    // What is left of the zeros behind the last byte says nothing.
+    // The remaining zeros after the last byte are padding.
     if (at > bytes.length) break;
   }
   return pairs.join("");
@@ -50,13 +50,13 @@ function base91(bytes) {
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 const version = readFileSync(here("../Cargo.toml"), "utf8").match(/^version = "(.+)"$/m)[1];
 const worker = await bundled("src/engine/worker.ts");
-// What ends a script element must not stand in one.
+// A script element must not contain its end tag.
 const script = (await bundled("src/main.ts", { WORKER_SOURCE: JSON.stringify(worker), VERSION: JSON.stringify(version) })).replaceAll("</script", "<\\/script");
 const font = await mathematicsFont();
 const style = (await bundled("src/style.css")) + `@font-face{font-family:Mathematics;src:url(data:font/woff2;base64,${font.toString("base64")})}`;
 const sizes = [["script", script], ["style", style]].map(([name, text]) => [name, Buffer.byteLength(text), gzipSync(text, { level: 9 }).length, Buffer.byteLength(text)]);
 
-/** Parts that are compressed, in script elements that nobody runs. */
+/** Compressed parts, in script elements that are not executed. */
 const packed = new Map();
 function pack(id, raw) {
   const compressed = lzma(raw);

@@ -1,15 +1,15 @@
-// The works that are in the page, with their licences: names, versions, whose they are, and each text of a licence once.
+// The works contained in the page, with their licences: names, versions, owners, and each text of a licence once.
 
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 
 const here = (path) => new URL(path, import.meta.url).pathname;
-/** Of several licences that a work may be used under the first of these is taken. */
+/** Licences in order of preference, for works that may be used under several. */
 const PREFERRED = ["MIT", "Zlib", "BSD-3-Clause", "BSD-2-Clause", "ISC", "Unicode-3.0", "0BSD", "CC0-1.0", "BSL-1.0", "MPL-2.0", "Apache-2.0"];
 const FILE = /^(licen[cs]e|copying|notice|unlicense|copyright)/i;
 
-/** As text: the works, then the licences, for a page that is made of these crates. */
+/** The text of the works, then of the licences, for a page built from these crates. */
 export function licences(crates) {
   const texts = new Map();
   const works = packages(crates).map(({ name, version, license, manifest_path, authors }) => {
@@ -33,7 +33,7 @@ export function licences(crates) {
   return [lines.join("\n"), ...chapters].join("\n\n\n");
 }
 
-/** What is compiled into these crates, from elsewhere; macros leave no code of their own. */
+/** The external crates compiled into these crates; macros leave no code of their own. */
 function packages(crates) {
   const cargo = (...words) => execFileSync("cargo", [...words, "--locked", "--manifest-path", here("../Cargo.toml")], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"], encoding: "utf8" });
   const asked = crates.flatMap((name) => ["--package", name]);
@@ -71,7 +71,7 @@ function ownersIn(text) {
   return [...text.matchAll(OWNER)].map(([, owner]) => owner.replace(/\s+/g, " ").replace(/\.? All rights reserved\.?| or$/i, "").trim()).filter((owner) => /\d{4}|©|\(c\)|Copyright [A-Z]/i.test(owner) && owner.length < 160 && !/[{[]/.test(owner));
 }
 
-/** Those are named with the works. */
+/** The text without its owners, who are named with the works. */
 function withoutOwners(text) {
   return text.replaceAll(OWNER, "").replaceAll(/\r/g, "").replaceAll(/\n{3,}/g, "\n\n").trim();
 }

@@ -1,4 +1,4 @@
-"""Times `libration fit trace` on recordings of its own making, on all cores, beside what is wanted.
+"""Times `libration fit trace` on simulated recordings, on all cores, against the goals.
 
 The recordings are motions by SciPy's DOP853 with normal noise: 500 swings in 10 000 rows, fitted by all eight models; a
 million rows, by one; and 14 runs in one file, by all eight. Each fit is made --rounds times; the table shows the median of the times with
@@ -31,7 +31,7 @@ NOISE = 0.003
 
 @dataclass
 class Damping:
-    """In rad/s², 1/s and 1/rad."""
+    """The parameters in rad/s², 1/s and 1/rad."""
 
     dry: float = 0.0
     linear: float = 0.0
@@ -89,7 +89,7 @@ def cases(folder):
 
 
 def ours(command, file, model, cores=None):
-    """The answer, with wall and processor seconds."""
+    """The result, with wall-clock and processor time in seconds."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     on = (lambda: os.sched_setaffinity(0, cores)) if cores else None
     found = subprocess.run([command, "fit", "trace", file, "--model", model, "--json"], stdout=subprocess.PIPE, check=True, preexec_fn=on)
@@ -98,7 +98,7 @@ def ours(command, file, model, cores=None):
 
 
 def deviations(answer, damping):
-    """Of the shared parameters, by name."""
+    """The values of the shared parameters, by name."""
     truth = {"omega0": OMEGA0, **vars(damping)}
     shared = [it for it in answer["parameters"] if it.get("trace") is None and it["name"] in truth]
     return {it["name"]: (it["value"] - truth[it["name"]]) / it["uncertainty"] for it in shared}

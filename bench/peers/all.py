@@ -1,4 +1,4 @@
-"""Runs everything that is measured beside peers, one after the other, and shows the goals of all in one table.
+"""Runs all comparisons with peers, one after the other, and prints the goals of all in one table.
 
 The exit status is the number of lines that fall short, or 125 if a part did not run to its end.
 """

@@ -1,4 +1,4 @@
-"""Times the response curve of the driven pendulum in libration and in AUTO-07p, in turns, on one core.
+"""Times the response curve of the driven pendulum in libration and in AUTO-07p, alternating, on one core.
 
 theta'' + 0.1 theta' + sin(theta) = 0.15 cos(w t) for w from 0.3 to 1.4, with both folds and the Floquet multipliers of all points. AUTO-07p
 runs as a native program that bifpy compiles; what a run of one point takes, most of which is compiling, is taken off. The errors
@@ -41,12 +41,12 @@ class Ours:
         return seconds, int(points), folds
 
     def median(self):
-        """Seconds, of several in a row."""
+        """The time in seconds, over several runs."""
         return statistics.median(self.once()[0] for _ in range(PASSES))
 
 
 class Auto:
-    """AUTO-07p with 50 intervals of 4 collocation points, which is what its folds need for all digits that it prints."""
+    """AUTO-07p with 50 intervals of 4 collocation points, which the folds need to be correct in all printed digits."""
 
     def __init__(self):
         from bifpy import auto
@@ -63,7 +63,7 @@ class Auto:
         return time.perf_counter() - begun, result.branches[0].points
 
     def start(self, state, parameters, part):
-        """The answer of the linear pendulum, far above resonance."""
+        """The response of the linear pendulum, far above resonance."""
         import numpy as np
 
         cosine, sine = np.cos(2 * math.pi * part), np.sin(2 * math.pi * part)
@@ -74,13 +74,13 @@ class Auto:
         parameters[0], parameters[self.auto.PERIOD_INDEX - 1] = TO, 2 * math.pi / TO
 
     def seconds(self):
-        """Of the curve without compiling, with its points."""
+        """The time of the curve without compiling, with its points."""
         whole, points = self.run(400)
         return whole - self.run(1)[0], points
 
 
 def equations(state, parameters):
-    """The pendulum, and an oscillator that settles to (cos wt, -sin wt), since AUTO-07p follows autonomous systems."""
+    """The pendulum, and an oscillator that settles to (cos wt, -sin wt), since AUTO-07p continues autonomous systems."""
     import numpy as np
 
     angle, velocity, p, q = state

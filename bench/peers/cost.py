@@ -1,4 +1,4 @@
-"""Measures how cost grows with size: amplitudes, orders of a series, trajectories, rows of a recording, ours beside a peer's.
+"""Measures how the time grows with size: amplitudes, orders of a series, trajectories, rows of a recording, for libration and a peer.
 
 Each cost is the median of --rounds; tools take turns (SciPy's fits, which take seconds, are made once). The numbers go to a file as
 JSON, with date and processor, and the picture is drawn from that file alone (--draw draws it again without measuring).
@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
-# Before run, which looks for modules in reference first, where there is another one of this name.
+# Imported before run, which searches reference first, where another module has this name.
 import motion  # noqa: E402
 import run  # noqa: E402
 import series  # noqa: E402
@@ -32,7 +32,7 @@ OURS = "libration"
 
 
 def medians(rounds, *tasks):
-    """Seconds of tasks that take turns and tell how long they took."""
+    """The times in seconds of alternating tasks that report their times."""
     return [statistics.median(times) for times in zip(*([task() for task in tasks] for _ in range(rounds)))]
 
 
@@ -75,7 +75,7 @@ def trajectories(rounds):
         times = [lambda tool=tool: motion.median_answer(tool, case, case.starts).seconds * number for tool in tools]
         return number, *medians(rounds, *times)
 
-    # One request compiles the equations, which is not counted.
+    # The first request compiles the equations and is not counted.
     point(8)
     return panel("driven pendulums over 100 periods, 1e-9", "trajectories", tools[1].version, [point(8**power) for power in range(5)])
 

@@ -1,4 +1,4 @@
-"""Lines of the table of goals: how many times faster than the fastest peer something is, and how many times it shall be."""
+"""Lines of the table of goals: the speed-up over the fastest peer, and its goal."""
 import json
 import statistics
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from pathlib import Path
 
 @dataclass
 class Line:
-    """The quotients of theirs by ours, one for each round; none where the peer is missing."""
+    """The quotients of their times by ours, one for each round; none if the peer is missing."""
 
     name: str
     peer: str
@@ -36,7 +36,7 @@ def aligned(lines):
 
 
 def finish(lines, path=None, **besides):
-    """Prints the table, writes it if asked to, with what is to be written besides, and gives the number of lines that fall short."""
+    """Prints the table, optionally writes it with further text, and returns the number of missed goals."""
     print("\n" + aligned([["work", "peer", "quotient", "range", "goal", ""], *(line.cells() for line in lines)]), flush=True)
     if path:
         records = [{"work": it.name, "peer": it.peer, "goal": it.goal, "quotients": it.quotients} for it in lines]

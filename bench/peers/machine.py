@@ -1,11 +1,11 @@
-"""What a measurement was made on."""
+"""The machine of a measurement."""
 
 import platform
 from pathlib import Path
 
 
 def processor():
-    """The name of the processor, where the system tells it."""
+    """The name of the processor, if the system reports it."""
     told = Path("/proc/cpuinfo")
     lines = told.read_text().splitlines() if told.exists() else []
     names = [line.split(":")[1].strip() for line in lines if line.startswith("model name")]

@@ -1,4 +1,4 @@
-"""Integrates the same motions in libration, heyoka, SciPy and two Rust crates, one core, in turns.
+"""Integrates the same motions in libration, heyoka, SciPy and two Rust crates, one core, alternating.
 
 Every tool is a process that stays open; it is asked for one case after the other, round by round, and reports the
 processor seconds of the integrations and, apart, of what it does beforehand (heyoka compiles the equations). What takes a few
@@ -30,7 +30,7 @@ PEERS = ROOT / "target/peers/release/peer-integrators"
 
 
 class Tool:
-    """A program that answers requests; the Rust ones are silent at the start, the Python ones say their version."""
+    """A program that serves requests; at the start the Rust programs print nothing, the Python programs their version."""
 
     def __init__(self, name, command, spoken=True):
         self.name, self.version = name, name
@@ -54,7 +54,7 @@ class Tool:
 
 @dataclass
 class Answer:
-    """Seconds and steps are those of one motion."""
+    """Time in seconds and number of steps of one motion."""
 
     seconds: float
     steps: float
@@ -81,7 +81,7 @@ def tools():
 
 @dataclass
 class Case:
-    """What is integrated, and how the answer is judged; `peers` are words of which one is in a tool's name."""
+    """A problem with the measure of its error; `peers` are words of which one is in a tool's name."""
 
     title: str
     system: str
@@ -94,7 +94,7 @@ class Case:
     error: object = None
 
     def starts_for(self, tool):
-        """All, or of slow tools the first few."""
+        """All motions, or the first few for slow tools."""
         return self.starts[: next((few for word, few in self.few.items() if word in tool.name), None)]
 
 
@@ -126,7 +126,7 @@ DRIVE_PERIOD = 3 * pi
 
 
 def scattered(number):
-    """Angles from -3 to 3 and velocities from -2 to 2, by a sequence whose beginnings are even too."""
+    """Angles from -3 to 3 and velocities from -2 to 2, by a low-discrepancy sequence."""
     plastic = 1.32471795724474602596
     return [[-3 + 6 * (i / plastic % 1), -2 + 4 * (i / plastic**2 % 1)] for i in range(number)]
 
@@ -137,7 +137,7 @@ def driven(number, few):
 
 
 def errors_when_driven(every, count=8, periods=5):
-    """The largest error of the angle after a few drive periods: later, neighbours may have parted."""
+    """The largest error of the angle after a few drive periods: later, neighbouring motions may have diverged."""
     starts, end = scattered(count), float(periods * DRIVE_PERIOD)
     truths = [driven_angle(start, end) for start in starts]
     found = {tool.name: tool.ask("driven", 1e-9, end, starts).states for tool in every}
@@ -145,7 +145,7 @@ def errors_when_driven(every, count=8, periods=5):
 
 
 def median_answer(tool, case, starts):
-    """Of several in a row where one takes milliseconds: the first after a pause runs with caches that others filled."""
+    """The median result, of several runs if one takes milliseconds: the first after a pause runs with cold caches."""
     answers = [tool.ask(case.system, case.tolerance, case.end, starts)]
     while len(answers) < 9 and sum(it.seconds for it in answers) * len(starts) < 0.01:
         answers.append(tool.ask(case.system, case.tolerance, case.end, starts))
@@ -155,7 +155,7 @@ def median_answer(tool, case, starts):
 
 
 def measure(case, every, rounds, slow):
-    """The answers of each tool, round by round."""
+    """The results of each tool, round by round."""
     asked = [tool for tool in every if any(word in tool.name for word in (OURS, *case.peers))]
     if len(case.starts) == 1:
         asked = [tool for tool in asked if "batches" not in tool.name]
@@ -177,7 +177,7 @@ def duration(seconds):
 
 
 def quotients(answers, ours):
-    """Of one answer to all of ours where there is one only."""
+    """The quotients of one result to all of ours if there is only one."""
     if len(answers) == 1:
         return [answers[0].seconds / statistics.median(it.seconds for it in ours)]
     return [theirs.seconds / mine.seconds for theirs, mine in zip(answers, ours)]
@@ -220,14 +220,14 @@ def shown(case, answers, errors=None):
 
 
 def goal(case, answers, least):
-    """Of the fastest heyoka."""
+    """The time of the fastest heyoka."""
     heyokas = [(name, quotients(given, answers[OURS])) for name, given in answers.items() if "heyoka" in name]
     name, found = min(heyokas, key=lambda it: statistics.median(it[1]), default=("heyoka", []))
     return Line(case.title, name, least, found)
 
 
 def energy_kept(case, answers):
-    """How many times better than 1e-13 it is."""
+    """The quotient of 1e-13 by the error."""
     drift = abs(float(case.energy(answers[OURS][-1].states[0]) / case.energy(case.starts[0]) - 1))
     return Line(f"{case.title}: energy", "1e-13", 1, [1e-13 / max(drift, 1e-30)])
 
@@ -245,7 +245,7 @@ def arguments():
 
 
 def cases(options):
-    """What is integrated, with the least quotient wanted."""
+    """The problems, each with the goal for its quotient."""
     everyone, heyoka = ("",), ("heyoka",)
     for tolerance, peers in ((1e-9, heyoka), (1e-12, everyone), (1e-16, heyoka)):
         yield pendulum(tolerance, options.periods, peers), 1

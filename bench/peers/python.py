@@ -1,4 +1,4 @@
-"""Times the Python package beside SciPy in one process: medians of alternated calls over arrays made beforehand, and one scalar call.
+"""Times the Python package and SciPy in one process: medians of alternating calls with preallocated arrays, and one scalar call.
 
 Prints a Markdown table with the time per element of both, the quotient with its range, and the largest error of both on a sample, against mpmath;
 then a table of errors next to the separatrix. `--docs` puts them into `docs/python.md`, with the date and the processor. Needs the package
@@ -38,7 +38,7 @@ def tell(line):
 
 
 def write_page():
-    """Puts the report between the marks of the page."""
+    """Writes the report between the markers of the page."""
     before, rest = PAGE.read_text().split(MARKS[0])
     after = rest.split(MARKS[1])[1]
     PAGE.write_text("".join([before, MARKS[0], "\n", *(line + "\n" for line in REPORT), "\n", MARKS[1], after]))

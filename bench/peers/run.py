@@ -1,4 +1,4 @@
-"""Times libration beside SciPy: periods, motions at one amplitude and when all varies, elliptic integrals and functions.
+"""Times libration and SciPy: periods, motions at one amplitude and with all arguments varying, elliptic integrals and functions.
 
 Both sides work on the same arrays, on one core, in turns; the medians, and the ratio of each turn, are printed
 with the largest error of both on a sample, against mpmath. Then the command is timed on all cores: a million periods from text to CSV, and
@@ -54,7 +54,7 @@ class Ours:
 
 
 class Scipy:
-    """The same tasks in SciPy, into arrays made beforehand."""
+    """The same tasks in SciPy, with preallocated arrays."""
 
     def __init__(self, count):
         self.buffers = [np.zeros(count) for _ in range(6)]
@@ -76,7 +76,7 @@ class Scipy:
         return np.multiply(ratio, 2 / np.pi, out=ratio)
 
     def functions(self, theta0, times):
-        """The ufunc alone; the parameter is made beforehand."""
+        """The ufunc alone; the parameter is precomputed."""
         ellipj(times, self.parameter(theta0), out=tuple(self.buffers[:4]))
 
     def states(self, theta0, times):
@@ -130,7 +130,7 @@ def worst_radians(found, truths):
 
 
 def line(name, peer, goal, count, rounds, ours_error, peer_error):
-    """Prints a row, and gives its line of the table of goals where there is one."""
+    """Prints a row, and returns its line of the table of goals if there is one."""
     ratios = [theirs / ours for ours, theirs in rounds]
     ours, theirs = (statistics.median(side) / count for side in zip(*rounds))
     median, least, largest = statistics.median(ratios), min(ratios), max(ratios)
@@ -149,7 +149,7 @@ def periods(ours, peer, data, rounds):
 
 
 def motions(what, request, goal, theta0):
-    """Amplitudes that vary are those of the data."""
+    """Varying amplitudes are those of the data."""
     def lines(ours, peer, data, rounds):
         amplitude, times = data.amplitudes if theta0 is None else theta0, data.times
         sample = np.random.default_rng(4).integers(0, len(times), SAMPLE)
@@ -163,7 +163,7 @@ def motions(what, request, goal, theta0):
 
 
 def functions_of_modulus(what, request, goal, function, truth, argument=None):
-    """SciPy's function of the parameter, or of an array of the data and the parameter; of several results the first."""
+    """SciPy's function of the parameter, or of an array of the data and the parameter; the first of several results."""
     def lines(ours, peer, data, rounds):
         given = ([getattr(data, argument)] if argument else []) + [data.parameters]
         sample = np.random.default_rng(5).integers(0, len(data.parameters), SAMPLE)
@@ -214,7 +214,7 @@ def beside_scipy(options, wanted):
 
 
 def seconds_of_csv(file):
-    """Of a million periods, each with one formula, written to a file as a shell does it."""
+    """The time for a million periods, each with one formula, redirected to a file."""
     with open(os.devnull, "wb") as nowhere:
         start = time.monotonic()
         subprocess.run([COMMAND, "period", "--from-file", file, "--formulas", "bernoulli", "--csv"], stdout=nowhere, check=True)
@@ -242,7 +242,7 @@ def fits_of_swings(wanted, rounds):
 
 
 def of_the_command(options):
-    """Seconds wanted over seconds taken, on all cores."""
+    """The quotient of the goal in seconds by the time in seconds, on all cores."""
     rounds = min(options.rounds, 5)
     name = "period of 1e6 amplitudes, text to CSV"
     if options.line in name:

@@ -52,7 +52,7 @@ GOALS = (
 
 
 class Timed:
-    """What a tool answered: the seconds of its passes and its last coefficients, or why there are none."""
+    """The result of a tool: the seconds of its passes and its last coefficients, or the reason why there are none."""
 
     def __init__(self, passes=(), check=(), reason=""):
         self.seconds = statistics.median(passes) if passes else None
@@ -95,9 +95,9 @@ class Pari:
 
 
 class Libration:
-    """A command that is given case and order and prints lines {"case", "order", "seconds", "check"}.
+    """A command with the arguments case and order that prints lines {"case", "order", "seconds", "check"}.
 
-    `seconds` is a number or a list of passes, `check` the last coefficients as the other tools give them."""
+    `seconds` is a number or a list of passes, `check` the last coefficients in the form of the other tools."""
 
     name = OURS
 
@@ -112,7 +112,7 @@ class Libration:
 
 
 def answered(command, standard_input, limit, wanted=lambda _: True):
-    """The last line of JSON that is wanted, as a Timed; a few seconds for the start are granted."""
+    """The last relevant line of JSON, as a Timed; the time limit includes a few seconds for the start."""
     try:
         run = subprocess.run(command, input=standard_input, capture_output=True, text=True, timeout=limit + 5, check=False)
     except subprocess.TimeoutExpired:
@@ -158,7 +158,7 @@ def passes_of(task, order):
 
 
 def measure(tools, case, orders, limit):
-    """{order: {tool: Timed}}; a tool that failed or ran out of time at one order is not asked for higher ones."""
+    """{order: {tool: Timed}}; a tool that failed or timed out at one order is not run at higher ones."""
     rows, given_up = {}, {}
     for order in orders:
         rows[order] = {}
@@ -171,7 +171,7 @@ def measure(tools, case, orders, limit):
 
 
 def truth_of(answers):
-    """The last coefficients that most tools give."""
+    """The last coefficients on which most tools agree."""
     counts = Counter(it.check for it in answers.values() if it.check and all(it.check))
     return counts.most_common(1)[0][0] if counts else ()
 
@@ -184,7 +184,7 @@ def duration(seconds):
 
 
 def growth(before, now):
-    """The exponent p of cost ~ N^p between two (order, Timed); None if either is without a time."""
+    """The exponent p of cost ~ N^p between two (order, Timed); None if either has no time."""
     (n0, old), (n1, new) = before, now
     return math.log(new.seconds / old.seconds) / math.log(n1 / n0) if old.seconds and new.seconds else None
 
@@ -214,7 +214,7 @@ def table(rows, tools):
 
 
 def contradictions(rows):
-    """(order, tool, what it gives, what most give)."""
+    """The disagreements: (order, tool, its result, the result of most)."""
     for order, answers in rows.items():
         truth = truth_of(answers)
         yield from ((order, name, it.check, truth) for name, it in answers.items() if it.contradicts(truth))
@@ -230,13 +230,13 @@ def records(case, rows):
 
 
 def short(check):
-    """Of coefficients with letters the first few."""
+    """The first few of symbolic coefficients."""
     check = check[:4]
     return ", ".join(it if not it or len(it) < 40 else f"{it[:20]}…{it[-16:]}" for it in check if it)
 
 
 def goal(case, order, least, tools, rounds, limit):
-    """The line of the table of goals, and how many of our answers disagree."""
+    """The line of the table of goals, and the number of our results that disagree."""
     ours, peer = (next((tool for tool in tools if tool.name == name), None) for name in (OURS, PEER))
     pairs = [(ours.ask(case, order, limit), peer.ask(case, order, limit)) for _ in range(rounds) if ours and peer]
     quotients = [theirs.seconds / mine.seconds for mine, theirs in pairs if mine.seconds and theirs.seconds]
@@ -245,7 +245,7 @@ def goal(case, order, least, tools, rounds, limit):
 
 
 def wanted_goals(options):
-    """Those that the options leave."""
+    """The cases selected by the options."""
     for case, order, least in GOALS:
         if case in (options.case or CASES) and order <= options.largest and options.line in f"{case}, order {order}":
             yield case, order, least

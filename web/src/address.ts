@@ -1,10 +1,10 @@
-// The state of a room in the address, `#room?key=value&…`, so that a link or a bookmark shows the same again.
+// The state of a room in the address, `#room?key=value&…`, so that a link or a bookmark restores it.
 
-/** What the address says: the room, and its values as they are written. Values that are not there have the room's defaults. */
+/** The content of the address: the room, and its values as they are written. Values that are absent have the room's defaults. */
 export interface Address {
   readonly room: string;
   get(key: string): string | undefined;
-  /** Puts values into the address, and takes those out that are `undefined`; the room stays open. */
+  /** Puts values into the address and removes those that are `undefined`; the room stays open. */
   put(values: Readonly<Record<string, string | undefined>>): void;
 }
 
@@ -25,7 +25,7 @@ function split(text: string): [string, string] {
   return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at + 1)];
 }
 
-// Letters that stand for themselves in a fragment stay readable; + would be read as a space.
+// Characters that are allowed in a fragment stay readable; + would be read as a space.
 function encoded(text: string): string {
   return encodeURIComponent(text).replace(/%(2C|3A|2F|40|5E)/g, (code) => decodeURIComponent(code));
 }
@@ -38,7 +38,7 @@ function decoded(text: string): string {
   }
 }
 
-/** The address of the page. Changes by hand, by links and by the browser's buttons go to `changed`. */
+/** The address of the page. Changes by hand, by links and by the browser's buttons are passed to `changed`. */
 export class PageAddress implements Address {
   #room = "";
   #values = new Map<string, string>();

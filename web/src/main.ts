@@ -1,4 +1,4 @@
-// Which room the address names, and the way from one to another.
+// The room that the address names, and navigation between rooms.
 
 import { PageAddress } from "./address.ts";
 import { WorkerEngine } from "./engine/worker_engine.ts";

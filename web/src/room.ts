@@ -3,8 +3,8 @@ import type { Engine } from "./engine/engine.ts";
 
 /** One part of the page, with its own state in the address. */
 export interface Room {
-  /** As in the address, and the key of its title in the texts. */
+  /** The name in the address, and the key of the title in the texts. */
   readonly name: string;
-  /** Shows the room in a place that is empty; the result is how it is left. */
+  /** Shows the room in an empty place; returns a function that closes it. */
   open(place: HTMLElement, address: Address, engine: Engine): () => void;
 }

@@ -1,4 +1,4 @@
-// Room 6 beside the command: diagrams, sections, neighbours and verdicts, and what cannot be computed.
+// Room 6 compared with the command: diagrams, sections, neighbours and verdicts, and invalid entries.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -62,7 +62,7 @@ test("what is shown stays when a long section is stopped", () =>
 
 test("each system to begin with has its pictures and its verdict", () =>
   visit(SMALL, async (room) => {
-    const begin = room.getByLabel("Begin with");
+    const begin = room.getByLabel("Example");
     for (const value of ["stars", "double", "upright", "threshold", "springs", "thirds", "jumps"]) {
       await begin.selectOption(value);
       await settled(room);
@@ -72,7 +72,7 @@ test("each system to begin with has its pictures and its verdict", () =>
     }
   }));
 
-/** What is found, however it is asked. */
+/** The verdict. */
 const verdict = (room) => room.locator("p.verdict").textContent();
 const entry = (room, label) => room.getByLabel(label, { exact: true }).inputValue();
 const QUICKLY = "points=20&intervals=300&until=5&each=5";
@@ -84,12 +84,12 @@ test("the motion stays the same when the range of its parameter is taken away", 
     await enter(room, "Range of a parameter", "");
     assert.equal(await verdict(room), chaotic);
     assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
-    assert.equal(await entry(room, "Its value"), "");
+    assert.equal(await entry(room, "Value of the parameter"), "");
     await visit(new URL(room.url()).hash.slice(1), async (again) => assert.equal(await verdict(again), chaotic));
     await enter(room, "Range of a parameter", "A=1:1.5:0.1");
     assert.equal(await verdict(room), chaotic);
     assert.equal(await entry(room, "Values of parameters"), "c=1/2");
-    assert.equal(await entry(room, "Its value"), "1.2");
+    assert.equal(await entry(room, "Value of the parameter"), "1.2");
     assert.ok(await part(room, "Bifurcation diagram").locator(".picture-slider").evaluate((it) => it.querySelector(".picture").shadowRoot.querySelector("svg") !== null));
   }));
 
@@ -101,7 +101,7 @@ test("the motion stays the same when the range gets another parameter", () =>
     const slider = room.getByRole("slider", { name: "Value of omega in the diagram" });
     assert.equal(await slider.getAttribute("aria-valuetext"), "omega = 0.7");
     assert.equal(await entry(room, "Values of parameters"), "c=1/2,A=1.2");
-    assert.equal(await entry(room, "Its value"), "0.7");
+    assert.equal(await entry(room, "Value of the parameter"), "0.7");
     await enter(room, "Range of a parameter", "omega0=1:1.2:0.1");
     assert.equal(await verdict(room), before);
     assert.deepEqual(await errors(room), []);
@@ -144,8 +144,8 @@ test("what cannot be computed is answered beside its field", () =>
     for (const [label, entry, said] of [
       ["System or equation", "nonsense", /no system has the key/],
       ["System or equation", "driven_pendulum", undefined],
-      ["Starts", "q=1", /has no state variable/],
-      ["Starts", "theta=0.2", undefined],
+      ["Initial states", "q=1", /has no state variable/],
+      ["Initial states", "theta=0.2", undefined],
       ["Values of parameters", "c=foo", /contains foo/],
       ["Values of parameters", "c=1/2", undefined],
       ["Range of a parameter", "A=1:2", /give START:STOP:STEP/],
@@ -167,9 +167,9 @@ test("the periodic orbit and the answers over a parameter are the command's", ()
     assert.match(await part(room, "Periodic orbit").innerText(), new RegExp(`period is ${orbit.period_s.toPrecision(9)} s. It is stable`));
     const { jumps } = answer("response", ...system, "--over", "omega=0.75:0.9");
     assert.equal(jumps.length, 2);
-    const said = await part(room, "Periodic answers over a parameter").innerText();
-    for (const { parameter, sweep } of jumps) assert.ok(said.includes(`Swept ${sweep}, the amplitude jumps at omega = ${parameter.toPrecision(6)}`), said);
-    for (const [title, words] of [["Periodic orbit", ["orbit", ...system, "--figure", "-"]], ["Periodic answers over a parameter", ["response", ...system, "--over", "omega=0.75:0.9", "--figure", "-"]]]) {
+    const said = await part(room, "Periodic responses over a parameter").innerText();
+    for (const { parameter, sweep } of jumps) assert.ok(said.includes(`Sweep ${sweep}: the amplitude jumps at omega = ${parameter.toPrecision(6)}`), said);
+    for (const [title, words] of [["Periodic orbit", ["orbit", ...system, "--figure", "-"]], ["Periodic responses over a parameter", ["response", ...system, "--over", "omega=0.75:0.9", "--figure", "-"]]]) {
       const { bytes } = await saved(part(room, title), "Save the picture as SVG");
       assert.equal(bytes.toString(), command(...words).output, title);
     }
@@ -180,11 +180,11 @@ test("the periodic orbit and the answers over a parameter are the command's", ()
 /** The part of the results with this title. */
 const part = (room, title) => room.locator("section", { has: room.getByRole("heading", { name: title, exact: true }) });
 
-/** A number as the page writes it, with so many digits, and a round one without zeros at its end. */
+/** A number as the page writes it, with `count` digits, and a round one without trailing zeros. */
 const written = (value, count) => value.toPrecision(count).replace("-", "−");
 const short = (value) => String(Number(value.toPrecision(6))).replace("-", "−");
 
-/** What is saved of a part is what the command writes. */
+/** Asserts that the saved files of a part are those of the command. */
 async function savedAsAsked(place, words) {
   const { bytes } = await saved(place, "Save the picture as SVG");
   assert.equal(bytes.toString(), command(...words, "--figure", "-").output);
@@ -202,12 +202,12 @@ test("a map of stability is the command's, with its edges in words", () =>
     const map = part(room, "Stability over two parameters");
     const said = await map.innerText();
     assert.equal(ends.length, 2);
-    for (const { value, ranges } of ends) assert.ok(said.includes(`At omega = ${short(value)} rest is stable for a from ${short(ranges[0][0])} to ${short(ranges[0][1])}.`), said);
+    for (const { value, ranges } of ends) assert.ok(said.includes(`At omega = ${short(value)} the state at rest is stable for a from ${short(ranges[0][0])} to ${short(ranges[0][1])}.`), said);
     assert.equal(await map.locator("li").count(), curves.length);
     for (const [place, { points }] of curves.entries()) {
       const [first, last] = [points[0], points.at(-1)].map(({ parameters: [omega, a] }) => `omega = ${short(omega)}, a = ${short(a)}`);
       const curve = await map.locator("li").nth(place).textContent();
-      assert.ok(curve.startsWith("Edge of stability at rest") && curve.includes(first) && curve.includes(last), curve);
+      assert.ok(curve.startsWith("Stability boundary of the state at rest") && curve.includes(first) && curve.includes(last), curve);
     }
     await savedAsAsked(map, words);
     await enter(room, "Ranges of two parameters", "");
@@ -220,8 +220,8 @@ test("a cusp is told where folds meet, and a parameter of the map has no value b
     const [{ cusps }] = answer(...words).curves;
     const [omega, drive] = cusps[0].parameters;
     const said = await part(room, "Stability over two parameters").innerText();
-    assert.ok(said.includes(`Folds of driven motions, where they jump: from`) && said.includes(`through a cusp at omega = ${short(omega)}, A = ${short(drive)}`), said);
-    await room.getByText("The same as a command").click();
+    assert.ok(said.includes(`Folds of driven motions (jumps): from`) && said.includes(`through a cusp at omega = ${short(omega)}, A = ${short(drive)}`), said);
+    await room.getByText("Equivalent command").click();
     assert.ok((await room.locator("pre code").first().textContent()).includes(`libration ${words.join(" ")}\n`) || (await room.locator("pre code").first().textContent()).endsWith(`libration ${words.join(" ")}`));
   }));
 
@@ -234,7 +234,7 @@ test("Melnikov's thresholds are the command's, beside where the manifolds touch"
     assert.equal(thresholds.length, 2);
     for (const { value, tangency } of thresholds) {
       assert.ok(said.includes(`cross above A = ${written(value, 8)}, to`), said);
-      assert.ok(said.includes(`they touch at A = ${written(tangency, 8)}, to`), said);
+      assert.ok(said.includes(`manifolds are tangent at A = ${written(tangency, 8)}, to`), said);
     }
     const overlaps = resonances.map(({ overlap }) => overlap).filter((overlap) => overlap !== null);
     assert.ok(said.includes(`Of ${overlaps.length} pairs of neighbouring resonances ${overlaps.filter((overlap) => overlap > 2 / 3).length} overlap`), said);
@@ -255,7 +255,7 @@ test("the exchange between modes is the command's, with its resonances and its d
     const resonant = terms.filter(({ kind }) => kind === "resonance").map(({ monomial, mode }) => `${monomial} in a${mode}′`);
     assert.ok(resonant.length === 2 && said.includes(`by resonant terms: ${resonant.join(", ")}.`), said);
     assert.deepEqual(await found.locator("tbody td:first-of-type").allTextContents(), terms.map(({ exact }) => exact));
-    for (const [place, [least, most]] of exchange.amplitudes.entries()) assert.ok(said.includes(`The amplitude of mode ${place + 1} goes from ${written(least, 4)} to ${written(most, 4)}, and gives away ${written(100 * (1 - (least / most) ** 2), 3)} %`), said);
+    for (const [place, [least, most]] of exchange.amplitudes.entries()) assert.ok(said.includes(`The amplitude of mode ${place + 1} varies from ${written(least, 4)} to ${written(most, 4)}: the mode gives away ${written(100 * (1 - (least / most) ** 2), 3)} %`), said);
     await savedAsAsked(found, words);
     await enter(room, "Values of parameters", "kappa=10");
     assert.match(await found.innerText(), /No exchange: no two modes are in resonance/);
@@ -264,20 +264,20 @@ test("the exchange between modes is the command's, with its resonances and its d
 
 test("answers at a part of the drive's frequency are looked for", () =>
   visit(`chaos?system=x%27%27%20%2B%200.15%20x%27%20%2B%20x%20%2B%20x^3%20%3D%205%20cos(w%20t)&set=w%3D4.5&initial=x%3D0&${QUICK}&response=w%3D4:5&orders=1/3,1/30`, async (room) => {
-    const found = part(room, "Periodic answers over a parameter");
+    const found = part(room, "Periodic responses over a parameter");
     const said = await found.innerText();
-    assert.match(said, /Order 1\/3: 2 branches are found from free oscillations\./);
-    assert.match(said, /Order 1\/30: no free oscillation has this part of the drive's frequency\./);
+    assert.match(said, /Order 1\/3: 2 branches found from free oscillations\./);
+    assert.match(said, /Order 1\/30: no free oscillation has this fraction of the drive frequency\./);
     await savedAsAsked(found, ["response", "x'' + 0.15 x' + x + x^3 = 5 cos(w t)", "--initial", "x=0", "--over", "w=4:5", "--orders", "1/3,1/30"]);
-    await enter(room, "Other answers", "third");
+    await enter(room, "Orders of subharmonic responses", "third");
     assert.match((await errors(room)).join(" "), /third/);
   }));
 
 test("a question without an answer says so in the command's words, where it is asked", () =>
   visit(`chaos?system=lorenz&set=&initial=x%3D1,y%3D1,z%3D1&at=z-27&${QUICK}`, async (room) => {
-    const titles = ["Melnikov's thresholds", "Exchange between modes", "Stability over two parameters", "Periodic answers over a parameter"];
+    const titles = ["Melnikov's thresholds", "Exchange between modes", "Stability over two parameters", "Periodic responses over a parameter"];
     for (const title of titles) assert.equal(await part(room, title).isVisible(), false, title);
-    for (const summary of ["Thresholds of chaos", "Exchange between modes", "Map of stability"]) await room.locator("summary", { hasText: summary }).click();
+    for (const summary of ["Thresholds of chaos", "Exchange between modes", "Stability map"]) await room.locator("summary", { hasText: summary }).click();
     for (const [title, label, entry, words] of [
       [titles[0], "Range of a parameter for thresholds", "rho=1:2", ["melnikov", "lorenz", "--over", "rho=1:2"]],
       [titles[1], "Order in the amplitudes", "3", ["resonance", "lorenz", "--order", "3", "--initial", "x=1,y=1,z=1"]],
@@ -293,13 +293,13 @@ test("a question without an answer says so in the command's words, where it is a
 
 test("what is wrong in a folded part is said beside its field", () =>
   visit(`chaos?set=c%3D0.1,A%3D0.3&initial=theta%3D0&${QUICK}`, async (room) => {
-    for (const summary of ["Thresholds of chaos", "Exchange between modes", "Map of stability"]) await room.locator("summary", { hasText: summary }).click();
+    for (const summary of ["Thresholds of chaos", "Exchange between modes", "Stability map"]) await room.locator("summary", { hasText: summary }).click();
     for (const [label, entry, said, mended] of [
       ["Ranges of two parameters", "omega", /two parameters/, "omega=0.9:1,A=0.05:0.1"],
-      ["Lines on which driven motions are followed", "-1", /whole number from 0/, "0"],
-      ["State of rest", "q=1", /no state variable/, ""],
+      ["Lines for the continuation of driven motions", "-1", /whole number from 0/, "0"],
+      ["State at rest", "q=1", /no state variable/, ""],
       ["Range of a parameter for thresholds", "A=1", /FROM:TO/, "A=0.1:1"],
-      ["Resonances up to", "0", /whole number/, "2"],
+      ["Resonances p:q up to q", "0", /whole number/, "2"],
       ["Order in the amplitudes", "x", /from 1 to 9/, ""],
     ]) {
       await enter(room, label, entry);
@@ -311,7 +311,7 @@ test("what is wrong in a folded part is said beside its field", () =>
     }
   }));
 
-/** What a room asks the command, as the first words. */
+/** Records the first words of the queries of a room. */
 async function listening(room) {
   await room.evaluate(() => {
     const post = Worker.prototype.postMessage;
@@ -327,11 +327,11 @@ async function listening(room) {
 test("nothing further is asked unasked, nor again while it stays the same", () =>
   visit(SMALL, async (room) => {
     const asked = await listening(room);
-    await enter(room, "Its value", "1.25");
+    await enter(room, "Value of the parameter", "1.25");
     const first = await asked();
     assert.ok(first.includes("section") && first.includes("lyapunov"), first.join(" "));
     assert.deepEqual(first.filter((it) => ["response", "stability", "melnikov", "resonance"].includes(it)), []);
-    // By keys: the part is unfolded, and its first field is next.
+    // With keys, the part is unfolded, and its first field is next.
     await room.locator("summary", { hasText: "Thresholds of chaos" }).focus();
     await room.keyboard.press("Enter");
     await room.keyboard.press("Tab");
@@ -339,7 +339,7 @@ test("nothing further is asked unasked, nor again while it stays the same", () =
     await settled(room);
     assert.ok((await asked()).includes("melnikov"));
     assert.ok(await part(room, "Melnikov's thresholds").locator("svg").isVisible());
-    await enter(room, "Its value", "1.3");
+    await enter(room, "Value of the parameter", "1.3");
     const again = await asked();
     assert.ok(again.includes("section") && !again.includes("melnikov"), again.join(" "));
     await visit(new URL(room.url()).hash.slice(1), async (other) => {
@@ -350,8 +350,8 @@ test("nothing further is asked unasked, nor again while it stays the same", () =
 
 test("a map that is stopped keeps the curves up to then", () =>
   visit(`chaos?set=c%3D0.1&initial=theta%3D0&${QUICK}`, async (room) => {
-    await room.locator("summary", { hasText: "Map of stability" }).click();
-    await room.getByLabel("Lines on which driven motions are followed").fill("30");
+    await room.locator("summary", { hasText: "Stability map" }).click();
+    await room.getByLabel("Lines for the continuation of driven motions").fill("30");
     await room.getByLabel("Ranges of two parameters").fill("omega=0.3:2,A=0.05:3");
     await room.getByText("points of the curve").waitFor();
     await room.waitForTimeout(2000);

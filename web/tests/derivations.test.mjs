@@ -1,4 +1,4 @@
-// Room 4 beside the command: the text of each road, its steps, links to formulas, exercises, and both documents.
+// Room 4 compared with the command: the text of each method, its steps, links to formulas, exercises, and both documents.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -6,7 +6,7 @@ import { answer, close, command, enter, errors, saved, settled, visit } from "./
 
 after(close);
 
-/** What stands in the body of a page, without spaces. */
+/** The text of the body of a page, without spaces. */
 const inBody = (room, page) =>
   room.evaluate((source) => {
     const { body } = new DOMParser().parseFromString(source.replaceAll(/<style>[^]*?<\/style>/g, ""), "text/html");
@@ -35,7 +35,7 @@ test("an amplitude without a unit is in the degrees that the derivation shows, a
     const derived = async (...words) => assert.equal(await shown(room), await inBody(room, command("derive", ...words, "--format", "html").output));
     assert.equal(await unit(), "°");
     await derived("--method", "elliptic", "--amplitude", "45deg");
-    await room.getByLabel("What to follow").selectOption("perturbation");
+    await room.getByLabel("Method").selectOption("perturbation");
     await enter(room, "Oscillator or equation", "duffing");
     await enter(room, "Your amplitude", "0.4");
     assert.equal(await unit(), "");
@@ -65,7 +65,7 @@ test("steps open one after the other by the keyboard, and a link leads to a form
 
 test("a derivation is saved in every form as the command writes it", () =>
   visit("derivations?road=limit-cycle", async (room) => {
-    for (const [button, format] of [["a page", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["a Jupyter notebook", "ipynb"]]) {
+    for (const [button, format] of [["HTML", "html"], ["LaTeX", "latex"], ["Markdown", "markdown"], ["Jupyter notebook", "ipynb"]]) {
       const { bytes } = await saved(room, button);
       assert.equal(bytes.toString(), command("derive", "--method", "limit-cycle", "--format", format).output);
     }
@@ -91,7 +91,7 @@ test("wrong entries are answered beside their fields", () =>
     await enter(room, "Your amplitude", "400");
     assert.match((await errors(room)).join(), /is not below pi/);
     await enter(room, "Your amplitude", "");
-    await room.getByLabel("What to follow").selectOption("perturbation");
+    await room.getByLabel("Method").selectOption("perturbation");
     await enter(room, "Order", "1000");
     assert.equal(await room.getByLabel("Order", { exact: true }).getAttribute("aria-invalid"), "true");
   }));

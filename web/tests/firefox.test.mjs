@@ -1,4 +1,4 @@
-// Every room answers in Firefox too, without errors and without asking any host. FIREFOX names another than /usr/bin/firefox-esr; where
+// Every room works in Firefox too, without errors and without requests to any host. FIREFOX names another than /usr/bin/firefox-esr; where
 // there is none, this is left out.
 
 import assert from "node:assert/strict";
@@ -9,7 +9,7 @@ import puppeteer from "puppeteer-core";
 
 const executablePath = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
 const page = process.env.PAGE ?? fileURLToPath(new URL("../dist/libration.html", import.meta.url));
-/** What each room says once it is alive. */
+/** A text in each room once it is ready. */
 const ROOMS = {
   pendulum: /Period T\s+3\.5357/,
   formulas: /At 60° the exact period is 1\.07318200715/,

@@ -1,4 +1,4 @@
-// Opens the built page in a browser without any network, and asks the command the same questions.
+// Opens the built page in a browser without any network, and runs the same queries with the command.
 // PAGE, LIBRATION and CHROMIUM name others than web/dist/libration.html, the newest of target/{release,debug}/libration and /usr/bin/chromium.
 
 import assert from "node:assert/strict";
@@ -54,19 +54,19 @@ export async function close() {
   browser = undefined;
 }
 
-/** Waits until what was entered is asked for, and answered. */
+/** Waits until the query for the entries has run. */
 export async function settled(room) {
   await room.waitForTimeout(380);
   await room.waitForFunction(() => document.querySelector(".results")?.getAttribute("aria-busy") !== "true", null, { timeout: 60_000 });
 }
 
-/** Enters a value as a reader would, and waits for what it changes. */
+/** Enters a value as a reader would, and waits for the new results. */
 export async function enter(room, label, value) {
   await room.getByLabel(label, { exact: true }).fill(value);
   await settled(room);
 }
 
-/** What the command says to these words, among the files of `examples`. */
+/** The result of the command for these words, in the folder `examples`. */
 export function command(...words) {
   const { status, stdout, stderr } = spawnSync(libration, words, { cwd: EXAMPLES, encoding: "utf8", maxBuffer: 1 << 28 });
   return { status, output: stdout, error: stderr };
@@ -89,7 +89,7 @@ export async function rows(room, caption) {
   return table.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
 }
 
-/** What the page says is wrong. */
+/** The error messages of the page. */
 export async function errors(room) {
   return room.locator(".error:visible").allTextContents();
 }

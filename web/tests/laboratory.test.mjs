@@ -1,4 +1,4 @@
-// Room 5 beside the command: files of every kind, choices, saved answers, and files that are damaged.
+// Room 5 compared with the command: files of every kind, options, saved results, and damaged files.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { close, command, EXAMPLES, enter, errors, saved, settled, visit } from "
 after(close);
 /** The fit in words, below the report. */
 const inWords = (room) => room.locator(".results section details pre").evaluate((it) => it.textContent);
-/** What the command says, and of the report that it writes. */
+/** The output of the command, with the line about the report that it writes. */
 const reported = (words) => `${command(...words).output}report.html written: report with pictures\n`;
 
 async function give(room, ...files) {
@@ -73,7 +73,7 @@ test("a response whose frequencies increase throughout is no trace, and its choi
     await give(room, { name: "sweep.csv", mimeType: "text/csv", buffer });
     assert.deepEqual(await errors(room), []);
     assert.match(await room.locator(".results pre:visible").first().textContent(), /linear/);
-    for (const label of ["Oscillator", "What was measured as the amplitude", "Unit of the frequencies", "Unit of the phases"]) assert.ok(await room.getByLabel(label, { exact: true }).isVisible(), label);
+    for (const label of ["Oscillator", "Quantity measured as the amplitude", "Unit of the frequencies", "Unit of the phases"]) assert.ok(await room.getByLabel(label, { exact: true }).isVisible(), label);
     assert.equal(await room.getByLabel("Damping", { exact: true }).isVisible(), false);
     await enter(room, "Columns", "1,7");
     assert.match((await errors(room)).join(), /there is no column `7`/);
@@ -134,7 +134,7 @@ test("damaged files end in a message", () =>
     for (const [name, content] of Object.entries(damaged)) {
       await give(room, { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
       const complaints = await errors(room);
-      assert.ok(complaints.length > 0 && complaints.every((it) => it.length > 10 && !/broke down/.test(it)), `${name}: ${complaints}`);
+      assert.ok(complaints.length > 0 && complaints.every((it) => it.length > 10 && !/the computation failed/.test(it)), `${name}: ${complaints}`);
       await room.getByRole("button", { name: /^Remove/ }).click();
       await settled(room);
     }
@@ -157,7 +157,7 @@ test("the page says that files stay, and why a desk has no motion sensor", () =>
     assert.match(await room.locator(".stay").textContent(), /never leave this machine/);
     await room.getByText("Your phone as the instrument").click();
     await room.getByRole("button", { name: "Record" }).click();
-    await room.getByText(/No reading has come/).waitFor();
+    await room.getByText(/No readings received/).waitFor();
   }));
 
 test("a phone's readings become a file that is fitted", () =>

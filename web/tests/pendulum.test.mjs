@@ -1,4 +1,4 @@
-// The first room: numbers beside the command's, the mouse and the keys, links that show the same again.
+// Room 1: numbers compared with the command's, the mouse and the keys, links that restore the state.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -29,7 +29,7 @@ for (const angle of ["60deg", "179.99deg", "pi-1e-9", "180deg-1e-9deg", "2.5rad"
 
 /** Periods by mpmath, 4·√(l/g)·K(sin²(θ₀/2)) with l = 1 m and g = 9.80665 m/s². */
 const [PERIOD_45_DEGREES, PERIOD_THREE_QUARTERS] = [2.08661217983495861704, 2.07930775334818431137];
-/** What stands in a field for numbers without a unit. */
+/** The unit shown in a field for bare numbers. */
 const unitOf = (room, label) => room.locator(".field", { has: room.getByLabel(label, { exact: true }) }).locator(".unit").textContent();
 
 test("a number without a unit has the unit that stands in the field", () =>
@@ -136,7 +136,7 @@ test("a pendulum that is taken out of the hand goes on", () =>
     await room.mouse.up();
     assert.equal(await room.getByLabel("Angle", { exact: true }).inputValue(), "150deg");
     assert.equal(await room.getByRole("button", { name: "Pause" }).count(), 1);
-    // What stood still stands where it stood, and can be taken again.
+    // A paused pendulum stays where it was, and can be taken again.
     await room.getByRole("button", { name: "Pause" }).click();
     const stood = await time();
     await take(room);
@@ -172,7 +172,7 @@ test("each example is the pendulum that it names, without damping and driving", 
       await room.getByRole("button", { name, exact: true }).click();
       await settled(room);
       assert.match(await room.locator(".how").textContent(), /^Exact solution/, name);
-      for (const [label, value] of [["Damping c in 1/s", "0"], ["Torque A in 1/s²", "0"], ["Its frequency ω in rad/s", "2/3"], ["Length", "1m"]]) assert.equal(await room.getByLabel(label, { exact: true }).inputValue(), value);
+      for (const [label, value] of [["Damping c in 1/s", "0"], ["Drive amplitude A in 1/s²", "0"], ["Drive frequency ω in rad/s", "2/3"], ["Length", "1m"]]) assert.equal(await room.getByLabel(label, { exact: true }).inputValue(), value);
       await enter(room, "Damping c in 1/s", "0.3");
       assert.match(await room.locator(".how").textContent(), /integrated/);
     }
@@ -294,7 +294,7 @@ test("with damping it is integrated, and says so", () =>
 
 test("ghosts, the formulas' list, the picture and the numbers come from the command", () =>
   visit("pendulum?angle=90deg&t=1&small-angle=yes&fourier-3=yes", async (room) => {
-    await room.getByLabel("The period of a formula", { exact: true }).focus();
+    await room.getByLabel("Approximate period", { exact: true }).focus();
     await room.waitForFunction(() => document.querySelectorAll("option[value=molina]").length === 1, null, { timeout: 60_000 });
     await room.getByRole("button", { name: "Draw the picture" }).click();
     await room.waitForFunction(() => document.querySelector(".picture")?.shadowRoot?.querySelector("svg") != null, null, { timeout: 60_000 });

@@ -1,4 +1,4 @@
-// Room 3 beside the command: series, terms and backbones of oscillators built-in and typed, and entries that are none.
+// Room 3 compared with the command: series, terms and backbones of built-in and typed oscillators, and invalid entries.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
@@ -36,19 +36,19 @@ test("amplitudes without a unit have that of the switch where the variable is an
     const sums = async () => (await rows(room, "Term by term")).map(([, , , sum]) => read(sum));
     const expected = (...words) => answer("expand", ...words).steps.map(({ sum }) => Number(sum.toPrecision(15)));
     const orbits = async () => (await rows(room, "Backbone")).map(([, orbit]) => read(orbit));
-    await enter(room, "Amplitude to try it at", "60");
+    await enter(room, "Evaluate at amplitude", "60");
     await enter(room, "Amplitudes of the backbone", "30:90:30");
-    assert.equal(await unit("Amplitude to try it at"), "°");
+    assert.equal(await unit("Evaluate at amplitude"), "°");
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));
     assert.deepEqual(await orbits(), answer("backbone", "pendulum", "--amplitudes", "30deg:90deg:30deg", "--order", "7").points.map((it) => Number(it.angular_frequency_rad_per_s.toPrecision(13))));
     await room.getByLabel("Angles in").selectOption("rad");
     await settled(room);
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "60deg"));
-    await enter(room, "Amplitude to try it at", "0.5");
-    assert.equal(await unit("Amplitude to try it at"), "rad");
+    await enter(room, "Evaluate at amplitude", "0.5");
+    assert.equal(await unit("Evaluate at amplitude"), "rad");
     assert.deepEqual(await sums(), expected("pendulum", "--evaluate", "0.5rad"));
     await enter(room, "Oscillator or equation", "x'' + x + x^3 = 0");
-    assert.equal(await unit("Amplitude to try it at"), "");
+    assert.equal(await unit("Evaluate at amplitude"), "");
     assert.deepEqual(await sums(), expected("x'' + x + x^3 = 0", "--evaluate", "0.5"));
   }));
 
@@ -86,13 +86,13 @@ test("another oscillator is chosen by the keyboard alone, and a link shows it ag
 test("an equation without an angle is tried at plain numbers", () =>
   visit("perturbation?oscillator=x''%3D-x-x^3", async (room) => {
     assert.deepEqual(await errors(room), []);
-    assert.equal(await room.getByLabel("Amplitude to try it at", { exact: true }).inputValue(), "0.4");
+    assert.equal(await room.getByLabel("Evaluate at amplitude", { exact: true }).inputValue(), "0.4");
     assert.equal((await rows(room, "Backbone")).length, 8);
   }));
 
 test("functions of a language are saved as the command writes them", () =>
   visit("perturbation?oscillator=duffing", async (room) => {
-    await room.getByLabel("As functions in").selectOption("c");
+    await room.getByLabel("Export as functions in").selectOption("c");
     const { name, bytes } = await saved(room, /^Save$/);
     assert.equal(name, "series.c");
     assert.equal(bytes.toString(), command("expand", "duffing", "--order", "7", "--format", "c").output);

@@ -1,11 +1,11 @@
-"""What every Python tool of motion.py does with a request: the protocol of ../src/requests.rs, and the equations."""
+"""The request handling of every Python tool of motion.py: the protocol of ../src/requests.rs, and the equations."""
 import math
 import sys
 import time
 
 
 def serve(version, integrate):
-    """Answers `version`, then requests; `integrate(case, tolerance, end, starts)` gives states, steps, seconds, set-up."""
+    """Serves `version`, then requests; `integrate(case, tolerance, end, starts)` returns states, steps, seconds, set-up."""
     print(version, flush=True)
     for line in sys.stdin:
         case, tolerance, end, count = line.split()
@@ -16,7 +16,7 @@ def serve(version, integrate):
 
 
 def timed(task, *arguments):
-    """Processor seconds, and the result."""
+    """The processor time in seconds, and the result."""
     start = time.process_time()
     result = task(*arguments)
     return time.process_time() - start, result

@@ -1,4 +1,4 @@
-"""Angles to compare with: the pendulum in closed form, the driven one by its Taylor series in 25 digits."""
+"""Reference angles: the pendulum in closed form, the driven one by its Taylor series in 25 digits."""
 from elliptic import jacobi
 from mpmath import asin, cos, factorial, fdot, mp, mpf, pi, sin
 

@@ -1,6 +1,6 @@
-"""heyoka's Taylor integrator, one motion at a time, or so many in a batch: `with_heyoka.py LANES`.
+"""heyoka's Taylor integrator, with LANES motions in a batch: `with_heyoka.py LANES`.
 
-A system is compiled once for each tolerance; what that takes is the set-up."""
+A system is compiled once for each tolerance; the time for that is the set-up."""
 import sys
 
 import heyoka as hy
@@ -33,7 +33,7 @@ def one_at_a_time(motion, starts, end):
 
 
 def in_batches(motion, starts, end):
-    """The last batch is filled up with its last motion, whose steps count."""
+    """The last batch is filled with copies of its last motion, whose steps count."""
     states, steps = [], 0
     for i in range(0, len(starts), LANES):
         batch = starts[i : i + LANES]

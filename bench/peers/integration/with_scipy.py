@@ -1,4 +1,4 @@
-"""solve_ivp of SciPy, by the method that is named: `with_scipy.py DOP853` or `LSODA`."""
+"""solve_ivp of SciPy, by the given method: `with_scipy.py DOP853` or `LSODA`."""
 import sys
 
 import scipy

@@ -52,7 +52,7 @@ def without_sine(found):
 
 
 class Lindstedt:
-    """The part of the recurrence that no force changes. `square` is Omega^2, all dictionaries by the power of eps."""
+    """The part of the recurrence that is independent of the force. `square` is Omega^2, all dictionaries by the power of eps."""
 
     def __init__(self):
         self.x, self.second, self.square = {1: ONE}, {1: -ONE}, {0: fmpq(1)}
@@ -92,7 +92,7 @@ def duffing(order):
 
 
 def frequency(found, order):
-    """Omega by powers of eps^2, as many as there are."""
+    """All coefficients of Omega in powers of eps^2."""
     ctx.cap = order // 2 + 1
     return fmpq_series([found.square[n] for n in range(0, order, 2)]).sqrt()
 
@@ -106,7 +106,7 @@ def harmonics(found, order):
 
 
 def solve(oscillator, order):
-    """What the command's `frequency_ratio` and `harmonics` hold; the check is the last frequency and the last a_3."""
+    """The content of the command's `frequency_ratio` and `harmonics`; the check is the last frequency and the last a_3."""
     order -= 1 - order % 2
     found = oscillator(order)
     omega, table = frequency(found, order), harmonics(found, order)
@@ -191,7 +191,7 @@ def alternate(a, b, n, first):
 
 
 def mirrored(p, n, first):
-    """The same for p and p, each pair once."""
+    """The same sum for p and p, with each pair once."""
     middle = p[n // 2] * p[n // 2] if n % 4 == 2 * first else ZERO
     return 2 * total(p[j] * p[n - j] for j in range(first, (n + 1) // 2, 2)) + middle
 
@@ -219,7 +219,7 @@ def period_by_composition(order):
 
 
 def period_by_euler_numbers(order):
-    """4^-n/(2n)! times what stands before x^n in exp(sum |E_2j| x^j/(2j)); the Euler numbers by inverting cos."""
+    """4^-n/(2n)! times the coefficient of x^n in exp(sum |E_2j| x^j/(2j)); the Euler numbers by inverting cos."""
     size = order // 2 + 1
     ctx.cap = size
     secant = 1 / fmpq_series([fmpq((-1) ** n, factorial(2 * n)) for n in range(size)])

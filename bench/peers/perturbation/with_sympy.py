@@ -52,13 +52,13 @@ def polynomial(found):
 
 
 def closed(found):
-    """With p_0 such that cos(tau) does not occur."""
+    """The series with p_0 such that cos(tau) does not occur."""
     found[0] = -sum((a * QQ(comb(2 * i + 1, i), 4**i) for i, a in enumerate(found)), QQ(0))
     return polynomial(found)
 
 
 class Lindstedt:
-    """The part of the recurrence that no force changes. `square` is Omega^2, all dictionaries by the power of eps."""
+    """The part of the recurrence that is independent of the force. `square` is Omega^2, all dictionaries by the power of eps."""
 
     def __init__(self):
         self.x, self.second, self.square = {1: ONE}, {1: -ONE}, {0: QQ(1)}
@@ -104,7 +104,7 @@ def root(square, order):
 
 
 def solve(oscillator, order):
-    """What the command's `frequency_ratio` and `harmonics` hold; the check is the last frequency and the last a_3."""
+    """The content of the command's `frequency_ratio` and `harmonics`; the check is the last frequency and the last a_3."""
     order -= 1 - order % 2
     found, size = oscillator(order), order // 2 + 1
     powers = [coefficients(found.x[2 * n + 1], size) for n in range(size)]
@@ -196,7 +196,7 @@ def alternate(a, b, n, first):
 
 
 def mirrored(p, n, first):
-    """The same for p and p, each pair once."""
+    """The same sum for p and p, with each pair once."""
     middle = p[n // 2] ** 2 if n % 4 == 2 * first else ZERO
     return 2 * total(p[j] * p[n - j] for j in range(first, (n + 1) // 2, 2)) + middle
 
@@ -225,7 +225,7 @@ def period_by_composition(order):
 
 
 def period_by_euler_numbers(order):
-    """4^-n/(2n)! times what stands before x^n in exp(sum |E_2j| x^j/(2j))."""
+    """4^-n/(2n)! times the coefficient of x^n in exp(sum |E_2j| x^j/(2j))."""
     size = order // 2 + 1
     secant = rs_series_inversion(series([QQ((-1) ** n, factorial(2 * n)) for n in range(size)]), Y, size)
     terms = [QQ(0)] + [secant[(n,)] * factorial(2 * n) / (2 * n) for n in range(1, size)]
@@ -271,7 +271,7 @@ def wave(z, k):
 
 
 def mixed_in_letters(order):
-    """x'' + w^2 x + a x^2 + b x^3 = 0 with all letters, u = 1/w^2: the harmonics of each order as {k: polynomial in a, b, u}.
+    """x'' + w^2 x + a x^2 + b x^3 = 0 with all parameters symbolic, u = 1/w^2: the harmonics of each order as {k: polynomial in a, b, u}.
 
     The check is every coefficient of Omega/omega0 and of each harmonic."""
     letters, a, b, u = ring("a b u", QQ)
@@ -304,7 +304,7 @@ def waves(letters, products):
 
 
 def terms(polynomial):
-    """The powers of a, b, w of each term, with what stands before it."""
+    """The powers of a, b, w of each term, with its coefficient."""
     return ", ".join(f"{i} {j} {-2 * m} {factor}" for (i, j, m), factor in sorted(polynomial.items()))
 
 

@@ -1,12 +1,12 @@
-// Bytes as text: thirteen bits in two letters, which is a twelfth less than base64. The letters mean nothing in a script element.
+// Bytes as text: thirteen bits in two characters, a twelfth shorter than base64. None of the characters has a meaning in a script element.
 
-/** The letters from # to ~ without <, each with its value. */
+/** The values of the characters from # to ~ without <. */
 const VALUES = new Uint8Array(128);
 Array.from({ length: 92 }, (_, n) => String.fromCharCode(35 + n))
   .filter((letter) => letter !== "<")
   .forEach((letter, value) => (VALUES[letter.charCodeAt(0)] = value));
 
-/** The bytes of whole pairs of letters; the last may be one that only fills them. */
+/** The bytes of whole pairs of characters; the last byte may be padding. */
 export function bytes(text: string): Uint8Array<ArrayBuffer> {
   const made = new Uint8Array(Math.floor((text.length / 2) * 13 / 8));
   let kept = 0;

@@ -1,19 +1,19 @@
-// Questions of the command, asked in the page: the same words, and the same bytes as answers.
+// Queries of the command, run in the page: the same words, and the same bytes as output.
 
-/** A text, or the mark of a parameter or a query of the command, which has other names on the page. */
+/** A text, or a reference to a parameter or a query of the command, which has another name on the page. */
 export type Part = string | { readonly parameter: string } | { readonly query: string };
 
-/** Why a query has no result; what does not exist is empty. */
+/** The reason why a query has no result; absent parts are empty. */
 export interface QueryError {
-  /** In the words of the command; empty where nothing is wrong. */
+  /** The error in the words of the command; empty if there is none. */
   readonly text: string;
-  /** The parameters that it is about, as `--order` or `OSCILLATOR|EQUATION`. */
+  /** The parameters that the error is about, such as `--order` or `OSCILLATOR|EQUATION`. */
   readonly parameters: readonly string[];
-  /** The name of the value that it is about, in a parameter that has several. */
+  /** The name of the value that the error is about, for a parameter with several values. */
   readonly item: string;
   readonly message: readonly Part[];
   readonly hint: readonly Part[];
-  /** A value of the parameter that would do. */
+  /** A valid value of the parameter. */
   readonly suggestion: string;
 }
 
@@ -24,38 +24,38 @@ export function plainError(text: string): QueryError {
   return { ...NO_ERROR, text, message: [text] };
 }
 
-/** What the command answers. */
+/** The result of a query. */
 export interface Answer {
-  /** As the command's exit status: 0 success, 1 no answer, 2 usage error, 130 ended early. */
+  /** The exit status of the command: 0 success, 1 no result, 2 usage error, 130 cancelled. */
   readonly status: number;
-  /** What the command writes to its output. */
+  /** The output of the command. */
   readonly output: Uint8Array;
   readonly error: QueryError;
-  /** Files that were written, by the names in the question. */
+  /** Written files, by their names in the query. */
   readonly files: ReadonlyMap<string, Uint8Array>;
 }
 
-/** What is asked. */
+/** A query with its files and callbacks. */
 export interface Question {
-  /** The command line behind `libration`. */
+  /** The command line after `libration`. */
   readonly words: readonly string[];
-  /** Files that the words name. What is called `-` is the standard input. */
+  /** Files that the words name. The file `-` is the standard input. */
   readonly files?: ReadonlyMap<string, Uint8Array>;
-  /** Takes parts of the output as they come. */
+  /** Receives parts of the output as they are written. */
   readonly onOutput?: (chunk: Uint8Array) => void;
-  /** Takes the sentences that the command says beside its answer, behind `note:`. */
+  /** Receives the notes of the command, without `note:`. */
   readonly onNote?: (line: string) => void;
-  /** Takes how far long work is, and `undefined` when that work has ended. */
+  /** Receives the progress of long work, and `undefined` at its end. */
   readonly onProgress?: (howFar: string | undefined) => void;
-  /** Ends the question early: the answer has status 130, and what is done as its output, as the command writes it when it is interrupted; where the
-      browser's worker hears nothing while it computes, or long after, what `onOutput` has brought until then. */
+  /** Cancels the query: the result has status 130, and as its output the partial results that the command writes when it is interrupted; if the
+      browser's worker receives no messages while it computes, or after a time limit, what `onOutput` has received until then. */
   readonly signal?: AbortSignal;
 }
 
-/** Whoever answers. Questions wait for each other. */
+/** The executor of queries, one after the other. */
 export interface Engine {
   ask(question: Question): Promise<Answer>;
-  /** A worker with the module, for long work beside the questions; whoever has asked for it ends it. */
+  /** A worker with the module, for long work in parallel with the queries; the caller terminates it. */
   worker(): Promise<Worker>;
 }
 

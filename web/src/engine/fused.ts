@@ -1,5 +1,5 @@
-// The fused multiply-add. WebAssembly has one only as a relaxed instruction, which rounds once or twice as the processor likes, and not
-// everywhere. It stands in a module of its own, is tried out, and given to the large modules where it rounds once.
+// The fused multiply-add. WebAssembly has one only as a relaxed instruction, which rounds once or twice depending on the processor, and not
+// everywhere. It has a module of its own, is tested, and is passed to the large modules where it rounds once.
 
 // (module (func (export "multiply_add") (param f64 f64 f64) (result f64)
 //   (f64x2.extract_lane 0 (f64x2.relaxed_madd (f64x2.splat (local.get 0)) (f64x2.splat (local.get 1)) (f64x2.splat (local.get 2))))))
@@ -11,7 +11,7 @@ const RELAXED = [
 
 type MultiplyAdd = (x: number, y: number, z: number) => number;
 
-/** A module with the fused multiply-add of this browser, or with its own where the browser has none that rounds once. */
+/** A module with the fused multiply-add of this browser, or with its own if the browser has none that rounds once. */
 export async function instantiated(module: WebAssembly.Module, imports: WebAssembly.Imports = {}): Promise<WebAssembly.Exports> {
   const fused = await relaxed();
   const multiply_add = fused ?? (() => NaN);
@@ -20,13 +20,13 @@ export async function instantiated(module: WebAssembly.Module, imports: WebAssem
   return exports;
 }
 
-/** `undefined` where there is none, or it rounds twice. */
+/** `undefined` if there is none, or if it rounds twice. */
 async function relaxed(): Promise<MultiplyAdd | undefined> {
   const bytes = new Uint8Array(RELAXED);
   if (!WebAssembly.validate(bytes)) return undefined;
   const { instance } = await WebAssembly.instantiate(bytes);
   const multiplyAdd = instance.exports["multiply_add"] as MultiplyAdd;
-  // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰, of which two roundings leave nothing of the last.
+  // (1 + 2⁻³⁰)² = 1 + 2⁻²⁹ + 2⁻⁶⁰; with two roundings the last term is lost.
   const x = 1 + 2 ** -30;
   return multiplyAdd(x, x, -1 - 2 ** -29) === 2 ** -60 ? multiplyAdd : undefined;
 }

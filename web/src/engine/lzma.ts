@@ -1,7 +1,7 @@
-// LZMA, which makes modules a third smaller than what browsers decompress by themselves. After the specification by Igor Pavlov (public domain), with
+// LZMA, which makes modules a third smaller than the formats that browsers decompress themselves. After the specification by Igor Pavlov (public domain), with
 // its names; the whole output is the dictionary.
 
-/** The first place of each kind of probability. */
+/** The first index of each kind of probability. */
 const IS_MATCH = 0;
 const IS_REP = IS_MATCH + (12 << 4);
 const IS_REP_G0 = IS_REP + 12;
@@ -16,7 +16,7 @@ const LENGTH_SIZE = 2 + (16 << 3) + (16 << 3) + 256;
 const REP_LENGTH = LENGTH + LENGTH_SIZE;
 const LITERAL = REP_LENGTH + LENGTH_SIZE;
 
-/** Decodes bits whose probabilities are learned on the way. */
+/** Decodes bits with adaptive probabilities. */
 class RangeDecoder {
   readonly #source: Uint8Array;
   readonly #probabilities: Uint16Array;
@@ -49,7 +49,7 @@ class RangeDecoder {
     return bit;
   }
 
-  /** So many bits that are as often 0 as 1. */
+  /** Bits of equal probability for 0 and 1. */
   direct(count: number): number {
     let value = 0;
     for (let n = 0; n < count; n++) {
@@ -62,14 +62,14 @@ class RangeDecoder {
     return value;
   }
 
-  /** So many bits, the highest first, each with the probabilities of those before it. */
+  /** Bits, the highest first, each with the probabilities that belong to the bits before it. */
   tree(place: number, count: number): number {
     let symbol = 1;
     for (let n = 0; n < count; n++) symbol = (symbol << 1) | this.bit(place + symbol);
     return symbol - (1 << count);
   }
 
-  /** The same, the lowest first. */
+  /** Bits, the lowest first, with such probabilities. */
   reverseTree(place: number, count: number): number {
     let [symbol, value] = [1, 0];
     for (let n = 0; n < count; n++) {
@@ -107,7 +107,7 @@ class RangeDecoder {
   }
 }
 
-/** What a file in the format `.lzma` holds, whose header says its size. */
+/** The content of a file in the format `.lzma`, whose header contains its size. */
 export function decompressed(source: Uint8Array): Uint8Array<ArrayBuffer> {
   const header = new DataView(source.buffer, source.byteOffset, 13);
   const properties = header.getUint8(0);
@@ -151,7 +151,7 @@ export function decompressed(source: Uint8Array): Uint8Array<ArrayBuffer> {
   return output;
 }
 
-/** A byte; after a match the byte that would have followed it tells what to expect. */
+/** A byte; after a match, the byte that would have followed it selects the probabilities. */
 function literal(decoder: RangeDecoder, place: number, match: number | undefined): number {
   let symbol = 1;
   if (match !== undefined) {

@@ -1,4 +1,4 @@
-// The small module: the exact motion of the pendulum, at once and without a worker.
+// The small module: the exact motion of the pendulum, computed synchronously and without a worker.
 
 import { instantiated } from "./fused.ts";
 import { compiled, text } from "./module.ts";
@@ -21,14 +21,14 @@ interface Exports {
   harmonics(tolerance: number, limit: number): number;
 }
 
-/** What a text means, or why it means nothing, in the library's words. */
+/** The value of a text, or the reason why it has none, in the library's words. */
 export type Reading = { readonly value: number } | { readonly error: string };
 
 export interface AngleReading {
   readonly radians: number;
   /** Within [−π, π]. */
   readonly inTurn: number;
-  /** π − |angle in the turn|, exact however small. */
+  /** π − |angle in the turn|, exact even if it is small. */
   readonly complement: number;
   readonly turns: number;
 }
@@ -36,14 +36,14 @@ export interface AngleReading {
 export type Regime = "rest" | "upright" | "libration" | "separatrix" | "rotation";
 const REGIMES: readonly Regime[] = ["rest", "upright", "libration", "separatrix", "rotation"];
 
-/** Facts of a motion, in SI units and radians; NaN where there are none. */
+/** Facts of a motion, in SI units and radians; NaN for those that do not exist. */
 export interface Motion {
   readonly regime: Regime;
   readonly period: number;
   readonly smallAnglePeriod: number;
   readonly amplitude: number;
   readonly complement: number;
-  /** Over that of the pendulum at rest upright. */
+  /** Energy over that of the pendulum at rest upright. */
   readonly energyRatio: number;
   readonly energyExcess: number;
   readonly specificEnergy: number;
@@ -74,7 +74,7 @@ export interface Harmonics {
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** The mathematics of one pendulum: the motion that was launched last is the one that is asked. */
+/** The mathematics of one pendulum; all methods refer to the motion launched last. */
 export class Mathematics {
   readonly #module: Exports;
 
@@ -127,14 +127,14 @@ export class Mathematics {
     return { turns, inTurn, complement, angle, velocity };
   }
 
-  /** Unwrapped angles and velocities at times `step` apart. */
+  /** Unwrapped angles and velocities at times that are `step` apart. */
   states(first: number, step: number, count: number): { angles: Float64Array; velocities: Float64Array } {
     this.#module.states(first, step, count);
     const all = this.#numbers().slice();
     return { angles: all.subarray(0, all.length / 2), velocities: all.subarray(all.length / 2) };
   }
 
-  /** Angles of an approximate motion, by its place in the catalogue; `undefined` where it does not suppose such a start. */
+  /** Angles of an approximate motion, by its index in the catalogue; `undefined` if it does not apply to such an initial state. */
   approximation(place: number, first: number, step: number, count: number): Float64Array | undefined {
     return this.#module.approximation(place, first, step, count) ? this.#numbers().slice() : undefined;
   }

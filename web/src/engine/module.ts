@@ -1,12 +1,12 @@
-// What stands in the page compressed, as text in a script element that nobody runs: WebAssembly modules, and licences.
+// Compressed parts of the page, as text in script elements that are not executed: WebAssembly modules, and licences.
 
 import { bytes } from "./base91.ts";
 import { decompressed } from "./lzma.ts";
 
-/** The text in the element with this id, which may not have been read yet. */
+/** The text of the element with this id, which may not have been parsed yet. */
 export async function text(id: string): Promise<string> {
   if (document.readyState === "loading") {
-    // One that something stands behind is there as a whole.
+    // An element with a following sibling is complete.
     if (document.getElementById(id)?.nextElementSibling == null) {
       await new Promise((resolve) => document.addEventListener("DOMContentLoaded", resolve, { once: true }));
     }
@@ -16,7 +16,7 @@ export async function text(id: string): Promise<string> {
   return found.textContent;
 }
 
-/** What was compressed to the text in the element with this id. */
+/** The decompressed content of the element with this id. */
 export async function unpacked(id: string): Promise<string> {
   return new TextDecoder().decode(decompressed(bytes(await text(id))));
 }

@@ -1,9 +1,9 @@
-// What the page and its workers say to each other.
+// The messages between the page and its workers.
 
 import type { QueryError } from "./engine.ts";
 
-/** To a worker: first the module, as text or as a worker before has compiled it, then questions, which may be stopped, or motions and how far
-    they are wanted. */
+/** To a worker: first the module, as text or as compiled by an earlier worker, then queries, which may be cancelled, or motions and the times
+    at which they are needed. */
 export type ToWorker =
   | { readonly kind: "text"; readonly text: string }
   | { readonly kind: "module"; readonly module: WebAssembly.Module }
@@ -12,7 +12,7 @@ export type ToWorker =
   | { readonly kind: "ensemble"; readonly words: readonly string[]; readonly files: ReadonlyMap<string, Uint8Array> }
   | { readonly kind: "advance"; readonly time: number };
 
-/** From a worker: the module for those after it; parts of an answer, then its end; motions that have begun, and their states. */
+/** From a worker: the module for later workers; parts of an output, then its end; motions that have begun, and their states. */
 export type FromWorker =
   | { readonly kind: "module"; readonly module: WebAssembly.Module }
   | { readonly kind: "output"; readonly chunk: Uint8Array }

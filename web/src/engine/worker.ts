@@ -1,4 +1,4 @@
-// The worker: holds the whole module, and answers one question after the other or follows motions from one time to the next.
+// The worker: holds the whole module, and runs one query after the other or advances motions from one time to the next.
 
 import { NO_ERROR, type QueryError } from "./engine.ts";
 import { instantiated } from "./fused.ts";
@@ -6,23 +6,23 @@ import { compiled } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { pause, waitedFor, waiting } from "./suspension.ts";
 
-/** What the module offers: places for what is asked, and the question itself. */
+/** The exports of the module: buffers for the query, and the query itself. */
 interface Exports {
   readonly memory: WebAssembly.Memory;
-  /** Room for so many bytes, which the next call of `argument` or `file` takes, and where it is. */
+  /** The address of a buffer for `length` bytes, which the next call of `argument` or `file` reads. */
   room(length: number): number;
-  /** The bytes in the room are the next word of the question. */
+  /** Takes the bytes in the buffer as the next word of the query. */
   argument(): void;
-  /** The bytes in the room are the name of a file, and what stands behind it is what the file holds. */
+  /** Takes the bytes in the buffer as the name of a file, followed by its content. */
   file(nameLength: number): void;
-  /** Answers the words so far; the exit status. */
+  /** Runs the query with the words so far; returns the exit status. */
   ask(): Promise<number> | number;
-  /** Begins the motions that the words so far ask for; the exit status. */
+  /** Begins the motions that the words so far describe; returns the exit status. */
   ensemble(): Promise<number> | number;
-  /** Leaves their states at a time as numbers, then where their bodies are. */
+  /** Writes their states at a time as numbers, then the positions of their bodies. */
   advance(time: number): void;
   bodies(): void;
-  /** How many motions have ended, with the first cause as text. */
+  /** Number of motions that have ended, with the first cause as text. */
   ended(): number;
   numbers(): number;
   numbers_count(): number;
@@ -37,7 +37,7 @@ const say = (message: FromWorker, transferred: ArrayBuffer[] = []) => postMessag
 let exports: Promise<Exports>;
 let error: QueryError = NO_ERROR;
 let panic = "";
-/** Whether the question was told to stop. */
+/** `true` if the query was cancelled. */
 let isStopped = false;
 let files = new Map<string, Uint8Array>();
 
@@ -50,7 +50,7 @@ onmessage = async ({ data }: MessageEvent<ToWorker>) => {
     else if (data.kind === "ensemble") await begin(await exports, data.words, data.files);
     else advance(await exports, data.time);
   } catch (fault) {
-    // What the module has said last is better than that it is unreachable.
+    // The module's last message is more useful than the trap.
     say({ kind: "fault", reason: panic || (fault instanceof Error ? fault.message : String(fault)) });
   }
 };
@@ -108,7 +108,7 @@ function put(module: Exports, ...parts: Uint8Array[]): void {
   }
 }
 
-/** Hands the module on to the page, so that no other worker has to compile it. */
+/** Passes the module on to the page, so that no other worker has to compile it. */
 async function shared(text: string): Promise<Exports> {
   const module = await compiled(text);
   say({ kind: "module", module });
@@ -122,7 +122,7 @@ async function begun(module: WebAssembly.Module): Promise<Exports> {
   const page = {
     output: (at: number, length: number) => say({ kind: "output", chunk: taken(at, length) }),
     note: (at: number, length: number) => say({ kind: "note", line: read(at, length) }),
-    // Text without letters: that work has ended.
+    // An empty text: that work has ended.
     progress: (at: number, length: number) =>
       say({ kind: "progress", howFar: length > 0 ? read(at, length) : undefined }),
     error: (at: number, length: number) => {

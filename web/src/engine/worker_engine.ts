@@ -1,4 +1,4 @@
-// The engine that asks in a worker, so that nothing freezes: made when the first question comes, and afresh after a fault or an early end.
+// The engine that runs queries in a worker, so that the page never freezes: started with the first query, and restarted after a fault or a cancellation.
 
 import { text as texts } from "../texts/en.ts";
 import { type Answer, type Engine, plainError, type Question } from "./engine.ts";
@@ -6,11 +6,11 @@ import { text as moduleText } from "./module.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { canWait } from "./suspension.ts";
 
-/** The source of the worker, as `web/build` has bundled it. */
+/** The source of the worker, as bundled by `web/build`. */
 declare const WORKER_SOURCE: string;
 
 const INTERRUPTED = 130;
-/** So long a question that was told to stop may put together what is done, in milliseconds. */
+/** Time in which a cancelled query may write its partial results, in milliseconds. */
 const PATIENCE = 1500;
 
 export class WorkerEngine implements Engine {
@@ -38,7 +38,7 @@ export class WorkerEngine implements Engine {
         if (restart) this.#end();
         resolve(answer);
       };
-      // Where the browser lets the worker hear of it, the answer is what the command writes when it is interrupted.
+      // If the browser delivers the message to the worker, the result is what the command writes when it is interrupted.
       const abort = () => {
         if (!canWait) return close(ended(INTERRUPTED, chunks, texts.engine.endedEarly), true);
         worker.postMessage({ kind: "stop" } satisfies ToWorker);

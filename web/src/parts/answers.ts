@@ -1,21 +1,21 @@
-// Answers read as JSON.
+// Results read as JSON.
 
 import { type Answer, type Engine, text as decoded } from "../engine/engine.ts";
 import { ask, type Command, extended } from "./command.ts";
 
-/** An answer, and what it says where it says something. */
+/** A result, and its value if it has one. */
 export interface Read<T> {
   readonly answer: Answer;
   readonly value: T | undefined;
 }
 
-/** Asks for JSON and reads it. */
+/** Runs a query for JSON and reads the result. */
 export async function read<T>(engine: Engine, command: Command, signal: AbortSignal, files?: ReadonlyMap<string, Uint8Array>): Promise<Read<T>> {
   const answer = await ask(engine, extended(command, { json: true }), files === undefined ? { signal } : { signal, files });
   return { answer, value: parsed<T>(decoded(answer)) };
 }
 
-/** What ended early is no JSON. */
+/** The value of JSON; `undefined` for output that ended early. */
 export function parsed<T>(written: string): T | undefined {
   try {
     return JSON.parse(written) as T;

@@ -1,15 +1,15 @@
-// The time of the motion: runs, slowly or backwards, stands, steps.
+// The time of the motion: running, slowly or backwards, paused, stepped.
 
 export class Clock {
   time = 0;
-  /** Of the motion's time in real time; negative runs backwards. */
+  /** Time of the motion per real time; negative runs backwards. */
   speed = 1;
   #running = false;
   #last: number | undefined;
   #frame = 0;
   readonly #ticked: () => void;
 
-  /** `ticked` is called before each picture while the time runs. */
+  /** `ticked` is called before each frame while the time runs. */
   constructor(ticked: () => void) {
     this.#ticked = ticked;
   }
@@ -31,7 +31,7 @@ export class Clock {
   }
 
   #tick(now: number): void {
-    /** Longer pauses, of a page that was out of sight, are not made up for, in milliseconds. */
+    /** Longest interval between frames, in milliseconds: longer pauses, such as those of a hidden page, are skipped. */
     const LONGEST = 250;
     const elapsed = Math.min(now - (this.#last ?? now), LONGEST);
     this.#last = now;

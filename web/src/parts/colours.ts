@@ -1,10 +1,10 @@
-// The colours of the style sheet, as canvases need them.
+// The colours of the style sheet, for canvases.
 
 const NAMES = ["ground", "surface", "line", "ink", "quiet", "accent", "curve-1", "curve-2", "curve-3", "curve-4", "curve-5", "curve-6"] as const;
 export type Colour = (typeof NAMES)[number];
 export type Colours = Readonly<Record<Colour, string>>;
 
-/** As they are now, light or dark. */
+/** The current colours, light or dark. */
 export function colours(): Colours {
   const probe = document.createElement("span");
   document.body.append(probe);
@@ -16,7 +16,7 @@ export function colours(): Colours {
   return Object.fromEntries(read) as Record<Colour, string>;
 }
 
-/** Calls when light and dark change; the result is how to stop that. */
+/** Calls back when the page changes between light and dark; returns a function that ends that. */
 export function onColours(changed: () => void): () => void {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   dark.addEventListener("change", changed);

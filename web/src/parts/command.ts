@@ -1,10 +1,10 @@
-// A question as data, from which follow the words that are asked, the line for a shell and the line for Python.
+// A query as data, from which the words of the query, the line for a shell and the line for Python are made.
 
 import type { Answer, Engine, Part, QueryError, Question } from "../engine/engine.ts";
 
-/** A question of the command with its arguments and options; flags have the value `true`. */
+/** A query of the command with its arguments and options; flags have the value `true`. */
 export interface Command {
-  /** As `fit trace`. */
+  /** The name of the query, such as `fit trace`. */
   readonly question: string;
   readonly arguments?: readonly string[];
   readonly options?: readonly Option[];
@@ -19,7 +19,7 @@ export function given(options: Readonly<Record<string, string | boolean | undefi
   );
 }
 
-/** The words of the command line behind `libration`. */
+/** The words of the command line after `libration`. */
 export function words({ question, arguments: places = [], options = [] }: Command): string[] {
   const named = options.flatMap(([name, value]) => {
     if (value === true) return [`--${name}`];
@@ -29,12 +29,12 @@ export function words({ question, arguments: places = [], options = [] }: Comman
   return [...question.split(" "), ...(guard.length > 0 ? [...named, ...guard, ...places] : [...places, ...named])];
 }
 
-/** The same question with further options. */
+/** The same query with further options. */
 export function extended(command: Command, options: Readonly<Record<string, string | boolean | undefined>>): Command {
   return { ...command, options: [...(command.options ?? []), ...given(options)] };
 }
 
-/** Asks the question. */
+/** Runs the query. */
 export function ask(engine: Engine, command: Command, how: Omit<Question, "words"> = {}): Promise<Answer> {
   return engine.ask({ words: words(command), ...how });
 }
@@ -50,10 +50,10 @@ function quotedForShell(word: string): string {
   return `'${word.replaceAll("'", "'\\''")}'`;
 }
 
-/** Options that say in which form the answer is written; in Python it is an object. */
+/** Options for the form of the output; in Python the result is an object. */
 const FORMS = new Set(["json", "csv", "latex"]);
 
-/** The line for Python, behind `from libration import questions`. */
+/** The line for Python, after `from libration import questions`. */
 export function pythonLine({ question, arguments: places = [], options = [] }: Command): string {
   const values = new Map<string, (string | true)[]>();
   for (const [name, value] of options) {

@@ -16,7 +16,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** A button that does something. */
+/** A button with its action. */
 export function button(label: string, pressed: () => void, attributes: Readonly<Record<string, Attribute>> = {}): HTMLButtonElement {
   const made = element("button", { type: "button", ...attributes }, label);
   made.addEventListener("click", pressed);
@@ -25,7 +25,7 @@ export function button(label: string, pressed: () => void, attributes: Readonly<
 
 let made = 0;
 
-/** An identifier that nothing else on the page has. */
+/** An identifier that is unique on the page. */
 export function identifier(): string {
   made += 1;
   return `part-${made}`;

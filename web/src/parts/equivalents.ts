@@ -1,10 +1,10 @@
-// What the room has asked, to be asked again elsewhere.
+// The queries of the room, as lines that can be run elsewhere.
 
 import { text } from "../texts/en.ts";
 import { type Command, pythonLine, shellLine } from "./command.ts";
 import { button, element } from "./element.ts";
 
-/** The same questions as lines for a shell and for Python. */
+/** The same queries as lines for a shell and for Python. */
 export class Equivalents {
   readonly element: HTMLElement;
   readonly #shell = element("code");
@@ -30,7 +30,7 @@ export class Equivalents {
   }
 }
 
-/** A button that copies a text; `what` is for those who do not see where it stands. */
+/** A button that copies a text; `what` describes the text for screen readers. */
 export function copyButton(content: () => string, what: string): HTMLButtonElement {
   const made = button(text.parts.copy, async () => {
     made.textContent = (await copied(content())) ? text.parts.copied : text.parts.notCopied;
@@ -40,7 +40,7 @@ export function copyButton(content: () => string, what: string): HTMLButtonEleme
   return made;
 }
 
-// Pages from a disk may have no clipboard: then the older way, by a selection.
+// A page opened from a disk may have no clipboard; then the older method is used, by a selection.
 async function copied(content: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(content);

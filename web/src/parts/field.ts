@@ -1,34 +1,34 @@
-// One value that the reader gives: its label, where it is entered, what it may be, and what is wrong with it, beside it.
+// One value that the reader enters: its label, its input, a hint, and an error message.
 
 import { element, identifier } from "./element.ts";
 import { isBare, unitName, withUnit } from "./units.ts";
 
 /** A field of a form. */
 export interface Field {
-  /** In the address. */
+  /** The key in the address. */
   readonly key: string;
-  /** As the command's errors name it, such as `--order` or `OSCILLATOR|EQUATION`. */
+  /** The name in the command's errors, such as `--order` or `OSCILLATOR|EQUATION`. */
   readonly option: string | undefined;
   readonly label: string;
   readonly element: HTMLElement;
   readonly initial: string;
   /** `true` if numbers are angles, in the unit that the reader has chosen. */
   readonly isAngle: boolean;
-  /** As it is entered. */
+  /** The value as entered. */
   value: string;
-  /** The value with the unit that stands in the field, where it is entered without one. */
+  /** The value, with the unit shown in the field if it was entered without one. */
   readonly measured: string;
-  /** Sets the unit of numbers without one; what was entered keeps its meaning. */
+  /** Sets the unit of bare numbers; the value entered keeps its meaning. */
   measure(unit: string): void;
-  /** Says what is wrong with the value; nothing is wrong where the reason is empty. */
+  /** Shows what is wrong with the value; an empty reason clears the message. */
   refuse(reason: string): void;
-  /** Calls when the reader has changed the value. */
+  /** Calls back when the reader has changed the value. */
   onChange(changed: () => void): void;
 }
 
 export interface FieldWords {
   readonly label: string;
-  /** What may be given, with an example. */
+  /** The values that are allowed, with an example. */
   readonly hint?: string;
 }
 
@@ -37,13 +37,13 @@ interface Description {
   readonly option?: string;
   readonly words: FieldWords;
   readonly initial?: string;
-  /** Of numbers without one: `angle` is that which the reader has chosen for angles. */
+  /** The unit of bare numbers: `angle` is the unit that the reader has chosen for angles. */
   readonly unit?: string;
 }
 
 type Control = HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
 
-/** A line of text; `suggestions` are offered as it is typed. */
+/** A line of text; `suggestions` are offered while it is typed. */
 export function textField(description: Description, suggestions: readonly string[] = []): Field {
   const input = element("input", { type: "text", autocomplete: "off", spellcheck: "false", autocapitalize: "off" });
   const list = element("datalist", { id: identifier() }, ...suggestions.map((value) => element("option", { value })));
@@ -51,7 +51,7 @@ export function textField(description: Description, suggestions: readonly string
   return controlled(description, input, "input", suggestions.length > 0 ? [list] : []);
 }
 
-/** The unit of numbers without one, within the field while there are no others. */
+/** The unit of bare numbers, shown within the field unless the value has units. */
 class ShownUnit {
   readonly element = element("span", { class: "unit", id: identifier() });
   readonly #control: Control;

@@ -1,4 +1,4 @@
-// The fields of a room: their values stand in the address, and what the command says of a value stands beside its field.
+// The fields of a room: their values are kept in the address, and the command's errors are shown next to the fields.
 
 import type { Address } from "../address.ts";
 import type { Answer } from "../engine/engine.ts";
@@ -7,10 +7,10 @@ import { element } from "./element.ts";
 import type { Field } from "./field.ts";
 import { UNIT } from "./unit_switch.ts";
 
-/** How long the reader may pause between two letters, in milliseconds. */
+/** Longest pause between two keystrokes before the value is used, in milliseconds. */
 const PAUSE = 300;
 
-/** Where fields stand beside the results, as in parts.css. */
+/** The width from which fields are next to the results, as in parts.css. */
 const BESIDE = "(min-width: 60rem)";
 
 /** All fields of a room, in the order in which they are shown. */
@@ -18,7 +18,7 @@ export class Form {
   readonly #fields = new Map<string, Field>();
   readonly #address: Address;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** The fields of angles whose variable is no angle now. */
+  /** The fields of angles whose variable is not an angle at present. */
   #plain: readonly string[] = [];
 
   constructor(address: Address, fields: readonly Field[], changed: () => void) {
@@ -36,24 +36,24 @@ export class Form {
     this.#measure();
   }
 
-  /** What is entered, with the unit that stands in the field where it has none. */
+  /** The value entered, with the unit shown in the field if it has none. */
   value(key: string): string {
     return this.#field(key).measured;
   }
 
-  /** The same, but nothing where it is as at the beginning. */
+  /** The same, but `undefined` if it is the initial value. */
   chosen(key: string): string | undefined {
     const field = this.#field(key);
     return field.value === field.initial ? undefined : field.measured;
   }
 
-  /** Says which fields of angles hold plain numbers, because the variable is no angle. */
+  /** Sets the fields of angles that hold plain numbers, because the variable is not an angle. */
   plain(keys: readonly string[]): void {
     this.#plain = keys;
     this.#measure();
   }
 
-  /** Enters a value as the reader would, without asking anything; a field that was folded away is shown where it is not as at the beginning. */
+  /** Enters a value as the reader would, without running a query; a folded field is shown if its value is not the initial one. */
   put(key: string, value: string): void {
     const field = this.#field(key);
     field.value = value;
@@ -67,7 +67,7 @@ export class Form {
     this.#address.put(Object.fromEntries(all.map(({ key, value, initial }) => [key, value === initial ? undefined : value])));
   }
 
-  /** The fields of these keys, one below the other. They are folded where few need them, and where the page is narrow, so that results are seen
+  /** The fields of these keys, one below the other. They are folded if they are rarely needed or the page is narrow, so that results are visible
       without scrolling past all fields. */
   part(title: string, keys: readonly string[], attributes: { open?: boolean; folded?: boolean } = {}): HTMLElement {
     const fields = keys.map((key) => this.#field(key).element);
@@ -76,12 +76,12 @@ export class Form {
     return element("details", { class: attributes.folded === true ? "fields folded" : "fields", open }, element("summary", {}, title), ...fields);
   }
 
-  /** Nothing is wrong any more. */
+  /** Clears all error messages. */
   clear(): void {
     for (const field of this.#fields.values()) field.refuse("");
   }
 
-  /** Puts the failure beside the field that it is about, of these or of all; the result is what is about none. */
+  /** Shows the failure next to the field that it is about, of these or of all; returns the reason if it is about none. */
   blame(answer: Answer, keys: readonly string[] = [...this.#fields.keys()]): string {
     const { error } = answer;
     const field = keys.map((key) => this.#field(key)).find(({ option }) => option !== undefined && error.parameters.includes(option));
@@ -97,7 +97,7 @@ export class Form {
     return field === undefined ? undefined : `“${field.label}”`;
   }
 
-  /** Numbers without a unit are in that of the unit switch, or in degrees where there is none. */
+  /** Sets the unit of bare numbers to that of the unit switch, or to degrees if there is none. */
   #measure(): void {
     const unit = this.#fields.get(UNIT)?.value ?? "deg";
     for (const field of this.#fields.values()) if (field.isAngle) field.measure(this.#plain.includes(field.key) ? "" : unit);

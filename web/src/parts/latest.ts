@@ -1,12 +1,12 @@
-// Only the newest of several questions counts: a question about values that have changed since need not be answered.
+// Only the newest of several queries counts: a query about values that have changed since can be dropped.
 
-/** How long an older question may go on before it is ended for a newer one, in milliseconds. */
+/** Time that an older query may continue before it is cancelled for a newer one, in milliseconds. */
 const PATIENCE = 400;
 
-/** Why work ends early: the reader wants what is done, or something else. */
+/** The reasons for a cancellation: the reader wants the partial results, or other ones. */
 const [STOPPED, REPLACED] = ["stopped", "replaced"];
 
-/** Whether what was done until then is wanted. */
+/** `true` if the partial results are wanted. */
 export function isWanted(signal: AbortSignal): boolean {
   return !signal.aborted || signal.reason === STOPPED;
 }
@@ -16,7 +16,7 @@ export class Latest {
   #running: AbortController | undefined;
   #waiting: ((signal: AbortSignal) => Promise<void>) | undefined;
 
-  /** Begins the work, or does so when the work before it has ended. */
+  /** Begins the work, now or when the work before it has ended. */
   run(work: (signal: AbortSignal) => Promise<void>): void {
     this.#waiting = work;
     const running = this.#running;
@@ -24,7 +24,7 @@ export class Latest {
     else setTimeout(() => running.abort(REPLACED), PATIENCE);
   }
 
-  /** Ends what runs, and forgets what waits. */
+  /** Cancels the running work, and drops the waiting work. */
   stop(): void {
     this.#waiting = undefined;
     this.#running?.abort(STOPPED);

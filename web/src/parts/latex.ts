@@ -9,7 +9,7 @@ const NAMED: Readonly<Record<string, string>> = {
 const FUNCTIONS = new Set(["sin", "cos", "tan", "ln", "log", "exp"]);
 const SPACES: Readonly<Record<string, string>> = { quad: "1em", ",": "0.17em", " ": "0.3em", ";": "0.28em", "!": "0em" };
 
-/** A formula to be shown; what is not understood stays as it is written. */
+/** A formula to be shown; commands that are not supported stay as they are written. */
 export function fromLatex(source: string, display = true): Element {
   const parts = new Reader(tokens(source)).row();
   const math = node("math", ...parts);
@@ -36,7 +36,7 @@ class Reader {
     this.#tokens = tokens;
   }
 
-  /** Everything up to a token that closes. */
+  /** Everything up to a closing token. */
   row(closing?: string): Element[] {
     const parts: Element[] = [];
     while (this.#at < this.#tokens.length && this.#tokens[this.#at] !== closing) {
@@ -64,7 +64,7 @@ class Reader {
     return above === undefined ? base : node("msup", base, above);
   }
 
-  // As LaTeX takes it: of a number without braces one digit only, so that \tfrac12 is a half.
+  // An argument as in LaTeX: without braces one digit only, so that \tfrac12 is a half.
   #argument(): Element {
     const [digit = "", ...rest] = this.#tokens[this.#at] ?? "";
     if (/^\d/.test(digit) && rest.length > 0) this.#tokens.splice(this.#at, 1, digit, rest.join(""));

@@ -1,4 +1,4 @@
-// How a room is laid out: what is asked on one side, what is found on the other.
+// The layout of a room: fields on one side, results on the other.
 
 import { element } from "./element.ts";
 
@@ -10,13 +10,13 @@ export function layout(title: string, lead: string, controls: readonly Node[], r
   ];
 }
 
-/** A part of the results, with a place for what is found and for why nothing is. */
+/** A part of the results, with a place for the result and for the reason why there is none. */
 export class Finding {
   readonly element: HTMLElement;
   readonly #failure = element("p", { class: "error", role: "alert", hidden: true });
   readonly #place = element("div");
 
-  /** Without a title where what is found has one of its own. */
+  /** The title is `undefined` if the result has a title of its own. */
   constructor(title: string | undefined, ...below: Node[]) {
     const heading = title === undefined ? [] : [element("h2", {}, title)];
     this.element = element("section", {}, ...heading, this.#failure, this.#place, ...below);
@@ -27,7 +27,7 @@ export class Finding {
     this.#place.replaceChildren(...found);
   }
 
-  /** Nothing was found, for this reason; what was found before goes with it. */
+  /** Shows the reason why there is no result, and removes the previous result. */
   fail(reason: string): void {
     this.#failure.textContent = reason;
     this.#failure.hidden = reason === "";

@@ -1,4 +1,4 @@
-// Markup that an answer contains, rebuilt piece by piece from a list of what may stand in it: nothing else reaches the page.
+// Markup in results, rebuilt piece by piece from a list of allowed elements and attributes: nothing else reaches the page.
 
 const HTML = "a abbr article br caption code dd details div dl dt em figure figcaption h1 h2 h3 h4 hr li ol p pre section span strong sub summary sup table tbody td th thead tr ul";
 const MATH = "math maction menclose mfrac mi mn mo mover mpadded mphantom mroot mrow ms mspace msqrt mstyle msub msubsup msup mtable mtd mtext mtr munder munderover";
@@ -12,7 +12,7 @@ const ATTRIBUTES = new Set(
     "font-size font-family font-style font-weight text-anchor dominant-baseline transform").split(" "),
 );
 
-/** The nodes of a piece of HTML or MathML, as far as they are on the list; others are left out with all that is in them. */
+/** The nodes of a piece of HTML or MathML that are on the list; others are left out with all their content. */
 export function fromHtml(source: string): Node[] {
   return rebuilt(new DOMParser().parseFromString(withoutStyle(source), "text/html").body);
 }
@@ -32,7 +32,7 @@ export function styleOf(source: string): string {
 
 const STYLE = /<style[^>]*>([^]*?)<\/style>/;
 
-// Even one that is never shown is held against the policy of the page as soon as it is read.
+// A style sheet is checked against the policy of the page when it is parsed, even if it is never shown.
 function withoutStyle(source: string): string {
   return source.replaceAll(new RegExp(STYLE, "g"), "");
 }
@@ -44,12 +44,12 @@ function rebuilt(parent: Node): Node[] {
 function rebuiltNode(node: Node): Node[] {
   if (node instanceof Text) return [document.createTextNode(node.data)];
   if (!(node instanceof Element)) return [];
-  // The page has one of its own.
+  // The page has its own `main`.
   if (node.localName === "main") return rebuilt(node);
   if (!ELEMENTS.has(node.localName)) return [];
   const made = document.createElementNS(node.namespaceURI, node.localName);
   for (const { name, value } of Array.from(node.attributes)) {
-    // A link leads only to a place on the same page.
+    // A link leads only to an element of the same page.
     if (ATTRIBUTES.has(name) || (name === "href" && value.startsWith("#"))) made.setAttribute(name, value);
   }
   made.append(...rebuilt(node));

@@ -1,6 +1,6 @@
-// Numbers as people read them. What is saved or asked has all digits; these are for the eye.
+// Numbers for display. Saved and queried numbers have all digits.
 
-/** So many significant digits, with an exponent where many zeros would stand. */
+/** The value to `count` significant digits, with an exponent instead of many zeros. */
 export function digits(value: number | null | undefined, count = 6): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -9,7 +9,7 @@ export function digits(value: number | null | undefined, count = 6): string {
   return written.replace("-", "−").replace(/e-/, "e−");
 }
 
-/** The same without zeros at the end, for values that are often round. */
+/** The same without trailing zeros, for values that are often round. */
 export function short(value: number, count = 6): string {
   const written = digits(value, count);
   return written.includes("e") ? written : written.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
@@ -21,7 +21,7 @@ export function angle(radians: number, unit: string, count = 6): string {
   return unit === "rad" ? `${written} rad` : `${written}°`;
 }
 
-/** The angle as it can be entered, as exact as it is written. */
+/** The angle as it can be entered, without loss of digits. */
 export function angleEntry(degrees: number): string {
   return `${Number(degrees.toFixed(6))}deg`;
 }

@@ -1,4 +1,4 @@
-// Pictures that the command draws: shown, described in words, and saved.
+// Pictures drawn by the command: shown, described in words, and saved.
 
 import { type Answer, type Engine, NO_ERROR, text as decoded } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
@@ -10,7 +10,7 @@ import { fromSvg } from "./markup.ts";
 import { png } from "./png.ts";
 import { save } from "./save.ts";
 
-/** Narrower places get the picture of a column, whose letters are larger beside it, in CSS pixels. */
+/** The width in CSS pixels below which the picture has the size of a column, with relatively larger text. */
 const COLUMN = 480;
 
 type Files = ReadonlyMap<string, Uint8Array>;
@@ -26,7 +26,7 @@ export interface Frame {
 /** A place for a picture. */
 export class Picture {
   readonly element: HTMLElement;
-  /** What is shown, to be drawn into. */
+  /** The picture shown, for drawing into it. */
   svg: SVGSVGElement | undefined;
   readonly #engine: Engine;
   readonly #name: string;
@@ -36,7 +36,7 @@ export class Picture {
   readonly #buttons: HTMLElement;
   #drawn: Uint8Array | undefined;
 
-  /** `name` is that of the saved files, `option` names the file in the question. */
+  /** `name` is that of the saved files, `option` names the file in the query. */
   constructor(engine: Engine, name: string, option: "figure" | "output" = "figure") {
     [this.#engine, this.#name, this.#option] = [engine, name, option];
     this.#place.attachShadow({ mode: "open" });
@@ -44,20 +44,20 @@ export class Picture {
     this.element = element("figure", {}, this.#place, this.#caption, this.#buttons);
   }
 
-  /** The question that draws the picture as it is shown here. */
+  /** The query that draws the picture as it is shown here. */
   command(command: Command): Command {
     const size = this.#place.clientWidth > 0 && this.#place.clientWidth < COLUMN ? "column" : undefined;
     return extended(command, { size, [this.#option]: `${this.#name}.svg` });
   }
 
-  /** Asks for the picture and shows it; what was shown stays where there is none. */
+  /** Queries the picture and shows it; the previous picture stays if there is none. */
   async draw(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
     const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, named(asked, this.#option, "-"), { signal, files }));
     if (answer.output.length > 0 && isWanted(signal)) this.#show(answer.output);
     return answer;
   }
 
-  /** Asks for the answer and its picture at once, so that what takes long is computed once, and shows the picture. */
+  /** Queries the result and its picture together, so that long computations run once, and shows the picture. */
   async beside(command: Command, signal: AbortSignal, files: Files = new Map()): Promise<Answer> {
     const answer = await this.#fitted(command, signal, (asked) => ask(this.#engine, asked, { signal, files }));
     const drawn = answer.files.get(`${this.#name}.svg`);
@@ -65,13 +65,13 @@ export class Picture {
     return answer;
   }
 
-  /** The same with the answer as JSON. */
+  /** The same with the result as JSON. */
   async read<T>(command: Command, signal: AbortSignal): Promise<Read<T>> {
     const answer = await this.beside(extended(command, { json: true }), signal);
     return { answer, value: parsed<T>(decoded(answer)) };
   }
 
-  /** The axes of a panel, the first unless another is asked for. */
+  /** The axes of a panel, by default the first. */
   frame(panel = 0): Frame | undefined {
     const path = this.svg?.querySelectorAll("path.frame")[panel]?.getAttribute("d");
     const numbers = path?.match(/-?[\d.]+/g)?.map(Number) ?? [];
@@ -80,7 +80,7 @@ export class Picture {
     return { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
   }
 
-  /** The values at both ends of the horizontal axis, from two of its ticks, to a thousandth of its length: places are rounded. */
+  /** The values at both ends of the horizontal axis, from two of its ticks, to a thousandth of its length, because positions are rounded. */
   axis(): { from: number; to: number } | undefined {
     const frame = this.frame();
     const ticks = [...(this.svg?.querySelectorAll("text.x-tick") ?? [])].map((tick) => [Number(tick.getAttribute("x")), Number(tick.textContent?.replace("−", "-"))] as const);
@@ -92,7 +92,7 @@ export class Picture {
     return { from: Number(from.toFixed(decimals)), to: Number(to.toFixed(decimals)) };
   }
 
-  /** Where the pointer is, in the units of the picture. */
+  /** The position of the pointer, in the units of the picture. */
   at(event: MouseEvent): { x: number; y: number } | undefined {
     const matrix = this.svg?.getScreenCTM();
     return matrix == null ? undefined : new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
@@ -109,7 +109,7 @@ export class Picture {
     }
   }
 
-  /** Nothing is shown. */
+  /** Removes the picture. */
   clear(): void {
     this.#place.shadowRoot?.replaceChildren();
     this.#caption.textContent = "";
@@ -117,7 +117,7 @@ export class Picture {
     this.svg = undefined;
   }
 
-  // The column is too narrow for what is in some pictures.
+  // Some pictures do not fit into the column.
   async #fitted(command: Command, signal: AbortSignal, of: (asked: Command) => Promise<Answer>): Promise<Answer> {
     const answer = await of(this.command(command));
     const { parameters, suggestion: least } = answer.error;
@@ -157,7 +157,7 @@ svg { display: block; width: 100%; height: auto; }
 .overlay.limit { stroke-dasharray: 6 4; opacity: .7; }
 `;
 
-/** The same question, with another file. */
+/** The same query, with another file. */
 function named(command: Command, option: string, file: string): Command {
   return { ...command, options: (command.options ?? []).map(([name, value]) => (name === option ? [name, file] : [name, value])) };
 }

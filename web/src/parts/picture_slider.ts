@@ -10,13 +10,13 @@ export interface Axis {
 }
 
 interface Handlers {
-  /** The reader has moved the value. */
+  /** Called when the reader has moved the value. */
   readonly moved: (value: number) => void;
-  /** The pointer is over this value, or over none. */
+  /** Called with the value under the pointer, or `undefined`. */
   readonly under?: (value: number | undefined) => void;
   /** The nearest value that can be chosen. */
   readonly nearest: (value: number) => number;
-  /** By how much an arrow key moves, with Shift, and Page Up. */
+  /** The steps of an arrow key, alone and with Shift, and of Page Up. */
   readonly steps: () => { usual: number; fine: number; coarse: number };
 }
 
@@ -36,7 +36,7 @@ export class PictureSlider {
     this.#listen();
   }
 
-  /** Puts the value, or none, as it is said in words; what the value is of can change. */
+  /** Sets the value, or none, with its description in words and, optionally, a new label. */
   put(value: number | undefined, words: string, label = this.#label): void {
     this.#value = value;
     const { from, to } = this.axis;
@@ -44,7 +44,7 @@ export class PictureSlider {
     for (const [name, it] of Object.entries(said)) this.#slider.setAttribute(name, String(it));
   }
 
-  /** There is no picture, and so nothing to move. */
+  /** Resets the slider without a picture. */
   rest(): void {
     for (const name of this.#slider.getAttributeNames()) if (name !== "class") this.#slider.removeAttribute(name);
   }

@@ -1,4 +1,4 @@
-// A plot on canvas: axes and curves stay, what moves is drawn over them for each picture.
+// A plot on canvas: axes and curves are kept, moving parts are drawn over them in each frame.
 
 import { element } from "./element.ts";
 import { type Colour, type Colours, colours } from "./colours.ts";
@@ -10,10 +10,10 @@ export interface Axes {
   readonly y: Range;
   readonly xLabel: string;
   readonly yLabel: string;
-  /** Ticks with their words; else round numbers. */
+  /** Ticks with their labels; by default round numbers. */
   readonly xTicks?: readonly (readonly [number, string])[];
   readonly yTicks?: readonly (readonly [number, string])[];
-  /** One unit is as long on both axes. */
+  /** `true` for equal units on both axes. */
   readonly square?: boolean;
 }
 
@@ -24,7 +24,7 @@ export class Pen {
     readonly x: (value: number) => number,
     readonly y: (value: number) => number,
     readonly colours: Colours,
-    /** What 1 px is where letters are of their usual size. */
+    /** The size of 1 px at the usual text size. */
     readonly unit: number,
   ) {}
 
@@ -75,7 +75,7 @@ interface Margin {
   readonly bottom: number;
 }
 
-/** Letters grow with those of the page. */
+/** The text size of the page relative to the usual one. */
 function letterUnit(): number {
   return parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 }
@@ -101,14 +101,14 @@ export class Plot {
     this.#observer.observe(this.canvas);
   }
 
-  /** What stays, and what it shows in words. */
+  /** Draws the static part, described by `words`. */
   show(axes: Axes, words: string, curves: (pen: Pen) => void): void {
     [this.#axes, this.#curves] = [axes, curves];
     this.canvas.setAttribute("aria-label", words);
     this.redraw();
   }
 
-  /** What moves. */
+  /** Draws the moving part. */
   move(moving: (pen: Pen) => void): void {
     this.#moving = moving;
     this.#picture();
@@ -219,7 +219,7 @@ function stroke(context: CanvasRenderingContext2D, x1: number, y1: number, x2: n
   context.stroke();
 }
 
-/** Round numbers in a range, at most so many intervals. */
+/** Round numbers in a range, with at most `most` intervals. */
 export function ticks([from, to]: Range, most: number): [number, string][] {
   const raw = (to - from) / Math.max(1, most);
   const power = 10 ** Math.floor(Math.log10(raw));

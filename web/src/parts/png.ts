@@ -1,6 +1,6 @@
-// A picture as PNG: the browser paints the SVG, as on a light page.
+// A picture as PNG: the browser renders the SVG, as on a light page.
 
-/** Dots for each unit of the picture, 96 of which are an inch: 288 an inch. */
+/** Pixels per unit of the picture; 96 units are an inch, so this is 288 pixels per inch. */
 const SCALE = 3;
 
 /** The bytes of the PNG file. */
@@ -18,7 +18,7 @@ export async function png(svg: string): Promise<Uint8Array> {
   }
 }
 
-// Within a page a picture may have no size of its own.
+// Sets the size, which a picture within a page may lack.
 function sized(svg: string, width: number, height: number): string {
   return svg.replace(/^[^]*?<svg(?![^>]* width=)/, `<svg width="${width}" height="${height}"`);
 }

@@ -1,4 +1,4 @@
-// Files that the page gives to the reader.
+// Files that the page offers for saving.
 
 import type { Answer } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
@@ -14,7 +14,7 @@ export function save(name: string, content: Uint8Array | string, type: string): 
   setTimeout(() => URL.revokeObjectURL(place), 10_000);
 }
 
-/** Offers an answer as a file; the result is why there is none, where there is nothing in it or it failed. */
+/** Offers a result as a file; returns the reason if it is empty or failed. */
 export function saveAnswer(name: string, answer: Answer, type: string): string {
   if (answer.status !== 0 || answer.output.length === 0) return reason(answer) || text.parts.nothingToSave;
   save(name, answer.output, type);

@@ -1,4 +1,4 @@
-// A button that saves the numbers of an answer as CSV, there only while there are some.
+// A button that saves the numbers of a result as CSV, shown only if there are some.
 
 import type { Engine } from "../engine/engine.ts";
 import { text } from "../texts/en.ts";
@@ -19,7 +19,7 @@ export class SavedNumbers {
     this.element = element("p", { class: "buttons screen-only", hidden: true }, button(text.parts.saveData, () => void this.#save()), this.#failure);
   }
 
-  /** The question whose numbers can be saved; without one there is no button. */
+  /** Sets the query whose numbers can be saved; without one there is no button. */
   offer(command: Command | undefined): void {
     this.#command = command;
     this.element.hidden = command === undefined;

@@ -1,6 +1,6 @@
-// What is wider than the page scrolls by itself, and is reached by the keyboard as long as it does.
+// Content that is wider than the page scrolls separately, and can be reached by the keyboard while it does.
 
-/** Whether an element scrolls is told when its size or that of the page changes. */
+/** The observer of sizes, from which follows which elements scroll. */
 const observer = new ResizeObserver((entries) => {
   for (const { target } of entries) {
     const scrolls = target.scrollWidth > target.clientWidth + 1;
@@ -9,7 +9,7 @@ const observer = new ResizeObserver((entries) => {
   }
 });
 
-/** Lets the keyboard reach these elements where they scroll. */
+/** Lets the keyboard reach these elements while they scroll. */
 export function scrolling<T extends Element>(...elements: T[]): void {
   for (const element of elements) observer.observe(element);
 }

@@ -1,12 +1,12 @@
-// A line that says whether a question is being answered, how far it is, and lets it be stopped.
+// A line that shows whether a query is running and its progress, with a button to stop it.
 
 import { text } from "../texts/en.ts";
 import { button, element } from "./element.ts";
 
-/** Quick answers need no line, in milliseconds. */
+/** Time before the line appears, in milliseconds: fast queries need none. */
 const DELAY = 250;
 
-/** The line; screen readers hear what it says. */
+/** The line, which screen readers announce. */
 export class Status {
   readonly element: HTMLElement;
   readonly #words = element("span", { role: "status" });
@@ -23,7 +23,7 @@ export class Status {
     this.element = element("p", { class: "status screen-only" }, this.#words, " ", this.#stop);
   }
 
-  /** Shows that something runs, from a moment on, until the work has ended. */
+  /** Shows that work is running, after a delay, until it has ended. */
   async during<T>(work: Promise<T>): Promise<T> {
     const shown = setTimeout(() => {
       this.say(text.parts.computing);
@@ -41,12 +41,12 @@ export class Status {
     }
   }
 
-  /** How far the question is that runs, where it says so. */
+  /** Shows the progress of the running query, if it reports any. */
   progress(howFar: string | undefined): void {
     if (howFar !== undefined) this.say(`${text.parts.computing} ${howFar}`);
   }
 
-  // Results that are still changing are read aloud when they are there.
+  // Results that are still changing are announced when they are complete.
   #busy(is: boolean): void {
     this.element.parentElement?.setAttribute("aria-busy", String(is));
   }

@@ -1,11 +1,11 @@
-// Tables that scroll by themselves where the page is narrow.
+// Tables that scroll separately if the page is narrow.
 
 import { element } from "./element.ts";
 import { scrolling } from "./scrolling.ts";
 
 export interface Column {
   readonly title: string;
-  /** Numbers stand to the right. */
+  /** `true` for numbers, which are aligned to the right. */
   readonly isNumber?: boolean;
 }
 

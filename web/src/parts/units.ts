@@ -1,14 +1,14 @@
-// Entries without a unit: they are in the unit that stands in their field.
+// Entries without a unit have the unit shown in their field.
 
-/** A decimal without a unit. Multiples of π are no such numbers: they are radians. */
+/** A decimal without a unit. Multiples of π do not match: they are radians. */
 const NUMBER = /^\s*[+\u2212-]?(?:\d+\.?\d*|\.\d+)(?:e[+\u2212-]?\d+)?\s*$/i;
 
-/** `true` if no number of the entry has a unit; lists and ranges have several. */
+/** `true` if no number of the entry has a unit; lists and ranges have several numbers. */
 export function isBare(entry: string): boolean {
   return entry.split(/[:,]/).every((number) => NUMBER.test(number));
 }
 
-/** The entry with a unit at each number, where none has one. */
+/** The entry with the unit added to each number, if none has one. */
 export function withUnit(entry: string, unit: string): string {
   return unit !== "" && isBare(entry) ? entry.replace(/[^:,]+/g, (number) => `${number.trim()}${unit}`) : entry;
 }

@@ -7,5 +7,5 @@ import { laboratory } from "./laboratory/laboratory.ts";
 import { perturbation } from "./perturbation/perturbation.ts";
 import { pendulum } from "./pendulum/pendulum.ts";
 
-/** All rooms, in the order in which they are offered; the first is shown where the address names none. */
+/** All rooms, in the order in which they are offered; the first is shown if the address names none. */
 export const rooms: readonly Room[] = [pendulum, formulas, perturbation, derivations, laboratory, chaos, about];

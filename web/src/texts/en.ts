@@ -1,4 +1,4 @@
-// Every sentence of the interface. A room has its own section in a file of its own.
+// All texts of the interface, with one file for each room.
 
 import { chaos } from "./en/chaos.ts";
 import { about } from "./en/about.ts";
@@ -11,12 +11,12 @@ import { perturbation } from "./en/perturbation.ts";
 
 export const text = {
   title: "Pendulum",
-  skip: "To the room",
+  skip: "Skip to the content",
   rooms: "Rooms",
   failed: "This room cannot be shown",
   engine: {
-    endedEarly: "ended early: what is shown was computed until then",
-    fault: (reason: string) => `the computation broke down (${reason}) and was started afresh: ask for less, or in another way`,
+    endedEarly: "ended early: partial results are shown",
+    fault: (reason: string) => `the computation failed (${reason}) and was restarted: try a smaller problem or other settings`,
   },
   titles: {
     pendulum: "The pendulum",

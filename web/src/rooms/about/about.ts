@@ -1,4 +1,4 @@
-// What the page is, how good its numbers are, and whom it owes them.
+// The room About: accuracy, sources, licences and citation.
 
 import { unpacked } from "../../engine/module.ts";
 import { copyButton } from "../../parts/equivalents.ts";
@@ -7,7 +7,7 @@ import { table } from "../../parts/table.ts";
 import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 
-/** The version of the workspace, as `web/build` has found it. */
+/** The version of the workspace, as determined by `web/build`. */
 declare const VERSION: string;
 
 const words = text.about;
@@ -34,7 +34,7 @@ function section(title: string, ...parts: (string | Node)[]): HTMLElement {
   return element("section", {}, element("h2", {}, title), ...paragraphs);
 }
 
-/** The works and the texts of their licences, which are long: unpacked when they are wanted. */
+/** The works and the texts of their licences, which are long: decompressed on demand. */
 function texts(title: string): HTMLElement {
   const place = element("pre", { class: "licences", tabindex: "0", "aria-label": title });
   const made = element("details", {}, element("summary", {}, title), place);

@@ -1,4 +1,4 @@
-// A finding that only a field of its own asks for: numbers in words with a picture, not asked for again while the question stays the same.
+// A finding with a field of its own: sentences with a picture, not computed again while the query stays the same.
 
 import type { Answer, Engine } from "../../engine/engine.ts";
 import { type Command, reason } from "../../parts/command.ts";
@@ -12,12 +12,12 @@ import { text } from "../../texts/en.ts";
 
 const words = text.chaos;
 
-/** What is asked for, and what is said of an answer. */
+/** The query, and the sentences about its result. */
 export interface Asking<T> {
   readonly title: string;
-  /** Of saved files. */
+  /** The name of saved files. */
   readonly name: string;
-  /** The fields that a question which is not understood is wrong in. */
+  /** The fields that may contain the error if the query is invalid. */
   readonly fields: readonly string[];
   readonly said: (answer: T) => readonly (Node | string)[];
 }
@@ -37,7 +37,7 @@ export class Asked<T> implements Further {
   readonly #picture: Picture;
   readonly #finding: Finding;
   readonly #numbers: SavedNumbers;
-  /** The question whose answer is shown, whole or as far as it came. */
+  /** The query whose result is shown, complete or partial. */
   #shown: Command | undefined;
   #isWhole = false;
 
@@ -50,14 +50,14 @@ export class Asked<T> implements Further {
     this.element.hidden = true;
   }
 
-  /** Shows where the answer will be; nothing where nothing is asked. */
+  /** Shows the place of the result; nothing without a query. */
   expect(command: Command | undefined): void {
     this.element.hidden = command === undefined;
     if (command === undefined) this.clear();
     else if (this.#shown === undefined) this.#finding.show(quiet(words.expected));
   }
 
-  /** What is found, or why nothing is. */
+  /** Shows the result, or the reason why there is none. */
   async find(command: Command | undefined, signal: AbortSignal): Promise<void> {
     if (command === undefined || (this.#isWhole && same(command, this.#shown))) return;
     const { answer, value } = await this.#picture.read<T>(command, signal);
@@ -73,7 +73,7 @@ export class Asked<T> implements Further {
     this.#finding.show();
   }
 
-  /** A question that is not understood is wrong in its field; what has no answer says why. */
+  /** Shows an invalid query in its field, and otherwise the reason why there is no result. */
   #refuse(answer: Answer): void {
     this.#forget();
     const why = answer.status === 2 ? this.#form.blame(answer, this.#asking.fields) : "";

@@ -1,4 +1,4 @@
-// Room 6: where order ends: the diagram of a parameter, and the motion at one of its values.
+// Room 6: regular and chaotic motion: the bifurcation diagram over a parameter, and the motion at one of its values.
 
 import type { Address } from "../../address.ts";
 import type { Answer, Engine } from "../../engine/engine.ts";
@@ -27,10 +27,10 @@ import { range, stages, written } from "./range.ts";
 import { ValueKeeper } from "./value_keeper.ts";
 
 const words = text.chaos;
-/** A section begins with so many points and grows from there. */
+/** Number of points with which a section begins. */
 const FIRST = 50;
 
-/** An answer of `libration lyapunov`. */
+/** The result of `libration lyapunov`. */
 interface Exponent {
   readonly exponent_per_s: number;
   readonly exponent_uncertainty_per_s: number;
@@ -38,9 +38,9 @@ interface Exponent {
   readonly reason: string;
 }
 
-/** What is found, each with a picture. */
+/** The parts of the results, each with a picture. */
 type Part = "diagram" | "section" | "neighbours" | "verdict";
-/** Those with numbers to save. */
+/** The parts with numbers to save. */
 type Numbered = Exclude<Part, "neighbours">;
 
 export const chaos: Room = {
@@ -94,7 +94,7 @@ class ChaosRoom {
     this.#further = new FurtherFindings(engine, this.#form, this.#questions);
     this.#fleet = new FleetPanel(address, engine, () => this.#equal());
     const controls = [this.#presets(), this.#form.part(words.question, PARTS.system), this.#fleet.fields, this.#form.part(words.diagramChoices, PARTS.diagram), this.#form.part(words.choices, PARTS.chosen), ...this.#further.fields];
-    // What is asked for in fields of its own is what the reader looks for.
+    // Findings with fields of their own come first, since the reader has asked for them.
     const found = [...this.#further.elements, ...Object.values(this.#findings).map((finding) => finding.element), this.#orbit.element];
     this.elements = layout(words.title, words.lead, controls, [this.#status.element, this.#fleet.element, element("div", { class: "pairs" }, ...found), this.#equivalents.element]);
   }
@@ -133,7 +133,7 @@ class ChaosRoom {
     });
   }
 
-  // Where the chosen value is in the diagram.
+  // Marks the chosen value in the diagram.
   #mark(): void {
     const known = range(this.#form.value("over"));
     const written = this.#form.value("value");
@@ -145,7 +145,7 @@ class ChaosRoom {
     this.#pictures.diagram.overlay(this.#slider.line());
   }
 
-  // The one whose values stand in the fields, whatever value is chosen in its diagram.
+  // The preset whose values are in the fields, whatever value is chosen in its diagram.
   #presetNow(): string {
     const isNow = (key: string) => Object.entries(preset(key) ?? {}).every(([field, value]) => field === "value" || this.#form.value(field) === value);
     return Object.keys(words.presets).find(isNow) ?? "";
@@ -157,7 +157,7 @@ class ChaosRoom {
     this.#equal();
     const isSystem = await this.#grow(signal);
     if (signal.aborted) return;
-    // What is no system is said once.
+    // An invalid system is reported once.
     if (!isSystem) return this.#nothing();
     this.#further.expect();
     this.#fleet.show(this.#questions.chosen("simulate", []), this.#questions.starts());
@@ -174,7 +174,7 @@ class ChaosRoom {
     this.#equivalents.show(commands.filter((command) => command !== undefined));
   }
 
-  // Each stage is the section with fewer points: the same ones, so that it grows. Whether the question was understood.
+  // Each stage is the same section with fewer points, so that it grows. Returns `true` if the query was valid.
   async #grow(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("points"));
     const earlier = Number.isInteger(last) && last > FIRST ? ladder(last, FIRST).slice(0, -1) : [];
@@ -211,7 +211,7 @@ class ChaosRoom {
     if (answer.status !== 0) this.#fail("neighbours", answer, ["until"]);
   }
 
-  // The diagram in stages too; it does not change with the value that is chosen in it.
+  // The diagram, in stages too; it does not change with the value chosen in it.
   async #draw(signal: AbortSignal): Promise<void> {
     const over = this.#form.value("over");
     if (over === "") {
@@ -255,7 +255,7 @@ class ChaosRoom {
     if (part !== "neighbours") this.#numbers[part].offer(undefined);
   }
 
-  // The numbers of a picture, where it is shown.
+  // Offers the numbers of a picture, if it is shown.
   #offer(part: Numbered, command: Command): void {
     this.#numbers[part].offer(this.#pictures[part].svg === undefined ? undefined : command);
   }

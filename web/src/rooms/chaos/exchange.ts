@@ -1,4 +1,4 @@
-// The exchange of energy between modes in words: resonant terms of the slow flow, how long an exchange takes and how deep it is.
+// The exchange of energy between modes in words: resonant terms of the slow flow, period and depth of the exchange.
 
 import { element } from "../../parts/element.ts";
 import { digits, short } from "../../parts/numbers.ts";
@@ -18,7 +18,7 @@ interface Term {
   readonly detuning_rad_per_s: number;
 }
 
-/** An answer of `libration resonance`. */
+/** The result of `libration resonance`. */
 interface SlowFlow {
   readonly modes: readonly { readonly mode: number; readonly angular_frequency_rad_per_s: number }[];
   readonly slow_terms: readonly Term[];

@@ -1,4 +1,4 @@
-// What the reader gives: a system, a range of a parameter, a value in it; and systems to begin with.
+// The fields of the room: a system, a range of a parameter, a value in it; and example systems.
 
 import { choiceField, type Field, textField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
@@ -7,7 +7,7 @@ const words = text.chaos;
 
 type Preset = keyof typeof words.presets;
 
-/** What each of them enters; what is not named is emptied. */
+/** The entries of each preset; fields that are not named are emptied. */
 const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
   routes: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.2" },
   chaotic: { system: "driven_pendulum", set: "c=1/2", initial: "theta=0.2; theta=0.2001", over: "A=1:1.5:0.005", value: "1.5", points: "10000" },
@@ -21,7 +21,7 @@ const PRESETS: Readonly<Record<Preset, Readonly<Record<string, string>>>> = {
   lorenz: { system: "lorenz", initial: "x=1,y=1,z=1; x=1.001,y=1,z=1", over: "rho=20:30:0.25", value: "28", at: "z - 27", points: "1000", until: "30", intervals: "1000" },
 };
 
-/** What the fields hold where a preset says nothing. */
+/** The entries of the fields that a preset does not name. */
 const PLAIN = { set: "", at: "", over: "", value: "", sweep: "", response: "", orders: "", map: "", rest: "", lines: "3", thresholds: "", periods: "5", order: "", about: "", each: "30", points: "2000", until: "100", intervals: "300" };
 
 /** All values of a preset. */

@@ -1,4 +1,4 @@
-// What fields of their own ask for: answers over a parameter, stability over two, Melnikov's thresholds, the exchange between modes.
+// Findings with fields of their own: responses over a parameter, stability over two, Melnikov's thresholds, the exchange between modes.
 
 import type { Engine } from "../../engine/engine.ts";
 import type { Command } from "../../parts/command.ts";
@@ -17,7 +17,7 @@ const words = text.chaos;
 export class FurtherFindings {
   readonly elements: readonly HTMLElement[];
   readonly fields: readonly HTMLElement[];
-  /** Those that take longest last. */
+  /** All findings, those that take longest last. */
   readonly #all: readonly (readonly [finding: Further, command: () => Command | undefined])[];
 
   constructor(engine: Engine, form: Form, questions: Questions) {
@@ -36,7 +36,7 @@ export class FurtherFindings {
     return this.#all.map(([, command]) => command()).filter((command) => command !== undefined);
   }
 
-  /** Makes room for what is asked. */
+  /** Shows the places of the queried results. */
   expect(): void {
     for (const [finding, command] of this.#all) finding.expect(command());
   }

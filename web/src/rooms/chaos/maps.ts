@@ -1,4 +1,4 @@
-// Stability over two parameters in words: where rest is stable, and its edges and the curves of singular points with their ends and cusps.
+// Stability over two parameters in words: where the state at rest is stable, its boundaries, and the curves of singular points with their ends and cusps.
 
 import { element } from "../../parts/element.ts";
 import { digits, short } from "../../parts/numbers.ts";
@@ -12,7 +12,7 @@ interface Place {
   readonly error: number;
 }
 
-/** An answer of `libration stability`. */
+/** The result of `libration stability`. */
 interface Chart {
   readonly parameters: readonly [string, string];
   readonly rest_stable_at: readonly { readonly value: number; readonly ranges: readonly (readonly [number, number])[] }[];

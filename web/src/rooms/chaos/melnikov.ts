@@ -1,4 +1,4 @@
-// Melnikov's thresholds in words: from which drive on there is chaos next to the upright position, and whether resonances overlap.
+// Melnikov's thresholds in words: the onset of chaos near the upright position, and the overlap of resonances.
 
 import { element } from "../../parts/element.ts";
 import { angle, digits } from "../../parts/numbers.ts";
@@ -7,7 +7,7 @@ import { text } from "../../texts/en.ts";
 import type { Asking } from "./asked.ts";
 
 const words = text.chaos.melnikov;
-/** Of two neighbouring resonances, from which on motions between them are seen to be chaotic, as the command has it. */
+/** The overlap of two neighbouring resonances above which motions between them are observed to be chaotic, as in the command. */
 const OVERLAP = 2 / 3;
 
 interface Threshold {
@@ -30,7 +30,7 @@ interface Resonance {
   readonly overlap: number | null;
 }
 
-/** An answer of `libration melnikov`. */
+/** The result of `libration melnikov`. */
 interface Melnikov {
   readonly parameter: string;
   readonly value: number;

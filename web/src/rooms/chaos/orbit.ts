@@ -1,4 +1,4 @@
-// The periodic orbit at the chosen value, near the start or to which it leads.
+// The periodic orbit at the chosen value, near the initial state or approached from it.
 
 import type { Engine } from "../../engine/engine.ts";
 import { read } from "../../parts/answers.ts";
@@ -12,7 +12,7 @@ import { text } from "../../texts/en.ts";
 
 const words = text.chaos;
 
-/** An answer of `libration orbit`. */
+/** The result of `libration orbit`. */
 interface Orbit {
   readonly period_s: number;
   readonly stability: string | null;

@@ -1,4 +1,4 @@
-// The questions of the room, made of its fields.
+// The queries of the room, made from its fields.
 
 import { type Command, extended, given, type Option } from "../../parts/command.ts";
 import type { Form } from "../../parts/form.ts";
@@ -40,7 +40,7 @@ export class Questions {
     return over === "" ? undefined : extended(this.#over(over, "response", this.#first()), { over, orders: this.#form.value("orders") });
   }
 
-  /** Stability over two parameters, of a state of rest of its own. */
+  /** Stability over two parameters, with its own state at rest. */
   map(): Command | undefined {
     const [map, rest] = [this.#form.value("map"), this.#form.value("rest")];
     return map === "" ? undefined : extended(this.#over(map, "stability", rest === "" ? [] : [rest]), { map, lines: this.#form.value("lines") });
@@ -56,12 +56,12 @@ export class Questions {
     return order === "" ? undefined : extended(this.chosen("resonance", this.#first()), { order, about: this.#form.value("about") });
   }
 
-  /** At the chosen value of the parameter. */
+  /** The query at the chosen value of the parameter. */
   chosen(question: string, starts: readonly string[]): Command {
     return this.#system(question, starts, [this.#form.value("set"), this.#value()]);
   }
 
-  /** At the values of all parameters but those of these ranges, as `omega=1:3,a=0:0.5`. */
+  /** The query at the values of all parameters but those of these ranges, as `omega=1:3,a=0:0.5`. */
   #over(ranges: string, question: string, starts: readonly string[]): Command {
     const named = ranges.split(",").map(nameOf);
     const set = [...this.#form.value("set").split(","), this.#value()];

@@ -7,7 +7,7 @@ export interface Range {
   readonly step: number;
 }
 
-/** The range where it is one with plain numbers; what is wrong with others the command says. */
+/** The range if it consists of plain numbers; errors in others are reported by the command. */
 export function range(written: string): Range | undefined {
   const [, name, ends] = /^\s*([^\s=]+)\s*=\s*(\S+)\s*$/.exec(written) ?? [];
   const [from, to, step] = ends?.split(":").map(Number) ?? [];
@@ -15,7 +15,7 @@ export function range(written: string): Range | undefined {
   return isRange ? { name, from, to, step } : undefined;
 }
 
-/** The range with fewer values first, so that the diagram is there early; the last one is as it was written. */
+/** Ranges with fewer values first, so that the diagram is visible early; the last one is as it was written. */
 export function stages(written: string): string[] {
   const found = range(written);
   if (found === undefined) return [written];

@@ -1,4 +1,4 @@
-// The periodic answers of a driven system over a parameter in words: the jumps of slow sweeps, and how the search for other answers ended.
+// The periodic responses of a driven system over a parameter in words: the jumps of slow sweeps, and the results of the search for subharmonic responses.
 
 import { digits } from "../../parts/numbers.ts";
 import { text } from "../../texts/en.ts";
@@ -6,7 +6,7 @@ import type { Asking } from "./asked.ts";
 
 const words = text.chaos.responses;
 
-/** An answer of `libration response`. */
+/** The result of `libration response`. */
 interface Response {
   readonly parameter: string;
   readonly jumps: readonly { readonly parameter: number; readonly sweep: string; readonly from: number; readonly to: readonly number[] }[];

@@ -1,4 +1,4 @@
-// The value that is chosen in a diagram belongs to the parameter of the range: it stays with it when the range is taken away or gets another one.
+// The value chosen in a diagram belongs to the parameter of the range: it is kept when the range is removed or gets another parameter.
 
 import type { Form } from "../../parts/form.ts";
 import { nameOf } from "./questions.ts";
@@ -12,12 +12,12 @@ export class ValueKeeper {
     this.#name = this.#now();
   }
 
-  /** The fields were filled anew: the value belongs to the range beside it. */
+  /** Forgets the parameter after the fields were filled: the value belongs to the new range. */
   forget(): void {
     this.#name = this.#now();
   }
 
-  /** Where the range has another parameter than before, puts the value of that before among the values of parameters, and takes from there that of the new one. */
+  /** If the range has another parameter than before, moves the value of the former one to the values of parameters, and takes that of the new one from there. */
   keep(): void {
     const [before, now] = [this.#name, this.#now()];
     if (before === now) return;
@@ -30,7 +30,7 @@ export class ValueKeeper {
     if (known !== undefined || before !== "") this.#form.put("value", known === undefined ? "" : known.slice(known.indexOf("=") + 1).trim());
   }
 
-  /** The parameter of the range, once it is one. */
+  /** The name of the parameter of the range; empty without `=`. */
   #now(): string {
     const over = this.#form.value("over");
     return over.includes("=") ? nameOf(over) : "";

@@ -1,4 +1,4 @@
-// Room 4: derivations step by step, and two published ones checked.
+// Room 4: derivations step by step, and the check of two published ones.
 
 import type { Address } from "../../address.ts";
 import { type Engine, text as decoded } from "../../engine/engine.ts";
@@ -78,7 +78,7 @@ class DerivationsRoom {
     this.#latest.stop();
   }
 
-  // Only what the chosen road takes is offered.
+  // Only the fields of the chosen method are shown.
   #offer(all: ReturnType<typeof fields>, address: Address): void {
     const show = () => {
       const keys = taken(this.#form.value("road"));
@@ -105,7 +105,7 @@ class DerivationsRoom {
     else await this.#derive(signal);
   }
 
-  /** `true` if the amplitude is an angle: of the pendulum, and of equations in one. */
+  /** `true` if the amplitude is an angle: for the pendulum, and for equations in an angle. */
   #isOfAngle(): boolean {
     const oscillator = taken(this.#form.value("road")).includes("oscillator") ? this.#form.value("oscillator") : "";
     return oscillator === "" || oscillator === "pendulum" || isOfAngle(oscillator);

@@ -1,4 +1,4 @@
-// What the reader gives, and which of it belongs to which road.
+// The fields of the room, and those that belong to each method.
 
 import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
@@ -7,7 +7,7 @@ const words = text.derivations;
 
 export const ROADS = ["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"] as const;
 
-/** The fields that a road takes besides those of all. */
+/** The fields that a method takes in addition to the common ones. */
 const TAKEN: Readonly<Record<string, readonly string[]>> = {
   elliptic: ["amplitude", "length", "gravity", "exercises"],
   formulas: ["amplitude", "length", "gravity", "exercises"],

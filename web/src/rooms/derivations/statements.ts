@@ -1,11 +1,11 @@
-// What two published derivations print, with the verdict on each statement.
+// The statements of two published derivations, with the verdict on each.
 
 import { element } from "../../parts/element.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.derivations;
 
-/** An answer of `libration paper`. */
+/** The result of `libration paper`. */
 export interface Paper {
   readonly equations: readonly Statement[];
 }
@@ -22,7 +22,7 @@ interface Statement {
   readonly evidence: string;
 }
 
-/** All statements: how many there are of each verdict, then one after the other. */
+/** All statements: the number with each verdict, then one after the other. */
 export function statements({ equations }: Paper): Node[] {
   const sources = new Map(equations.map(({ document, read_from }) => [name(document), read_from]));
   return [

@@ -17,7 +17,7 @@ export class Steps {
     this.element.addEventListener("click", (event) => this.#follow(event));
   }
 
-  /** Shows a derivation that the command has written as a page. */
+  /** Shows a derivation written by the command as a page. */
   show(page: string): void {
     this.element.replaceChildren(...fromHtml(page).map(fitted));
     scrolling(...this.element.querySelectorAll(".wide, .formula, p"));
@@ -28,7 +28,7 @@ export class Steps {
     this.#aim();
   }
 
-  /** Opens the first step that is not open; the result is whether there was one. */
+  /** Opens the first step that is not open; returns `true` if there was one. */
   next(): boolean {
     const steps = this.#all();
     const place = steps.findIndex(({ open }) => !open);
@@ -59,7 +59,7 @@ export class Steps {
     this.#aim();
   }
 
-  // The fragment of the page is its address: a place within the text is a value of it, beside what the reader has chosen.
+  // The fragment of the page is its address: a position in the text is a value of it, next to the reader's choices.
   #aim(): void {
     const { room, values } = parsed(location.hash);
     for (const link of this.#links()) {
@@ -87,18 +87,18 @@ export class Steps {
   }
 }
 
-// Sections fold, and the titles of the text stand below that of the room.
+// Makes sections foldable, and puts the titles of the text below that of the room.
 function fitted(node: Node): Node {
   if (!(node instanceof HTMLElement)) return node;
   if (node.localName === "h1") return element("h2", { class: "title", id: node.id === "" ? undefined : node.id }, ...node.childNodes);
   return node.localName === "section" ? folded(node) : node;
 }
 
-// A section whose title folds it.
+// A section folded by its title.
 function folded(section: HTMLElement): HTMLElement {
   const step = element("details", { class: "step", id: section.id });
   const title = section.querySelector("h2");
-  // What folds the step cannot hold a link as well.
+  // A title that folds the step cannot contain a link.
   title?.querySelectorAll("a").forEach((link) => link.replaceWith(...link.childNodes));
   step.append(element("summary", {}, title ?? words.answers), ...section.childNodes);
   return step;

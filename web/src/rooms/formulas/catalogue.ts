@@ -1,4 +1,4 @@
-// What the command says of the formulas for the period.
+// The data of the command about the formulas for the period.
 
 /** An entry of `libration formulas`. */
 export interface Formula {
@@ -10,7 +10,7 @@ export interface Formula {
   readonly latex: string;
   readonly domain: string;
   readonly complexity: number;
-  /** With a tolerance: up to where the formula is within it; `null` where it always is. */
+  /** With a tolerance: the amplitude up to which the formula is within it; `null` if it always is. */
   readonly holds_to_rad?: number | null;
 }
 
@@ -22,7 +22,7 @@ export interface Crossovers {
   readonly crossovers: readonly { amplitude_rad: number; better_below: string; better_above: string; error: number }[];
 }
 
-/** An answer of `libration period`. */
+/** The result of `libration period`. */
 export interface Periods {
   readonly results: readonly {
     readonly amplitude_rad: number;

@@ -1,4 +1,4 @@
-// The errors of the formulas against the amplitude, with the reader's amplitude and tolerance in it.
+// The errors of the formulas against the amplitude, with the reader's amplitude and tolerance.
 
 import type { Engine } from "../../engine/engine.ts";
 import { type Command, given } from "../../parts/command.ts";
@@ -6,7 +6,7 @@ import { Picture } from "../../parts/picture.ts";
 import { type Axis, PictureSlider } from "../../parts/picture_slider.ts";
 import { text } from "../../texts/en.ts";
 
-/** The axes as they are entered. */
+/** The axes as entered. */
 export interface Axes {
   readonly from: string | undefined;
   readonly to: string | undefined;
@@ -15,7 +15,7 @@ export interface Axes {
 
 /** The upper end of the axis of errors. */
 const HIGHEST = 10;
-/** At the top itself there is no period, in degrees. */
+/** Largest amplitude that can be chosen, in degrees: at the top itself there is no period. */
 const LARGEST = 179.9;
 
 export class ErrorPicture {
@@ -24,7 +24,7 @@ export class ErrorPicture {
   #lowest = 1e-8;
   #tolerance = 1e-3;
 
-  /** `moved` gets the amplitude in degrees, `under` that under the pointer, or nothing when it leaves. */
+  /** `moved` receives the amplitude in degrees, `under` that under the pointer, or `undefined` when it leaves. */
   constructor(engine: Engine, moved: (amplitude: number) => void, under: (amplitude: number | undefined) => void) {
     this.picture = new Picture(engine, "errors", "output");
     const nearest = (amplitude: number) => Math.min(Math.max(Math.round(amplitude * 10) / 10, 0.1), LARGEST);
@@ -37,7 +37,7 @@ export class ErrorPicture {
     return { question: "figure errors", options: given({ formulas: keys.join(","), from: axes.from, to: axes.to, lowest }) };
   }
 
-  /** Where the amplitude, in degrees, and the tolerance are, and the amplitude in words. */
+  /** Marks the amplitude, in degrees, and the tolerance, with the amplitude in words. */
   mark(amplitude: number, tolerance: number, words: string): void {
     this.#tolerance = tolerance;
     this.#slider.axis = this.#axis();
@@ -45,7 +45,7 @@ export class ErrorPicture {
     this.lines();
   }
 
-  /** Draws the lines anew, as after the picture has changed. */
+  /** Redraws the lines, such as after the picture has changed. */
   lines(): void {
     const frame = this.picture.frame();
     if (frame === undefined) return;

@@ -1,4 +1,4 @@
-// Room 2: every formula for the period beside the exact one.
+// Room 2: every formula for the period compared with the exact one.
 
 import type { Address } from "../../address.ts";
 import type { Engine } from "../../engine/engine.ts";
@@ -92,7 +92,7 @@ class FormulasRoom {
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
-  // The questions one after the other; each failure stands beside its field, and what was shown stays.
+  // Runs the queries one after the other; each failure is shown next to its field, and the previous results stay.
   async #answer(signal: AbortSignal): Promise<void> {
     this.#form.clear();
     this.#fail("");

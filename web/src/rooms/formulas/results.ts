@@ -1,4 +1,4 @@
-// What is found about the chosen formulas, as tables and cards.
+// The results for the chosen formulas, as tables and cards.
 
 import { element } from "../../parts/element.ts";
 import { fromLatex } from "../../parts/latex.ts";
@@ -10,7 +10,7 @@ import type { Crossovers, Formula, Periods } from "./catalogue.ts";
 
 const words = text.formulas;
 
-/** Up to where a formula is within the tolerance. */
+/** The amplitude up to which a formula is within the tolerance. */
 export function limit({ holds_to_rad: limit }: Formula, unit: string): string {
   if (limit === undefined) return "–";
   if (limit === null) return words.everywhere;
@@ -41,7 +41,7 @@ export function values(period: Periods["results"][number], formulas: ReadonlyMap
   return table(words.values(angle(period.amplitude_rad, unit)), columns, rows);
 }
 
-/** Where one formula becomes better than another. */
+/** The amplitudes at which one formula becomes better than another. */
 export function crossovers({ crossovers }: Crossovers, formulas: ReadonlyMap<string, Formula>, unit: string): HTMLElement {
   if (crossovers.length === 0) return element("p", {}, words.noCrossovers);
   const { amplitude, below, above, error } = words.crossing;

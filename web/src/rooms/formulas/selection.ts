@@ -1,11 +1,11 @@
-// Which formulas are chosen: a tick for each, in the order of the catalogue.
+// The selection of formulas: a tick for each, in the order of the catalogue.
 
 import type { Address } from "../../address.ts";
 import { button, element } from "../../parts/element.ts";
 import { text } from "../../texts/en.ts";
 import type { Formula } from "./catalogue.ts";
 
-/** Those of the first figure of Black and Vel. */
+/** The formulas in the first figure of Black and Vel. */
 const USUAL = ["bernoulli", "molina", "kidd_fogg", "butikov", "power_series_3", "denman", "black_vel_2", "black_vel_3"];
 
 export class Selection {
@@ -37,7 +37,7 @@ export class Selection {
     this.#count();
   }
 
-  /** The keys of the chosen ones. */
+  /** The keys of the chosen formulas. */
   get keys(): string[] {
     if (this.#boxes.size === 0) return this.#asked();
     return [...this.#boxes.values()].filter(({ checked }) => checked).map(({ value }) => value);

@@ -1,4 +1,4 @@
-// A swing to try the laboratory with: computed by the command, written as an instrument would, in whole tenths of a degree.
+// A simulated swing as an example: computed by the command, rounded to tenths of a degree like the readings of an instrument.
 
 import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { ask, given } from "../../parts/command.ts";

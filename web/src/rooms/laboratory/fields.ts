@@ -1,4 +1,4 @@
-// What the reader may choose, and which fit takes what.
+// The options of the room, and the fits that take them.
 
 import { choiceField, type Field, textField, tickField } from "../../parts/field.ts";
 import { text } from "../../texts/en.ts";
@@ -16,7 +16,7 @@ const TABLE: readonly Key[] = ["columns", "half-periods", "periods-per-row", "de
 const RESPONSE: readonly Key[] = ["oscillator", "measured", "frequency-unit", "response-unit", "phase-unit"];
 const CHOICES: readonly Key[] = ["model", "robust", "free-scale", "signals", "diameter", "gate-distance", "amplitude", "columns", "amplitude-unit", "length-unit", "half-periods", "periods-per-row", "reject-outliers", "linear-damping", ...RESPONSE];
 
-/** The fields as they are shown: what is fitted, the apparatus, how files are read. */
+/** The fields in the order in which they are shown: options of the fit, the apparatus, reading of the files. */
 export const PARTS = { choices: CHOICES, apparatus: APPARATUS, reading: READING } as const;
 
 const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
@@ -27,7 +27,7 @@ const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
   response: [...RESPONSE, "columns", "delimiter", "header"],
 };
 
-/** Options that mean something else in another fit, by their fields. */
+/** Options that have another meaning in another fit, by their fields. */
 const OPTIONS: Readonly<Partial<Record<Key, string>>> = { oscillator: "model", "response-unit": "amplitude-unit" };
 
 /** The option of a field. */

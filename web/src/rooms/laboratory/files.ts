@@ -1,10 +1,10 @@
-// The files that the reader gives: dropped, chosen, or recorded. They stay in the memory of this page.
+// The files of the reader: dropped, chosen, or recorded. They stay in the memory of this page.
 
 import { button, element } from "../../parts/element.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.laboratory;
-/** Beyond this the memory of a page may not do, in bytes. */
+/** Largest size of a file in bytes; the memory of a page may not suffice for more. */
 const LARGEST = 200e6;
 
 export class Files {
@@ -26,12 +26,12 @@ export class Files {
     this.#listen();
   }
 
-  /** What is held, by name. */
+  /** The files, by name. */
   get all(): ReadonlyMap<string, Uint8Array> {
     return this.#held;
   }
 
-  /** Adds a file under its name, or a similar one where that is taken. */
+  /** Adds a file under its name, or under a similar one if that is taken. */
   add(name: string, bytes: Uint8Array): void {
     this.#held.set(this.#free(name), bytes);
     this.#show();
@@ -58,7 +58,7 @@ export class Files {
     this.#changed();
   }
 
-  // The command takes `-` for its input, and reports stand beside the files.
+  // The command takes `-` for its standard input, and reports are written next to the files.
   #free(name: string): string {
     const plain = name.replace(/^-+/, "").replaceAll(/[/\\\0]/g, "_") || "file";
     let free = plain;

@@ -1,4 +1,4 @@
-// Room 5: measurements are read, fitted and judged, without leaving the machine.
+// Room 5: measurements are read, fitted and assessed, without leaving the machine.
 
 import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
@@ -122,7 +122,7 @@ class LaboratoryRoom {
     return chosen === "auto" ? undefined : (chosen as Kind);
   }
 
-  // What all files hold, each for itself; the kind of the last that says one.
+  // Inspects each file; the kind is that of the last file that determines one.
   async #inspect(signal: AbortSignal): Promise<{ isReadable: boolean; kind: Kind | undefined }> {
     let kind: Kind | undefined;
     let isReadable = false;
@@ -162,7 +162,7 @@ class LaboratoryRoom {
     if (kind !== "response") await this.#picture.draw(command, signal, files);
   }
 
-  // Responses take so long that they are fitted once, for words and picture.
+  // Fits of responses take so long that they run once, for text and picture.
   #answered(command: Command, kind: Kind, signal: AbortSignal): Promise<Answer> {
     const files = this.#files.all;
     if (kind === "response") return this.#picture.beside(command, signal, files);
@@ -178,7 +178,7 @@ class LaboratoryRoom {
     return { question: `fit ${kind}`, arguments: kind === "trace" ? names : names.slice(0, 1), options: this.#options(taken(kind)) };
   }
 
-  // Swings have a report; the others their answer in words.
+  // Swings have a report; other fits have their results as text.
   #asked(command: Command, kind: Kind): Command {
     return kind === "trace" ? extended(command, { report: REPORT }) : command;
   }

@@ -1,12 +1,12 @@
-// A phone's gyroscope as an instrument: its readings as a file, such as other instruments write.
+// A phone's gyroscope as an instrument: its readings as a file, like those of other instruments.
 
 import { button, element } from "../../parts/element.ts";
 import { text } from "../../texts/en.ts";
 
 const words = text.laboratory.sensor;
-/** A gyroscope that is there reads many times in this time, in milliseconds. */
+/** Time without a reading after which no gyroscope is assumed, in milliseconds. */
 const PATIENCE = 2000;
-/** Fewer readings are no recording. */
+/** Minimum number of readings in a recording. */
 const FEWEST = 20;
 
 type Axis = "alpha" | "beta" | "gamma";
@@ -77,7 +77,7 @@ export class MotionSensor {
   }
 }
 
-/** Readings of one axis as a table with names and units; times from the first reading on. */
+/** Readings of one axis as a table with names and units; times start at the first reading. */
 export function written(readings: readonly Reading[], axis: Axis): string {
   const start = readings[0]?.seconds ?? 0;
   const lines = readings.map((reading) => `${(reading.seconds - start).toFixed(4)},${reading[axis]}`);

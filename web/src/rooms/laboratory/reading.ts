@@ -1,4 +1,4 @@
-// What the command read in a file, and why; what it leaves open is decided by a press.
+// The command's interpretation of a file, with its reasons; open points are decided by a press.
 
 import { button, element } from "../../parts/element.ts";
 import { digits } from "../../parts/numbers.ts";
@@ -8,7 +8,7 @@ import type { Kind } from "./fields.ts";
 
 const words = text.laboratory;
 
-/** An answer of `libration inspect`. */
+/** The result of `libration inspect`. */
 export interface Inspection {
   readonly bytes: number;
   readonly format: string;
@@ -29,7 +29,7 @@ interface SheetColumn {
   readonly largest: number | null;
 }
 
-/** What may be fitted to it, where that is clear. */
+/** The kind of fit for the file, if it is clear. */
 export function kindOf({ traces, gate_times, sheets }: Inspection): Kind | undefined {
   if (sheets.some(isResponse)) return "response";
   if (traces.length > 0) return "trace";
@@ -40,13 +40,13 @@ export function kindOf({ traces, gate_times, sheets }: Inspection): Kind | undef
   return has("length") ? "lengths" : has("amplitude") || has("angle") ? "periods" : undefined;
 }
 
-// Amplitudes against frequencies, which are no times though they may increase throughout.
+// `true` for amplitudes against frequencies, which are not times even if they increase throughout.
 function isResponse({ columns }: Inspection["sheets"][number]): boolean {
   const has = (word: string) => columns.some(({ name }) => name.toLowerCase().includes(word));
   return has("freq") && has("amplitude") && !columns.some(({ quantity }) => quantity === "time");
 }
 
-/** Shows it; `choose` enters a value for an option, `go` leads to its field. */
+/** Shows the interpretation; `choose` enters a value for an option, `go` leads to its field. */
 export function reading(name: string, found: Inspection, kind: Kind | undefined, choose: (option: string, value: string) => void, go: (option: string) => void): HTMLElement {
   const findings = found.findings.map(({ text: finding, option }) =>
     element("li", {}, finding, ...(option === null ? [] : [" ", button(option, () => go(option.slice(2)), { class: "small", "aria-label": words.change(option) })])),
@@ -56,7 +56,7 @@ export function reading(name: string, found: Inspection, kind: Kind | undefined,
     { class: "reading" },
     element("h3", { class: "mono" }, name),
     element("p", { class: "quiet" }, words.format(found.format, found.bytes)),
-    // What is open about swings does not matter to other fits.
+    // Open points about swings do not matter to other fits.
     ...(kind === undefined || kind === "trace" ? undecided(found, choose) : []),
     ...found.sheets.map((sheet) => sheetTable(name, sheet)),
     element("details", {}, element("summary", {}, words.findings), element("ul", {}, ...findings)),

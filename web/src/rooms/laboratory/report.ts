@@ -9,10 +9,10 @@ import { text } from "../../texts/en.ts";
 
 const sheet = new CSSStyleSheet();
 
-/** The report, whose titles stand below those of the room. */
+/** The report, with its titles below those of the room. */
 export function report(page: string): HTMLElement {
   const pictures = page.match(/<svg[^]*?<\/svg>/g) ?? [];
-  // The pictures bring their colours for dark pages, which hold within the report.
+  // The pictures have their own colours for dark pages, which apply within the report.
   sheet.replaceSync(`.report { ${styleOf(pictures[0] ?? "")} }`);
   if (!document.adoptedStyleSheets.includes(sheet)) document.adoptedStyleSheets.push(sheet);
   const shown = element("div", { class: "report" }, ...fromHtml(page));
@@ -26,7 +26,7 @@ export function report(page: string): HTMLElement {
 }
 
 function saving(picture: string, place: number): HTMLElement {
-  // By itself a picture says what it is written in.
+  // A picture in a file of its own needs its namespace.
   const whole = picture.replace(/^<svg(?! xmlns)/, '<svg xmlns="http://www.w3.org/2000/svg"');
   const name = `fit-${place + 1}`;
   const svg = button(text.parts.savePicture("SVG"), () => save(`${name}.svg`, whole, "image/svg+xml"));

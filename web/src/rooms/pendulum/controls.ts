@@ -1,4 +1,4 @@
-// What the reader sets: start, pendulum, forces, ghosts, units.
+// The settings of the room: initial state, pendulum, forces, ghosts, units.
 
 import type { Address } from "../../address.ts";
 import { button, element } from "../../parts/element.ts";
@@ -19,7 +19,7 @@ export class Controls {
   readonly #formula: Field;
   readonly #fields = new Map<string, Field>();
   readonly #planet = choiceField({ key: "planet", words: words.planet }, text.pendulum.planets.map(([value = "", name = ""]) => [value, name] as const));
-  /** The side of the start, which the slider keeps: it sets how far the start is from rest. */
+  /** The side of the initial angle, which the slider keeps: it sets the distance from the hanging position. */
   #side = 1;
 
   constructor(address: Address, changed: () => void, formulasWanted: () => void) {
@@ -51,14 +51,14 @@ export class Controls {
     ];
   }
 
-  /** Shows the angle of release, in degrees within [−180, 180], and its words, on the slider. */
+  /** Shows the angle of release, in degrees within [−180, 180], and its description, on the slider. */
   slide(degrees: number, words: string): void {
     if (degrees !== 0) this.#side = Math.sign(degrees);
     this.slider.value = String(Math.abs(degrees));
     this.slider.setAttribute("aria-valuetext", words);
   }
 
-  /** Names the planet of this gravity in m/s², where it is one of them. */
+  /** Selects the planet with this gravity in m/s², if there is one. */
   name(gravity: number | undefined, read: (entry: string) => number | undefined): void {
     this.#planet.value = text.pendulum.planets.find(([value = ""]) => value !== "" && read(value) === gravity)?.[0] ?? "";
   }

@@ -17,12 +17,12 @@ export interface Place {
 }
 
 export interface Course {
-  /** `undefined` where the motion is not known yet. */
+  /** `undefined` if the motion is not known yet. */
   at(time: number): Place | undefined;
   samples(first: number, step: number, count: number): Samples;
 }
 
-/** The exact solution, at any time without what was before it. */
+/** The exact solution, at any time, independently of earlier times. */
 export class ExactCourse implements Course {
   readonly #mathematics: Mathematics;
 
@@ -39,7 +39,7 @@ export class ExactCourse implements Course {
   }
 }
 
-/** What was integrated, at times `step` apart from zero on; between them by the cubics through angles and velocities. */
+/** An integrated motion, at times `step` apart from zero on; between them by cubic interpolation of angles and velocities. */
 export class IntegratedCourse implements Course {
   readonly #step: number;
   readonly #known: Samples;
@@ -48,7 +48,7 @@ export class IntegratedCourse implements Course {
     [this.#step, this.#known] = [step, known];
   }
 
-  /** The last time that is known. */
+  /** The last known time. */
   get end(): number {
     return (this.#known.angles.length - 1) * this.#step;
   }

@@ -1,4 +1,4 @@
-// What is known of the motion, in numbers.
+// Facts of the motion, in numbers.
 
 import type { Motion } from "../../engine/mathematics.ts";
 import { element } from "../../parts/element.ts";
@@ -8,7 +8,7 @@ import type { Place } from "./course.ts";
 
 const words = text.pendulum.facts;
 
-/** Nearer to the top the distance says more than the angle, in rad. */
+/** Distance from the top, in rad, below which the distance is shown instead of the angle. */
 const NEAR = 1e-3;
 
 export class Facts {
@@ -21,7 +21,7 @@ export class Facts {
     this.element = element("section", { class: "facts" }, element("h2", {}, words.title), this.#motion, element("h3", {}, words.now), this.#now);
   }
 
-  /** Of exact motions; damped and driven ones have their start alone. */
+  /** Shows the facts of an exact motion; for damped and driven ones only those of the initial state. */
   show(motion: Motion, isExact: boolean, unit: string): void {
     this.#unit = unit;
     const period = Number.isFinite(motion.period) && motion.period > 0;
@@ -51,13 +51,13 @@ function wrapped({ angle, turns }: Place): number {
   return angle - 2 * Math.PI * turns;
 }
 
-// Next to the separatrix the excess says more than the ratio.
+// Close to the separatrix the excess is more informative than the ratio.
 function energy({ energyRatio, energyExcess }: Motion): string {
   const small = Math.abs(energyExcess) < 1e-6 && energyExcess !== 0;
   return small ? `1 ${energyExcess < 0 ? "−" : "+"} ${digits(Math.abs(energyExcess), 6)}` : digits(energyRatio, 12);
 }
 
-/** Texts are replaced one by one, so that what is selected stays selected. */
+/** Texts are replaced one by one, so that a selection stays. */
 function fill(list: HTMLElement, entries: readonly (readonly [string, string | undefined])[]): void {
   const shown = entries.filter((entry): entry is readonly [string, string] => entry[1] !== undefined);
   const names = shown.map(([name]) => name).join("\n");

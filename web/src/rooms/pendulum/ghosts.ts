@@ -1,4 +1,4 @@
-// Pendulums by formulas, beside the exact one.
+// Approximate pendulums, shown with the exact one.
 
 import type { Mathematics, Motion } from "../../engine/mathematics.ts";
 import type { Colour } from "../../parts/colours.ts";
@@ -13,7 +13,7 @@ export interface Ghost {
 export const APPROXIMATIONS = ["small-angle", "fourier-3", "fourier-5", "fourier-7"] as const;
 const COLOURS: readonly Colour[] = ["curve-2", "curve-3", "curve-4", "curve-5"];
 
-/** The motion of an approximation; `undefined` where it does not suppose such a start. */
+/** The motion of an approximation; `undefined` if it does not apply to such an initial state. */
 export function approximate(mathematics: Mathematics, key: string): Ghost | undefined {
   const place = APPROXIMATIONS.findIndex((known) => known === key);
   const colour = COLOURS[place];
@@ -21,7 +21,7 @@ export function approximate(mathematics: Mathematics, key: string): Ghost | unde
   return { key, colour, angles: (first, step, count) => mathematics.approximation(place, first, step, count) ?? new Float64Array(count).fill(NaN) };
 }
 
-/** The exact swing, gone through in the period that a formula gives. */
+/** The exact motion, rescaled to the period of a formula. */
 export function withPeriod(mathematics: Mathematics, key: string, motion: Motion, period: number): Ghost {
   const faster = motion.period / period;
   return { key, colour: "curve-6", angles: (first, step, count) => mathematics.states(first * faster, step * faster, count).angles };

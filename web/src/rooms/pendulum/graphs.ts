@@ -10,13 +10,13 @@ import { type Axes, type Pen, Plot, type Range } from "../../parts/plot.ts";
 const words = text.pendulum.graphs;
 const POINTS = 1200;
 
-/** What is drawn. */
+/** The data to draw. */
 export interface Scene {
   readonly course: Course;
   readonly motion: Motion;
-  /** `false` for damped and driven motions, of which `motion` is the start alone. */
+  /** `false` for damped and driven motions, for which `motion` describes only the initial state. */
   readonly isExact: boolean;
-  /** Integrated motions have no harmonics. */
+  /** Harmonics of the motion; `undefined` for integrated motions. */
   readonly harmonics: Harmonics | undefined;
   readonly ghosts: readonly Ghost[];
   /** The times that are shown. */
@@ -59,7 +59,7 @@ export class Graphs {
     }
   }
 
-  /** Where the motion is now, and its ghosts. */
+  /** Marks the current state, and those of the ghosts. */
   mark(time: number, place: Place, ghosts: readonly number[]): void {
     const scene = this.#scene;
     if (scene === undefined) return;
@@ -155,9 +155,9 @@ export class Graphs {
   }
 }
 
-/** Each harmonic turns at its own rate; the end of the last is over the angle. */
+/** Each harmonic turns at its own rate; the end of the last one marks the angle. */
 function drawEpicycles(pen: Pen, { fundamental, meanVelocity, epoch, terms }: Harmonics, time: number): void {
-  // Of rotations the angle is the even turning and a sum of sines.
+  // For rotations the angle is a uniform rotation plus a sum of sines.
   const shift = meanVelocity === 0 ? 0 : -Math.PI / 2;
   let [x, y] = [0, 0];
   for (const { n, angle } of terms.slice(0, 24)) {
@@ -208,7 +208,7 @@ function wrapped(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
-/** Of ghosts that leave every bound no more than this is shown. */
+/** The range of the curves, with at most `most` for ghosts that diverge. */
 function extent(curves: readonly Float64Array[], most = Infinity): Range {
   let [low, high] = [Infinity, -Infinity];
   for (const curve of curves) {
@@ -219,12 +219,12 @@ function extent(curves: readonly Float64Array[], most = Infinity): Range {
   return Number.isFinite(low) && Number.isFinite(high) ? [low, high] : [-1, 1];
 }
 
-/** The smallest and the largest angle: of swings by the amplitude, of others as far as they are shown. */
+/** The smallest and the largest angle: for swings from the amplitude, for others over the times shown. */
 function angleExtent(isExact: boolean, { regime, amplitude }: Motion, angles: Float64Array): Range {
   return isExact && regime === "libration" ? [-amplitude, amplitude] : extent([angles]);
 }
 
-/** The smallest and the largest velocity: by the energy, of damped and driven motions as far as they are shown. */
+/** The smallest and the largest velocity: from the energy, for damped and driven motions over the times shown. */
 function velocityExtent(isExact: boolean, { regime, energyRatio, energyExcess, angularFrequency }: Motion, velocities: Float64Array): Range {
   if (!isExact || !["libration", "rotation"].includes(regime)) return extent([velocities]);
   const [most, least] = [2 * angularFrequency * Math.sqrt(energyRatio), 2 * angularFrequency * Math.sqrt(Math.max(0, energyExcess))];
@@ -237,7 +237,7 @@ function padded([low, high]: Range): Range {
   return [low - room, high + room];
 }
 
-/** Ticks at parts of a half turn. */
+/** Ticks at fractions of a half turn. */
 function angleTicks(axis: "x" | "y", [low, high]: Range, unit: string, most = 5): Partial<Axes> {
   if (unit === "rad") return {};
   const steps = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440, 3600];

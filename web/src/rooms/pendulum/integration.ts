@@ -1,13 +1,13 @@
-// Damped and driven motions, which have no formula: integrated by the command, further ahead as the time goes on.
+// Damped and driven motions, which have no formula: integrated by the command, further ahead as time advances.
 
 import { type Engine, text as decoded } from "../../engine/engine.ts";
 import { ask, type Command, extended, reason } from "../../parts/command.ts";
 import { IntegratedCourse } from "./course.ts";
 
-/** Between two samples, in seconds. */
+/** Time between two samples, in seconds. */
 const STEP = 0.01;
 
-/** What the room has set, as it is written. */
+/** The settings of the room, as entered. */
 export interface Forces {
   readonly angle: string;
   readonly velocity: number;
@@ -33,7 +33,7 @@ export function command({ angle, velocity, angularFrequency, damping, drive, dri
   };
 }
 
-/** The motion until a time in seconds, or why there is none. */
+/** The motion until a time in seconds, or the reason why there is none. */
 export async function integrated(engine: Engine, forces: Forces, until: number, signal: AbortSignal): Promise<IntegratedCourse | { readonly error: string; readonly item: string }> {
   const answer = await ask(engine, extended(command(forces, until), { csv: true, "no-errors": true }), { signal });
   if (answer.status !== 0) return { error: reason(answer), item: answer.error.item };

@@ -1,4 +1,4 @@
-// The motion as a picture and as numbers to keep, both by the command, and the lines that ask for the same.
+// The motion as a picture and as numbers to save, both by the command, and the equivalent lines.
 
 import type { Engine } from "../../engine/engine.ts";
 import { ask, type Command, extended, reason } from "../../parts/command.ts";
@@ -10,7 +10,7 @@ import { text } from "../../texts/en.ts";
 
 const words = text.pendulum.keep;
 
-/** Samples in a table. */
+/** Number of samples in a table. */
 const ROWS = 1000;
 
 export class Keep {
@@ -35,7 +35,7 @@ export class Keep {
     );
   }
 
-  /** Of this motion, beside approximate ones, for so many seconds unless the command says it. */
+  /** Shows this motion, with approximate ones, for this number of seconds or by default for a time chosen by the command. */
   show(command: Command, compared: readonly string[], seconds: number | undefined): void {
     const times = seconds === undefined ? undefined : `0:${Number(seconds.toPrecision(6))}:${Number((seconds / ROWS).toPrecision(6))}`;
     this.#command = extended(command, { times, compare: compared.join(",") });

@@ -1,4 +1,4 @@
-// The first room: one pendulum, moved by the exact solution.
+// Room 1: one pendulum, moved by the exact solution.
 
 import type { Address } from "../../address.ts";
 import type { Engine } from "../../engine/engine.ts";

@@ -9,17 +9,17 @@ export interface Shown {
 }
 
 export interface Hands {
-  /** The bob is held at this angle in rad, within (−π, π]. */
+  /** Called while the bob is held at this angle in rad, within (−π, π]. */
   held(angle: number): void;
-  /** It is let go with this velocity in rad/s. */
+  /** Called when the bob is let go with this velocity in rad/s. */
   letGo(angle: number, velocity: number): void;
-  /** It is taken away, as by a gesture of the system: neither let go nor thrown. */
+  /** Called when the system takes the pointer away: the bob is neither let go nor thrown. */
   taken(): void;
-  /** Keys turn the angle of release by so many degrees. */
+  /** Called when keys turn the angle of release, in degrees. */
   turned(degrees: number): void;
 }
 
-/** Slower throws are no throws, in rad/s. */
+/** Smallest velocity of a throw, in rad/s; slower releases are from rest. */
 const STILL = 0.3;
 
 export class Stage {
@@ -39,7 +39,7 @@ export class Stage {
     this.#listen(hands);
   }
 
-  /** The angle of release for those who do not see it. */
+  /** Describes the angle of release for screen readers. */
   describe(degrees: number, words: string): void {
     this.canvas.setAttribute("aria-valuenow", String(degrees));
     this.canvas.setAttribute("aria-valuetext", words);
@@ -110,7 +110,7 @@ export class Stage {
   }
 
   #listen(hands: Hands): void {
-    /** The last movements, to tell how fast it is thrown. */
+    /** The last movements, from which the velocity of a throw is computed. */
     let moves: { angle: number; at: number }[] = [];
     /** The pointer that holds the bob. */
     let holder: number | undefined;

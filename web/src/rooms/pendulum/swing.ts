@@ -1,4 +1,4 @@
-// What moves: the start from the fields, the course of the motion, and all that shows it.
+// The moving part of the room: the initial state from the fields, the course of the motion, and all displays of it.
 
 import type { Address } from "../../address.ts";
 import type { Engine } from "../../engine/engine.ts";
@@ -24,9 +24,9 @@ import { Transport } from "./transport.ts";
 
 const words = text.pendulum;
 
-/** Integrated at first, and as far at most, in seconds. */
+/** Length of the first and of the longest integration, in seconds. */
 const [AHEAD, FARTHEST] = [60, 3840];
-/** Between two changes of numbers that are read, in milliseconds. */
+/** Time between two changes of displayed numbers, in milliseconds. */
 const READABLE = 100;
 
 export class Swing {
@@ -91,7 +91,7 @@ export class Swing {
     this.#closing.push(onColours(() => [this.#stage, this.#graphs].forEach((it) => it.redraw())));
   }
 
-  /** Begins the motion that the fields describe, at its start unless the time is kept. */
+  /** Starts the motion that the fields describe, from its beginning unless the time is kept. */
   #start(isFromStart = true): void {
     this.#abort.abort();
     this.#abort = new AbortController();
@@ -140,7 +140,7 @@ export class Swing {
     return this.#controls.form.value(key);
   }
 
-  /** Damping and driving, where there are any. */
+  /** Damping and driving, if there are any. */
   #forces({ angularFrequency }: Motion): Forces | undefined {
     const [damping, drive, driveFrequency] = [this.#value("damping"), this.#value("drive"), this.#value("driveFrequency")];
     const isNone = (written: string) => written === "" || Number(written) === 0;
@@ -166,7 +166,7 @@ export class Swing {
 
   #ahead: { forces: Forces; course: IntegratedCourse; until: number } | undefined;
 
-  /** The exact swing in the period of the chosen formula. */
+  /** Adds the exact motion rescaled to the period of the chosen formula. */
   async #addFormula(motion: Motion): Promise<void> {
     const key = this.#value("formula");
     if (key === "" || motion.regime !== "libration" || this.#course === undefined) return;
@@ -211,7 +211,7 @@ export class Swing {
     this.#lookAhead();
     let place = course.at(this.#clock.time);
     if (place === undefined && "end" in course) {
-      // Not integrated as far: the pendulum waits.
+      // The integration is not as far yet: the pendulum waits.
       this.#clock.time = (course as IntegratedCourse).end;
       place = course.at(this.#clock.time);
     }
@@ -234,7 +234,7 @@ export class Swing {
     void this.#integrate(ahead.forces, 2 * ahead.until);
   }
 
-  /** The graphs show the next stretch of time. */
+  /** Lets the graphs show the next interval of time. */
   #turnPage(motion: Motion, course: Course): void {
     const length = shownTimes(motion);
     const first = Math.floor(this.#clock.time / length) * length;
@@ -244,7 +244,7 @@ export class Swing {
     this.#graphs.show({ course, motion, isExact, harmonics, ghosts: this.#ghosts, window: this.#window, unit: this.#value("unit") });
   }
 
-  /** The time was changed by hand, or has begun or ceased to run: the address says so. */
+  /** Writes the time to the address after it was changed by hand, or has begun or ceased to run. */
   #moved(): void {
     const { speed } = this.#transport;
     this.#address.put({ t: this.#clock.isRunning ? undefined : String(Number(this.#clock.time.toFixed(6))), speed: unless(speed, "1") });
@@ -259,7 +259,7 @@ export class Swing {
     this.#stage.show({ angle, ghosts: [] });
   }
 
-  /** Within half a degree it is let go exactly at the top. */
+  /** Releases the bob; within half a degree of the top it is released exactly there. */
   #letGo(angle: number, velocity: number): void {
     const degrees = (180 / Math.PI) * angle;
     const top = Math.abs(Math.abs(degrees) - 180) < 0.5 && velocity === 0;
@@ -269,7 +269,7 @@ export class Swing {
     this.#resume();
   }
 
-  /** The bob was taken out of the hand: the motion goes on as if it had not been touched. */
+  /** Continues the motion unchanged after the system took the pointer away. */
   #taken(): void {
     this.#picture();
     this.#resume();
@@ -302,12 +302,12 @@ function valueOf(reading: Reading): number | undefined {
   return "value" in reading ? reading.value : undefined;
 }
 
-/** What is as usual need not be said. */
+/** `undefined` for the usual value, which is omitted. */
 function unless(value: string, usual: string): string | undefined {
   return value === usual ? undefined : value;
 }
 
-/** How much time the graphs show, in seconds: three periods, or what can be watched of motions that have none or very long ones. */
+/** Length of the graphs' time axis, in seconds: three periods, or a time that can be watched if the period is infinite or very long. */
 function shownTimes({ period, smallAnglePeriod }: Motion): number {
   const usual = 5 * smallAnglePeriod;
   return Number.isFinite(period) && period > 0 ? Math.min(3 * period, 12 * usual) : usual;

@@ -1,4 +1,4 @@
-// The buttons of time.
+// The controls of time.
 
 import { button, element } from "../../parts/element.ts";
 import { choiceField } from "../../parts/field.ts";
@@ -7,7 +7,7 @@ import type { Clock } from "../../parts/clock.ts";
 
 const words = text.pendulum.transport;
 
-/** One step, in pictures of a sixtieth of a second at the chosen speed. */
+/** One step, in frames of a sixtieth of a second at the chosen speed. */
 const STEP = 1 / 60;
 
 export class Transport {
@@ -18,7 +18,7 @@ export class Transport {
   readonly #speed = choiceField({ key: "speed", words: { label: words.speed }, initial: "1" }, words.speeds.map(([value = "", name = ""]) => [value, name] as const));
   readonly #reverse: HTMLButtonElement;
 
-  /** `changed` is called when the time has changed by hand, or has begun or ceased to run. */
+  /** `changed` is called when the time was changed by hand, or has begun or ceased to run. */
   constructor(clock: Clock, speed: string, changed: () => void) {
     [this.#clock, this.#changed] = [clock, changed];
     this.#run = button(words.play, () => this.toggle(), { class: "main run" });
@@ -63,13 +63,13 @@ export class Transport {
     this.#changed();
   }
 
-  /** Whether the time runs. */
+  /** Shows whether the time runs. */
   show(): void {
     const label = this.#clock.isRunning ? words.pause : words.play;
     if (this.#run.textContent !== label) this.#run.textContent = label;
   }
 
-  /** The keys of the page, but where text is entered; whether it was one. */
+  /** Handles the keys of the page, except where text is entered; returns `true` for such a key. */
   key(event: KeyboardEvent): boolean {
     const target = event.target as HTMLElement;
     const isBusy = target.closest("input:not([type=range]), select, textarea, summary, a") !== null || (event.key === " " && target.closest("button, input") !== null);

@@ -1,10 +1,10 @@
-// What the command says of expansions, as JSON.
+// The results of the command for expansions, as JSON.
 
 export interface Oscillators {
   readonly oscillators: readonly { key: string; title: string; equation: string }[];
 }
 
-/** An answer of `libration expand --evaluate`. */
+/** The result of `libration expand --evaluate`. */
 export interface Evaluation {
   readonly amplitude: number;
   readonly exact: number | null;
@@ -16,7 +16,7 @@ export interface Evaluation {
   readonly steps: readonly { power: number; coefficient: string; term: number; sum: number; error: number | null; bound: number | null; bound_is: string | null }[];
 }
 
-/** An answer of `libration backbone`. */
+/** The result of `libration backbone`. */
 export interface Backbone {
   readonly points: readonly {
     amplitude: number;

@@ -1,4 +1,4 @@
-// What the reader gives: the oscillator, the expansion, and where it is tried.
+// The fields of the room: the oscillator, the expansion, and the amplitude of its evaluation.
 
 import { choiceField, type Field, textField } from "../../parts/field.ts";
 import { unitSwitch } from "../../parts/unit_switch.ts";
@@ -6,9 +6,9 @@ import { text } from "../../texts/en.ts";
 
 const words = text.perturbation;
 
-/** Where an oscillator whose variable is an angle is tried. */
+/** Default amplitudes for oscillators whose variable is an angle. */
 export const ANGLES = { evaluate: "60deg", amplitudes: "10deg:170deg:10deg" } as const;
-/** The same for oscillators whose variable is no angle: amplitudes at which all of the catalogue oscillate. */
+/** The same for oscillators whose variable is not an angle: amplitudes at which all of the catalogue oscillate. */
 export const PLAIN = { evaluate: "0.4", amplitudes: "0.05:0.4:0.05" } as const;
 
 export function fields(): Field[] {

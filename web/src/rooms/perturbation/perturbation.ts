@@ -1,4 +1,4 @@
-// Room 3: exact series of any oscillator, beside its exact motion.
+// Room 3: exact series of any oscillator, compared with its exact motion.
 
 import type { Address } from "../../address.ts";
 import { type Answer, type Engine, text as decoded } from "../../engine/engine.ts";
@@ -25,7 +25,7 @@ import { ANGLES, fields, PLAIN } from "./fields.ts";
 import { backbone, evaluation, grouped } from "./results.ts";
 
 const words = text.perturbation;
-/** Expansions up to this order need no stages. */
+/** Highest order that is computed without stages. */
 const QUICK = 15;
 const LANGUAGES: readonly (readonly [format: string, name: string, ending: string])[] = [["python", "Python", "py"], ["c", "C", "c"], ["rust", "Rust", "rs"], ["fortran", "Fortran", "f90"]];
 
@@ -52,7 +52,7 @@ class PerturbationRoom {
   readonly #seriesPicture: Picture;
   readonly #backbonePicture: Picture;
   readonly #numbers: Readonly<Record<"series" | "backbone", SavedNumbers>>;
-  /** What can be saved of a series. */
+  /** The buttons that save a series. */
   readonly #saving: HTMLElement;
   readonly #equivalents = new Equivalents();
   #latex = "";
@@ -118,7 +118,7 @@ class PerturbationRoom {
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
-  // An equation without an angle is not tried at angles that nobody has entered.
+  // An equation without an angle is not evaluated at default angles.
   #fit(): void {
     const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
     if (this.#form.value("oscillator").includes("=") && !this.#isOfAngle() && isUntouched) this.#put(PLAIN);
@@ -141,7 +141,7 @@ class PerturbationRoom {
     if (!signal.aborted) await this.#compare(signal);
   }
 
-  /** There is no series, for this reason, which may stand beside its field, and nothing to compare with it. */
+  /** Shows the reason why there is no series, which may also be shown next to its field, and removes the comparison. */
   #nothing(why: string): void {
     this.#series.show();
     this.#series.fail(why);
@@ -179,7 +179,7 @@ class PerturbationRoom {
     return extended({ ...this.#about(), question: "backbone" }, { amplitudes: value("amplitudes"), order: value("order") });
   }
 
-  // Order by order, so that something is there early. Whether there is a series at all.
+  // Expands order by order, so that results are visible early. Returns `true` if there is a series.
   async #expand(signal: AbortSignal): Promise<boolean> {
     const last = Number(this.#form.value("order"));
     const earlier = Number.isInteger(last) && last > QUICK ? ladder(last, QUICK).slice(0, -1) : [];
@@ -190,7 +190,7 @@ class PerturbationRoom {
       let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
       const isPlain = answer.status !== 0 && answer.error.parameters.includes("--format");
       if (isPlain && !signal.aborted) answer = await ask(this.#engine, asked, { signal });
-      // What is stopped is as good as it is long.
+      // A cancelled series is valid up to its last order.
       if (signal.aborted && (!isWanted(signal) || answer.output.length === 0)) return false;
       if (answer.status !== 0 && !signal.aborted) {
         this.#nothing(this.#form.blame(answer));
@@ -231,7 +231,7 @@ class PerturbationRoom {
     await this.#backbonePicture.draw(asked, signal);
   }
 
-  // The series stands: only what the trial asks for beyond it can be wrong. It is said in the part as well, since the field may be far away.
+  // The series exists: only the options of the evaluation can be wrong. The error is shown in the part as well, since the field may be far away.
   #onTrial(answer: Answer): string {
     this.#form.blame(answer, ["evaluate", "quantity", "amplitudes"]);
     return reason(answer);
@@ -247,7 +247,7 @@ class PerturbationRoom {
     language.value = "python";
     const saved = button(words.code.save, () => void this.#saveCode(language.value));
     const copy = copyButton(() => this.#latex, words.copyLatex);
-    // The LaTeX is asked for when the button is reached, so that copying follows the press at once.
+    // The LaTeX is queried when the pointer or the focus reaches the button, so that a press copies at once.
     for (const event of ["pointerenter", "focus"]) copy.addEventListener(event, () => void this.#readLatex());
     const latex = element("span", {}, `${words.copyLatex}: `, copy);
     return element("div", { class: "screen-only", hidden: true }, element("p", { class: "buttons" }, latex), this.#numbers.series.element, element("div", { class: "code-choice" }, language.element, saved));

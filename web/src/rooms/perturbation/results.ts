@@ -1,4 +1,4 @@
-// What is found of an expansion, as tables and sentences.
+// The results of an expansion, as tables and sentences.
 
 import { element } from "../../parts/element.ts";
 import { angle, digits } from "../../parts/numbers.ts";
@@ -8,7 +8,7 @@ import type { Backbone, Evaluation } from "./answers.ts";
 
 const words = text.perturbation;
 
-/** The series term by term beside the exact value, in sentences and as a table. */
+/** The series term by term compared with the exact value, in sentences and as a table. */
 export function evaluation(found: Evaluation): Node[] {
   const sentences = [
     found.exact === null ? "" : words.exact(digits(found.exact, 15), digits(found.exact_uncertainty, 2), found.exact_by ?? "–"),
@@ -28,7 +28,7 @@ export function evaluation(found: Evaluation): Node[] {
   return [...sentences.filter((it) => it !== "").map((it) => element("p", {}, it)), table(words.terms, columns, rows)];
 }
 
-/** The frequency at each amplitude: by the orbit, exactly where that is known, and by the series. */
+/** The frequency at each amplitude: from the numerical orbit, exactly where that is known, and from the series. */
 export function backbone({ points }: Backbone, isAngle: boolean, unit: string): HTMLElement {
   const { amplitude, orbit, uncertainty, exact, series, error } = words.backboneColumns;
   const columns = [amplitude, orbit, uncertainty, exact, series, error].map((title) => ({ title, isNumber: true }));
@@ -46,12 +46,12 @@ export function backbone({ points }: Backbone, isAngle: boolean, unit: string): 
   return table(words.backbone, columns, rows);
 }
 
-// Fractions of a hundred digits say less than their size.
+// Fractions of a hundred digits are abbreviated.
 function shortened(coefficient: string): string {
   return coefficient.length <= 40 ? coefficient : `${coefficient.slice(0, 38)}…`;
 }
 
-/** The lines of an expansion under a title for each variable: each of its groups begins with the frequency. */
+/** The lines of an expansion, with a title for each variable: each of its groups begins with the frequency. */
 export function grouped(lines: readonly Node[]): Node[] {
   const titles = [...words.groups];
   const isFrequency = (line: Node) => line.textContent?.startsWith("Ωω0=") === true;

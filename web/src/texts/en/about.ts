@@ -1,11 +1,11 @@
-// What the page is, how good its numbers are, and whom it owes them.
+// The room About: accuracy, sources, licences and citation.
 
 export const about = {
-  lead: "This page is one file. It works without a network, asks for nothing, and what you enter or drop stays on your machine.",
+  lead: "This page is a single file. It works without a network and loads nothing; all inputs and files stay on your machine.",
   accuracy: {
-    title: "How good the numbers are",
-    intro: "The page asks the same questions as the command libration, and gets the same answers, bit for bit. What is promised there holds here:",
-    caption: "Largest errors, held against tables of 40 digits and millions of drawn inputs",
+    title: "Accuracy",
+    intro: "The page runs the same computations as the command libration and returns the same results, bit for bit. The same accuracy holds:",
+    caption: "Largest errors, compared with tables of 40 digits, over millions of random inputs",
     columns: ["quantity", "largest error"],
     rows: [
       ["T / T₀, up to 1e-300 rad from the top", "0.56 ulp"],
@@ -13,8 +13,8 @@ export const about = {
       ["harmonics, energy", "0.56 ulp"],
       ["angle and velocity at a time, within a million periods", "2.2 ulp, and 2⁻⁵¹·|θ′t| or 2⁻⁵¹·|θ″t|"],
     ],
-    ulp: "An ulp is the distance between two neighbouring floating-point numbers, about 1e-16 of the number. An angle is read as it is written: pi-1e-300 keeps its distance to the top.",
-    others: "Perturbation series are exact fractions, checked along a second road. Integrated motions go by Taylor series to a tolerance of 1e-12 a step unless another is asked for. Fits state the uncertainty of what they find. Every answer says what it does not know.",
+    ulp: "An ulp is the distance between two neighbouring floating-point numbers, about 1e-16 of the number. Angles are parsed exactly: pi-1e-300 keeps its distance from the top.",
+    others: "Perturbation series have exact rational coefficients, verified by a second method. Motions are integrated by Taylor series with a default tolerance of 1e-12 per step. Fits state the uncertainties of their parameters. Every result states what is not known.",
   },
   sources: {
     title: "Sources",
@@ -27,13 +27,13 @@ export const about = {
   },
   licences: {
     title: "Licences",
-    own: "libration and this page may be used under the MIT licence or the Apache Licence 2.0, as you like.",
-    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, nalgebra, csv, rawzip, quick-xml and serde_json among them, and letters of STIX Two Math.",
+    own: "libration and this page may be used under the MIT licence or the Apache Licence 2.0, at your choice.",
+    others: "The page contains parts of other works: Rust’s standard library, dashu, libm, clap, nalgebra, csv, rawzip, quick-xml and serde_json among them, and glyphs of STIX Two Math.",
     list: "All of them, and the texts of their licences",
   },
   cite: {
     title: "How to cite",
-    intro: "If the page or its numbers helped you, cite the software with its version. CITATION.cff in the sources holds the same.",
+    intro: "If you use the page or its results in your work, cite the software with its version. CITATION.cff in the source code contains the same entry.",
     label: "For BibTeX",
   },
 } as const;

@@ -1,17 +1,17 @@
-// Sentences that several rooms share.
+// Texts shared by several rooms.
 
 export const parts = {
   computing: "Computing …",
   stop: "Stop",
-  stopped: "Stopped. What is shown was computed until then.",
+  stopped: "Stopped. Partial results are shown.",
   copy: "Copy",
   copied: "Copied",
   notCopied: "Could not copy",
-  equivalents: "The same as a command and in Python",
-  asCommand: "As a command",
-  inPython: "In Python",
+  equivalents: "Equivalent command and Python code",
+  asCommand: "Command",
+  inPython: "Python",
   savePicture: (kind: string) => `Save the picture as ${kind}`,
   saveData: "Save the numbers as CSV",
-  nothingToSave: "There is nothing to save.",
+  nothingToSave: "Nothing to save.",
   unit: { label: "Angles in", degrees: "degrees", radians: "radians" },
 } as const;

@@ -1,27 +1,27 @@
-// A fleet: motions from neighbouring starts, some of which are followed a second time to see how far they can be trusted.
+// An ensemble: motions from neighbouring initial states, some of which are recomputed to check how far they can be trusted.
 
 import { Ensemble, type EnsembleFacts } from "../../../engine/ensemble.ts";
 import type { Engine, QueryError } from "../../../engine/engine.ts";
 import type { Command } from "../../../parts/command.ts";
 import { some, starts } from "./starts.ts";
 
-/** So many are followed a second time, evenly among all: as many as the library takes at once. */
+/** Number of recomputed motions, evenly spaced among all: as many as the library integrates at once. */
 export const CHECKED = 16;
-/** Their tolerance. */
+/** The tolerance of the recomputed motions. */
 export const CLOSE = "1e-14";
-/** More than two would wait for each other, and for the page. */
+/** Maximum number of workers: more would compete with each other and with the page. */
 const MOST_WORKERS = 3;
 
-/** The fleet at a time. */
+/** The ensemble at a time. */
 export interface Frame {
   readonly time: number;
-  /** Of each motion the numbers of its state. */
+  /** The state components of each motion. */
   readonly states: Float64Array;
-  /** Of each motion, of each body: its place and that on which it hangs. */
+  /** For each body of each motion, its position and that of its suspension point. */
   readonly bodies: Float64Array;
   /** The largest distance in a coordinate between two motions. */
   readonly spread: number;
-  /** The largest distance in a coordinate between a motion and the same followed more closely. */
+  /** The largest distance in a coordinate between a motion and its recomputation. */
   readonly error: number;
   readonly ended: number;
   readonly cause: string;
@@ -39,11 +39,11 @@ export class Fleet {
     this.facts = { ...check.facts, count };
   }
 
-  /** Begins the motions of a table of starts, each worker a part of them; or says why not. */
+  /** Begins the motions of a table of initial states, a part of them in each worker; returns an error if that fails. */
   static async begin(engine: Engine, system: Command, tolerance: string, rows: string): Promise<Fleet | { readonly error: QueryError }> {
     const count = rows.trimEnd().split("\n").length - 1;
     const checked = evenly(count, Math.min(CHECKED, count));
-    // The first one alone: what is refused is refused once, and the others find the module compiled.
+    // The first worker starts alone: an error is reported once, and the others receive the compiled module.
     const check = await Ensemble.begin(await engine.worker(), starts(system, CLOSE, some(rows, checked)));
     if ("error" in check) return check;
     const workers = Math.min(Math.max(1, navigator.hardwareConcurrency - 1), MOST_WORKERS, Math.ceil(count / CHECKED));
@@ -57,7 +57,7 @@ export class Fleet {
     return refused as { readonly error: QueryError };
   }
 
-  /** The fleet at a time, not before one that was asked for already. */
+  /** The ensemble at a time, not before one that was requested already. */
   async at(time: number): Promise<Frame> {
     const [check, ...parts] = await Promise.all([this.#check, ...this.#parts].map((part) => part.at(time)));
     const states = joined(parts.map((part) => part.states));
@@ -79,7 +79,7 @@ export class Fleet {
   }
 }
 
-/** So many numbers from 0 to below a count. */
+/** Evenly spaced numbers from 0 to below a count. */
 function evenly(count: number, many: number): number[] {
   return Array.from({ length: many }, (_, n) => Math.round((n * (count - 1)) / Math.max(1, many - 1)));
 }

@@ -1,10 +1,10 @@
-// How far neighbours have come apart in time, and how far the numbers can be wrong, on a logarithmic axis.
+// The distance between neighbouring motions and the numerical error against time, on a logarithmic axis.
 
 import { Plot, type Range } from "../../../parts/plot.ts";
 
-/** Longer courses are thinned. */
+/** Maximum number of points; longer curves are thinned. */
 const MOST = 4000;
-/** Below what an angle of double precision tells. */
+/** Lower end of the axis, below the resolution of an angle in double precision. */
 const LEAST = 1e-17;
 
 export class Growth {

@@ -2,7 +2,7 @@
 
 import { colours } from "../../../parts/colours.ts";
 
-/** Between them, in pixels. */
+/** The gap between them, in pixels. */
 const GAP = 16;
 
 /** The bytes of a PNG file. */

@@ -1,4 +1,4 @@
-// The part of the room where a fleet moves: its fields, buttons, pictures and words.
+// The part of the room for ensembles: its fields, buttons, pictures and words.
 
 import type { Address } from "../../../address.ts";
 import { type Engine, plainError, type QueryError } from "../../../engine/engine.ts";
@@ -19,7 +19,7 @@ import { FILE, question, table } from "./starts.ts";
 
 const words = text.chaos.fleet;
 const MOST = 20_000;
-/** Words that change can be read when they change so seldom, in milliseconds. */
+/** Shortest time between changes of the words, in milliseconds, so that they can be read. */
 const READABLE = 500;
 
 export class FleetPanel {
@@ -46,7 +46,7 @@ export class FleetPanel {
   #fleet: Fleet | undefined;
   #frame: Frame | undefined;
   #first = 0;
-  /** When the error has come near the spread of the fleet. */
+  /** The time at which the error came close to the spread of the ensemble. */
   #trustEnds: number | undefined;
   #read = 0;
   #pace = "";
@@ -66,13 +66,13 @@ export class FleetPanel {
     this.element = element("section", { class: "fleet" }, element("h2", {}, words.title), element("p", { class: "lead" }, words.lead), this.#failure, this.#status, this.#moving);
   }
 
-  /** The fleet of this system between the first two of these starts, if it is another one. */
+  /** Shows the ensemble of this system between the first two of these initial states, if it is another one. */
   show(system: Command, starts: readonly string[]): void {
     this.#asked = { system, starts };
     this.#update();
   }
 
-  /** What the room has asked has no answer, and so there is no fleet. */
+  /** Removes the ensemble, because the query of the room has no result. */
   clear(): void {
     this.#asked = undefined;
     this.#end();
@@ -85,7 +85,7 @@ export class FleetPanel {
     for (const { plot } of [this.#plane, this.#stroboscope, this.#growth]) plot.close();
   }
 
-  /** The question whose answer has the same motions now. */
+  /** The query that computes the same motions at the current time. */
   command(): Command | undefined {
     if (this.#asked === undefined || this.#fleet === undefined) return undefined;
     const time = this.#player === undefined || this.#player.isRunning || this.#player.time === 0 ? "0:10:1" : String(this.#player.time);
@@ -222,7 +222,7 @@ export class FleetPanel {
     this.#fail(this.#form.blame({ status: 2, output: new Uint8Array(), error, files: new Map() }));
   }
 
-  /** There is no fleet: what is wrong, or what is missing. */
+  /** Shows why there is no ensemble: an error, or a missing entry. */
   #fail(reason: string, missing = ""): void {
     this.#failure.textContent = reason;
     this.#failure.hidden = reason === "";

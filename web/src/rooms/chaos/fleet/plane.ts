@@ -1,11 +1,11 @@
-// The states of a fleet as points in a plane: where they are now, or where they were at each period of the drive.
+// The states of an ensemble as points in a plane: the current ones, or those at each period of the drive.
 
 import type { EnsembleFacts } from "../../../engine/ensemble.ts";
 import type { Pen, Range } from "../../../parts/plot.ts";
 import { Plot } from "../../../parts/plot.ts";
 import { shades } from "./stage.ts";
 
-/** Numbers of the state that are drawn against each other, of which the coordinates that are angles are brought into one turn. */
+/** State components that are drawn against each other; coordinates that are angles are reduced to one turn. */
 export interface Axes {
   readonly numbers: readonly [number, number];
   readonly folded: readonly [boolean, boolean];
@@ -23,7 +23,7 @@ export function axes({ coordinates, names, units }: EnsembleFacts): Axes {
 const TURN = 2 * Math.PI;
 const WHOLE_TURN: Range = [-Math.PI, Math.PI];
 const TICKS: readonly (readonly [number, string])[] = [[-Math.PI, "−π"], [-Math.PI / 2, "−π/2"], [0, "0"], [Math.PI / 2, "π/2"], [Math.PI, "π"]];
-/** A new range has so much more room than there are values. */
+/** The margin of a new range, relative to the range of the values. */
 const ROOM = 0.15;
 
 export class Plane {
@@ -33,7 +33,7 @@ export class Plane {
   #ranges: [Range, Range] = [[0, 0], [0, 0]];
   #words = "";
   #shades: string[] = [];
-  /** Points that stay, x and y in turns, behind each other. */
+  /** Points that stay, as alternating x and y. */
   #kept: Float64Array[] = [];
 
   constructor(title: string) {
@@ -52,16 +52,16 @@ export class Plane {
     this.plot.canvas.setAttribute("aria-label", words);
   }
 
-  /** The states as they are now. */
+  /** Shows the current states. */
   show(states: Float64Array): void {
     const points = this.#points(states);
     this.#fit(points);
     this.plot.move((pen) => this.#dots(pen, points));
   }
 
-  /** These states too, for good. */
+  /** Adds these states permanently. */
   keep(states: Float64Array): void {
-    /** As many points at most, in parts. */
+    /** Maximum number of points, in several arrays. */
     const MOST = 400_000;
     const points = this.#points(states);
     this.#kept.push(points);
@@ -79,7 +79,7 @@ export class Plane {
     return points;
   }
 
-  /** Makes room for points outside of the axes; whether it had to. */
+  /** Extends the axes to points outside of them; returns `true` if that was necessary. */
   #fit(points: Float64Array): boolean {
     let changed = false;
     for (const axis of [0, 1] as const) {

@@ -1,24 +1,24 @@
-// The time of a fleet: as fast as the clock where the machine can, and never ahead of what is computed.
+// The time of an ensemble: as fast as the clock if the machine can, and never ahead of the computation.
 
 import type { Fleet, Frame } from "./fleet.ts";
 
 /** One step by hand, in s. */
 const STEP = 1 / 30;
-/** A picture is at most so much later than that before it, in s of the clock: what takes longer is not made up for. */
+/** Longest time between two frames, in s of the clock; longer delays are skipped. */
 const LONGEST = 0.1;
-/** On the way to a time far ahead, in s. */
+/** Step on the way to a distant time, in s. */
 const STRIDE = 0.1;
 
 export interface Pace {
   readonly pictures: number;
-  /** Time of the motion in that of the clock. */
+  /** Time of the motion per time of the clock. */
   readonly pace: number;
 }
 
 export class Player {
   speed = 1;
   #time = 0;
-  /** The last time that was asked for. */
+  /** The last time that was requested. */
   #asked = 0;
   #running = false;
   #playing = false;
@@ -30,7 +30,7 @@ export class Player {
   readonly #kept: (frame: Frame) => void;
   readonly #failed: (reason: string) => void;
 
-  /** `shown` takes the fleet before each picture, `kept` at each period of its drive, `failed` why it goes no further. */
+  /** `shown` receives the ensemble before each frame, `kept` at each period of its drive, `failed` the reason why it ends. */
   constructor(fleet: Fleet, shown: (frame: Frame) => void, kept: (frame: Frame) => void, failed: (reason: string) => void) {
     [this.#fleet, this.#shown, this.#kept, this.#failed] = [fleet, shown, kept, failed];
   }
@@ -39,7 +39,7 @@ export class Player {
     return this.#running;
   }
 
-  /** Whether it goes with the clock, and not to a time that was asked for. */
+  /** `true` if the time follows the clock, and not a request. */
   get isPlaying(): boolean {
     return this.#playing;
   }
@@ -55,7 +55,7 @@ export class Player {
     this.#then(() => this.#play());
   }
 
-  /** Resolves when the last picture is shown. */
+  /** Resolves when the last frame is shown. */
   pause(): Promise<void> {
     this.#running = this.#playing = false;
     return this.#busy;
@@ -65,7 +65,7 @@ export class Player {
     return this.goTo(this.#time + STEP * this.speed);
   }
 
-  /** Shows the fleet at a time that is not behind it, and what is on the way, unless it is told to pause. */
+  /** Shows the ensemble at a time that is not before the current one, and at times on the way, unless it is paused. */
   goTo(time: number, onTheWay: (time: number) => void = () => {}): Promise<void> {
     return this.#then(async () => {
       this.#running = true;
@@ -78,7 +78,7 @@ export class Player {
     });
   }
 
-  /** How it went since it was asked last. */
+  /** The pace since the last call. */
   pace(): Pace | undefined {
     const now = performance.now();
     const { at, time, pictures } = this.#measured;
@@ -102,7 +102,7 @@ export class Player {
     return this.#busy;
   }
 
-  // While a picture is drawn the next one is computed.
+  // The next frame is computed while a frame is drawn.
   async #play(): Promise<void> {
     let last = await picture();
     let next = this.#at(this.#time);
@@ -118,7 +118,7 @@ export class Player {
     }
   }
 
-  /** The fleet at a time, after each period of the drive on the way. */
+  /** The ensemble at a time, after each period of the drive on the way. */
   async #at(time: number): Promise<Frame> {
     const { period } = this.#fleet.facts;
     if (Number.isFinite(period)) {

@@ -1,9 +1,9 @@
-// The bodies of all motions of a fleet, drawn over each other.
+// The bodies of all motions of an ensemble, drawn over each other.
 
 import { colours, onColours } from "../../../parts/colours.ts";
 import { element } from "../../../parts/element.ts";
 
-/** Neighbours have neighbouring colours, of so many. */
+/** Number of colours; neighbouring motions have neighbouring colours. */
 const SHADES = 12;
 
 /** The colours from the first motion to the last. */
@@ -28,7 +28,7 @@ export class Stage {
     this.#observer.observe(this.canvas);
   }
 
-  /** A new fleet, whose motions have so many bodies each. */
+  /** Begins a new ensemble with a number of bodies for each motion. */
   begin(each: number): void {
     [this.#each, this.#reach] = [each, 0];
     this.element.hidden = each === 0;
@@ -99,7 +99,7 @@ export class Stage {
   }
 }
 
-/** How far the farthest body is. */
+/** The distance of the farthest body. */
 function farthest(bodies: Float64Array): number {
   let square = 0;
   for (let at = 0; at + 1 < bodies.length; at += 4) {

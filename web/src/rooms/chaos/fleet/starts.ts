@@ -1,12 +1,12 @@
-// Thousands of starts evenly between two, as a table of the command, and the question about them.
+// Thousands of initial states evenly spaced between two, as a table for the command, and the query about them.
 
 import type { Starts } from "../../../engine/ensemble.ts";
 import { type Command, extended, words } from "../../../parts/command.ts";
 
-/** What the command calls the table. */
+/** The name of the table in the command. */
 export const FILE = "starts.csv";
 
-/** The table of so many starts from one to the other, both as in `theta=0.2,theta'=1`; `undefined` where they are no numbers, each with its unit. */
+/** The table of `count` initial states from one to the other, both as in `theta=0.2,theta'=1`; `undefined` unless all are numbers and the units agree. */
 export function table(from: string, to: string, count: number): string | undefined {
   const [first, last] = [read(from), read(to)];
   if (first === undefined || last === undefined || first.size !== last.size) return undefined;
@@ -22,7 +22,7 @@ export function table(from: string, to: string, count: number): string | undefin
   return `${[names.join(","), ...rows].join("\n")}\n`;
 }
 
-/** The names that a start gives, each with its number and unit. */
+/** The names in an initial state, each with its number and unit. */
 function read(start: string): Map<string, { value: number; unit: string }> | undefined {
   const found = new Map<string, { value: number; unit: string }>();
   for (const item of start.split(",")) {
@@ -33,17 +33,17 @@ function read(start: string): Map<string, { value: number; unit: string }> | und
   return found;
 }
 
-/** The question that has the same motions at some times. */
+/** The query that computes the same motions at given times. */
 export function question(system: Command, tolerance: string, times: string): Command {
   return extended({ ...system, question: "simulate" }, { each: FILE, times, tolerance });
 }
 
-/** The same for those who go from one time to the next. */
+/** The same for motions that advance from one time to the next. */
 export function starts(system: Command, tolerance: string, rows: string): Starts {
   return { words: words(question(system, tolerance, "0,1")), files: new Map([[FILE, new TextEncoder().encode(rows)]]) };
 }
 
-/** The rows of a table with these numbers, from 0. */
+/** The rows of a table with these indices, from 0. */
 export function some(rows: string, numbers: readonly number[]): string {
   const [head = "", ...lines] = rows.trimEnd().split("\n");
   return `${[head, ...numbers.map((number) => lines[number] ?? "")].join("\n")}\n`;
