@@ -1,7 +1,4 @@
 //! The bytes of a file that the command is given: never more than are wanted, whatever the file is.
-//!
-//! # Method
-//! No command reads a file, a pipe or a device beyond a limit.
 
 use crate::call;
 use crate::host::InputFile;

@@ -4,7 +4,7 @@
 //! θ₁ = 2q^¼ sin z·p₁, θ₂ = 2q^¼ cos z·p₂, θ₃ = p₃, θ₄ = p₄, each p a cubic in Y = qX (DLMF 20.2). Where
 //! the modulus is above 1/√2 Jacobi's imaginary transformation (DLMF 20.7(viii)) turns sin, cos into sinh,
 //! cosh and q into the complementary nome, with the same p. Moving by a quarter period exchanges p₁ with
-//! p₂ and p₃ with p₄, so one evaluation, within an later of a turn of the nearest quarter, serves all.
+//! p₂ and p₃ with p₄, so one evaluation, within an eighth of a turn of the nearest quarter, serves all.
 //!
 //! # Method
 //! The phase clock turns time into turns by a frequency in two words and fused multiply-adds; whole turns are split off exactly before anything is

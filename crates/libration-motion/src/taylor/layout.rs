@@ -1,8 +1,4 @@
 //! Order of the state components.
-//!
-//! # Method
-//! A state holds all coordinates, then the velocities of those with an acceleration. All other code asks `StateLayout` for the order of the
-//! components.
 
 use libration_numbers::expression::{Equation, Order, Symbol};
 

@@ -33,9 +33,8 @@
 //!
 //! # Method
 //! The jet is in powers of A, and its coefficients are series in ε of functions of ψ. Each power of A and of ε is one equation of a harmonic
-//! oscillator, whose secular terms fix one coefficient of A′ and one of ψ′. On the half swing functions are polynomials in ψ times harmonics
-//! (`half_swing.rs`), with powers of π in their coefficients, and the condition is that the next half swing begins at the opposite displacement. A
-//! force that does not vanish with A, as dry friction, has ε = γA, so that it does.
+//! oscillator, whose secular terms fix one coefficient of A′ and one of ψ′. On the half swing (`half_swing.rs`) the condition is that the next half
+//! swing begins at the opposite displacement. A force that does not vanish with A, as dry friction, has ε = γA, so that it does.
 
 mod averaging;
 mod error;
