@@ -8,7 +8,7 @@
 //!
 //! The zeroth coefficients of a single motion have code of their own, except those of functions and their arguments, which are computed before:
 //! they are needed once when a step is tried, and are the start of the next step. On other processors, on wasm32, and on systems that grant no
-//! memory for code, expansions are interpreted.
+//! memory for code, expansions run through `program.rs` as before.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
