@@ -20,6 +20,9 @@ nb_execution_timeout = 600
 nb_merge_streams = True
 nb_output_stderr = "warn"
 
+# Records for developers, which are read in the repository.
+exclude_patterns = ["decisions"]
+
 default_role = "py:obj"
 numpydoc_show_class_members = False
 autodoc_member_order = "bysource"

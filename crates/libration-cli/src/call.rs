@@ -1,4 +1,8 @@
 //! The question that a thread works for, with what belongs to it alone, so that questions side by side do not mix.
+//!
+//! # Method
+//! The data of one run are in its `Call`, which each thread that works for it knows (`call::within`), so that simultaneous runs do not mix and end
+//! independently.
 
 use crate::host::Host;
 use std::cell::RefCell;

@@ -1,4 +1,9 @@
 //! Environment of a run.
+//!
+//! # Method
+//! `libration_cli::ask` takes the words of a command line and a host: a program on a terminal (`program.rs`), Python, the page or a test. Streams,
+//! signals and the width of the output belong to the host; a run touches nothing else of the process but the files that it is told to read and
+//! write.
 
 use std::fs::File;
 use std::io::{self, Read};

@@ -1,4 +1,9 @@
 //! The early end of a long answer, which keeps what is done.
+//!
+//! # Method
+//! Every library call that may take long has a variant `…_watched` that checks a `libration::watch::Watch` at each step, order or piece; the
+//! command passes one that asks the host. A cancelled run returns the finished part with `"interrupted": true`, and states what is missing. A
+//! second Ctrl-C ends the command at once.
 
 use crate::call;
 use crate::query_error::QueryError;

@@ -23,6 +23,11 @@
 //!
 //! Compiled are lines for x86-64 with fused multiply-add on Unix, with 4 or 8 lanes in a vector register, or one lane at a time; then up to
 //! four inner products stand side by side instead, with AVX-512 up to eight.
+//!
+//! # Method
+//! Values stay in registers as long as none is needed sooner. With one lane, sums of products of the same length are formed up to four at a time,
+//! with AVX-512 up to eight (`groups.rs`, `assembly/packing.rs`): their factors are put next to each other as they become known, once for all
+//! orders, so that the code is half as long or less and fits the first cache for instructions. Each sum keeps its own order of operations.
 
 mod aligned;
 mod inner_product;

@@ -2,6 +2,12 @@
 //!
 //! The kernels use the fused multiply-add throughout. It is one correctly rounded operation everywhere, so
 //! the results do not depend on the choice made here; but without the instruction it is a slow library call.
+//!
+//! # Method
+//! A kernel is compiled for AVX2 with FMA too, and kernels over slices or in eight lanes for AVX-512; the version that the processor can run is
+//! called. These calls, and the hint to fetch memory ahead of a batch, are the only unsafe blocks. Kernels call none of the platform's elementary
+//! functions: clippy refuses std's `sin`, `exp`, `powf` and the like. The instruction set therefore changes the speed and not the result; tests
+//! that batches equal their scalar functions compare the versions with each other.
 
 /// A computation that can be compiled once per instruction set. `run` must be `#[inline(always)]`, as must
 /// all that it calls.

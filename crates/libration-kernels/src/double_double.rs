@@ -4,6 +4,13 @@
 //! products follow M. Joldes, J.-M. Muller and V. Popescu, *Tight and rigorous error bounds for basic
 //! building blocks of double-word arithmetic*, ACM TOMS 44 (2017), doi:10.1145/3121432, whose relative
 //! error bounds stand beside each operation (u = 2⁻⁵³).
+//!
+//! # Method
+//! A number takes two words where one `f64` is not enough. Values that a motion or a modulus needs once are computed in two words and kept: k, k′,
+//! K, E, the incomplete integrals by Carlson's duplication, and the factors of the theta quotients. Values that are computed a million times
+//! (period, phase, theta values, quotients, angle) keep their leading terms in two words down to the last rounding; the small terms added to them,
+//! such as all that a polynomial adds to its first term, are plain `f64`. Where π itself is subtracted its third word counts
+//! (`DoubleDouble::PI_TAIL`). Squares of complements are not formed where they would underflow, so that k′ down to 1e-300 is an ordinary input.
 
 pub mod block;
 

@@ -1,4 +1,10 @@
 //! Every question of the command, for `_ask.py`, and the command itself.
+//!
+//! # Method
+//! `libration.questions` has a function for each command, which `scripts/questions` writes from clap's description (`libration_cli::questions`):
+//! names, choices and meanings are stated in the command alone, and a test fails where Python lacks one. Arguments are passed as the words of a
+//! command line (`_ask.py`). The JSON comes back as an `Answer` (`answer.py`), a mapping whose lists are arrays; `Fit`, `Recording` and `Paper` are
+//! derived from it and have methods of their own.
 
 use std::ffi::OsString;
 use std::io::{self, Read};

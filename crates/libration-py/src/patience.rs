@@ -1,4 +1,9 @@
 //! Long calls, which Ctrl-C ends, and which tell how far they are.
+//!
+//! # Method
+//! Objects of the package are frozen dataclasses of `python/libration` that hold the data they were made from, so that they pickle, copy, compare
+//! and print; computed values come from a native object. Long calls release the interpreter's lock and check every 20 ms whether Ctrl-C was
+//! pressed; the exception carries the finished part.
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};

@@ -3,6 +3,12 @@
 //! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the stack,
 //! calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that are the inputs, or
 //! lie across them as far as NumPy lets them, are never seen through a Rust slice. NumPy has let go of the interpreter's lock meanwhile.
+//!
+//! # Method
+//! NumPy broadcasts, casts and buffers. Blocks have 8, 256 or 2048 elements, by the length of the call. The kernels compute both sides of
+//! selections and so leave flags without meaning: a loop restores the flags, and raises `invalid` where a NaN has come from inputs without NaN. A
+//! panic becomes an exception in Python, for which the package has a profile of its own (`Cargo.toml`). `python/libration/_native.pyi` has the
+//! types, which NumPy's own do not state.
 #![expect(unsafe_code, reason = "loops over NumPy's arrays, and the flags of floating-point exceptions")]
 
 #[cfg(target_arch = "x86_64")]

@@ -3,6 +3,12 @@
 //! A [`Picture`](chart::Picture) says what is shown. [`draw`] lays it out in a [`PictureFormat`](format::PictureFormat) and gives a
 //! [`Scene`](scene::Scene) of lines, dots and text, which [`svg`] writes; other renderers draw the same scene. Nothing here
 //! reads files or asks for the time.
+//!
+//! # Method
+//! The layout (`frame`) breaks text into lines first, so that all heights follow from the width; the axes share the rest. It knows the smallest
+//! size that holds a picture. Ticks (`ticks`) are chosen from close to wide: the closest set that keeps its labels apart. A scene has units of 1/96
+//! inch, and each shape carries the class of the thing that it stands for. Widths of letters are those of the font within the command (a part of
+//! `DejaVu Sans`); a test holds both together.
 
 pub mod chart;
 pub mod format;

@@ -1,4 +1,11 @@
 //! Motions that go on together, for as long as the page likes.
+//!
+//! # Method
+//! An ensemble of the page is the `Ensemble` of the library, with the options of `simulate --each` and a table of starts that the page writes. Its
+//! states are those of the command, bit for bit, until the last step of the command, which ends for the last of its times. Each worker has a part
+//! of the ensemble and computes one picture after the other, so that it can be stopped and resumed between two pictures (`engine/ensemble.ts`,
+//! `player.ts`). Another worker follows sixteen of the motions a second time to 1e-14; the difference is the error that the page states, next to
+//! the spread of the ensemble.
 
 use crate::host::PageHost;
 use crate::{Given, page, take_given, tell_of_panics};

@@ -1,4 +1,11 @@
 //! All questions of the command, for a page: words and files in, parts of the answer and written files out.
+//!
+//! # Method
+//! The page runs the commands of the command line, with the same words, in a worker, and gets the same bytes. A worker that panics is ended and
+//! created anew; its output until then is kept. A page from a disk has no memory that workers share, but browsers let a module wait for a promise
+//! (`web/src/engine/suspension.ts`): every 50 ms the run checks its `Host`, and meanwhile the worker receives a cancellation. The result is then
+//! that of the command after Ctrl-C: the finished part. Where a browser lacks this the worker is ended. On its only thread the work reports its
+//! progress itself, at each check (`parallel::go_on` of the command).
 
 pub mod ensemble;
 mod host;

@@ -2,6 +2,11 @@
 //!
 //! Compilers call a function `fma`, and take this one before their own. The other module consists of the relaxed instruction alone, which
 //! rounds once or twice as the processor likes; the page tries it out before it lets it stand here.
+//!
+//! # Method
+//! The relaxed instruction is in a module of 64 bytes (`web/src/engine/fused.ts`). If the trial shows that it rounds once the large modules call
+//! it, otherwise `libm::fma`, which takes some hundred times as long. The call costs a few nanoseconds, and one set of modules serves all browsers,
+//! with the bits of the command.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

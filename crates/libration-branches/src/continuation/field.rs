@@ -1,4 +1,10 @@
 //! Rates of change of a state that nothing drives, with their derivatives: where motions begin on their orbits, and rest.
+//!
+//! # Method
+//! Without a drive the period is one more unknown, and the turning of the first coordinate at the start is one more equation. The multipliers are
+//! those of the return to such turns: the map, moved along the motion, has the multiplier 0 instead of the 1 of every free motion, far from all
+//! other tests, so that folds are found as sharply as with a drive. If the start of a cycle lies on a repelling part of the orbit, as in a canard,
+//! the cycle begins at another of its turning points.
 
 use super::error::NoBranch;
 use libration_motion::taylor::StateLayout;

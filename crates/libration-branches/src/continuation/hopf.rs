@@ -1,4 +1,8 @@
 //! Hopf points: where a limit cycle shrinks to a state of rest.
+//!
+//! # Method
+//! A cycle that shrinks to an equilibrium ends at the Hopf point, which is solved for by itself: the eigenvalues of the equilibrium, not the
+//! motion, determine it.
 
 use super::field::{Field, Rates};
 use super::point::BranchPoint;

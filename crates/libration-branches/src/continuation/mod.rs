@@ -16,6 +16,24 @@
 //! assert!((folds[0] - 0.87215756913791717).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! A periodic motion is a fixed point of the map over the period of the drive. The integrator gives the map with its derivatives by start and
+//! parameter, the derivative of the period included, so that the frequency of the drive is a parameter like others. A branch goes from point to
+//! point along its tangent, with Newton's method across it. A step is shorter where the guess was far off or the direction turns, which keeps
+//! neighbouring branches apart; whether a step may have passed a special point is tested in `established.rs`, and ranges in which the shortest
+//! steps do not establish that are named.
+//!
+//! Motions that are their own mirror images half a period later are followed by the half map with a mirror (`space.rs`). Its multiplier +1 is a
+//! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. Whether motions have mirror images is a property of the
+//! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
+//! branch, found to the last digits and again with another tolerance; the difference is the error (`special.rs`). A test function that is noise, as
+//! determinants of conservative systems are, has no sign. Secondary branches are followed in the larger space until they return to a smaller one;
+//! the branch in which another branch ends is followed too (`response.rs`).
+//!
+//! A point is accepted where the motion, integrated over its whole period by the equation alone, returns within its error as that grows
+//! (`description.rs`). Where deviations grow more than 5e9-fold, so that rounding grows to more than 1e-6, it is accepted where multiple shooting
+//! by the whole equation ends within the errors of the motion (`pieces.rs`).
 
 mod error;
 

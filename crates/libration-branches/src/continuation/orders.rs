@@ -1,4 +1,11 @@
 //! Sub- and superharmonic answers, found from the free oscillations.
+//!
+//! # Method
+//! Isolas are found from outside. At each of sixteen values the free oscillations with p/q of the drive frequency are released from rest. The work
+//! that drive and damping do on them over q periods of the drive vanishes at two phases, or the drive is too weak to first order
+//! (`energy_balance.rs`). These zeros do not depend on the strength of both, so that near them there is a response under a tenth of drive and
+//! damping (or a fiftieth, or a 250th), which is followed to full strength (`full_strength.rs`). A response that is on a branch already, in any
+//! period of the drive or mirrored, is left out.
 
 use super::branch::{Branch, Origin, Walked};
 use super::energy_balance::{EnergyBalance, Frequencies, Work};

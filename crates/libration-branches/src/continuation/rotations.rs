@@ -1,4 +1,8 @@
 //! Motions in which an angle goes around in step with the drive.
+//!
+//! # Method
+//! The angle of a rotating solution returns a number of turns later, which its space knows (`Rotation` in `space.rs`); everything else is as for
+//! other motions, and its range is that of its lead over an even rotation. Rotating solutions are searched from sixteen phases of the angle.
 
 use super::error::NoBranch;
 use super::search::{Search, Start};

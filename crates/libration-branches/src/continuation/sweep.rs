@@ -1,4 +1,7 @@
 //! A parameter that is changed slowly, as in an experiment: where the motion settles at one value after the other.
+//!
+//! # Method
+//! A slow sweep uses integration alone, from one value to the next until the motion repeats itself.
 
 use super::description::ranges;
 use super::error::NoBranch;

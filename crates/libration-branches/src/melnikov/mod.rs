@@ -9,6 +9,12 @@
 //! assert_eq!(upper.mean, lower.mean);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! The acceleration becomes a polynomial in θ′, sin θ, cos θ and e^{iΩt} (`trigonometric.rs`); the term −ω0²·sin θ is the pendulum, the rest
+//! perturbs it. On the separatrix each term is sechⁿ, or sechⁿ·tanh, times a wave, whose integral is a residue at t = iπ/2 in closed form
+//! (`separatrix.rs`), with all digits however fast the drive and small the value. Other terms go to the trapezoidal rule. Resonances take the mean
+//! power of the same perturbation over the exact motions whose frequency is pΩ/q.
 
 mod error;
 

@@ -8,6 +8,15 @@
 //! assert_eq!(pendulum.slow_terms[0].exact.as_deref(), Some("-1/16*i"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! Coordinates are power series in an order counter whose coefficients are polynomials in the complex amplitudes of the modes and their conjugates,
+//! a ring of its own (`polynomials.rs`), over complex numbers over a tower of square roots (`algebra/tower.rs`), or over digits. The tape therefore
+//! gives the force of an order from the orders below, as in Lindstedt's expansion; each monomial is then divided by its divisor, or stays in the
+//! slow flow (`expansion.rs`). A tower takes a root in only if the root is not there already; otherwise products of non-zero roots would be zero.
+//!
+//! The exchange of energy is the mean frequency with which amplitudes circulate (`exchange.rs`), by a weighted mean that converges faster than any
+//! power. The whole motion is analysed through the same normal form, which changes no mean frequency.
 
 mod error;
 

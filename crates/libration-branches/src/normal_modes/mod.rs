@@ -16,6 +16,12 @@
 //! assert_eq!((modes[1].shape[0].re, modes[1].shape[1].re), (1.0, -1.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! The characteristic polynomial of exact entries is exact; the digits of its roots only suggest factors, which must divide it. The third order of
+//! Lindstedt's expansion runs over a tower of at most two square roots, so that κ/ω of the double pendulum is a number with √2, and over `f64`s
+//! where nothing is known exactly. The coordinates at the first harmonic are left singular on purpose: two more unknowns, the frequency and the
+//! growth, and two conditions on the leading coordinate make the system regular.
 
 mod error;
 mod mode;

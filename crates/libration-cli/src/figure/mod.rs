@@ -1,4 +1,8 @@
 //! The pictures: what each one shows, how large it is, and the file it is written to.
+//!
+//! # Method
+//! Pictures are data of `libration-report`, drawn as SVG there and as PNG by tiny-skia (`png.rs`); in a page, which draws pictures by itself,
+//! `no_png.rs` replaces it.
 
 pub(crate) mod animation;
 pub(crate) mod backbone;

@@ -1,4 +1,10 @@
 //! Output of results: as a table to read, as JSON, as CSV, or as a file.
+//!
+//! # Method
+//! Tables are as wide as the terminal, or as `COLUMNS` says, and 80 columns in files and pipes (`program.rs`); titles and words are folded, and
+//! wide tables stand in blocks, so that nothing is lost. A field is described once (`output/field`): name, unit, meaning, value and appearance;
+//! JSON, CSV, tables, sheets and `libration fields` follow. Commands whose output is written by hand (`expand`, `backbone`, `modes`, `simulate`,
+//! `inspect`, `fit`) have a table of descriptions in `fields.rs`.
 
 pub(crate) mod budget;
 pub(crate) mod combined;

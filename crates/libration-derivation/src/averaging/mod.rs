@@ -1,5 +1,9 @@
 //! Derivation of the decay of weakly damped oscillations, and of the growth of self-excited ones: Krylov, Bogoliubov and Mitropolsky's
 //! averaging, power by power.
+//!
+//! # Method
+//! The slow flow is found by undetermined products of lower results, which are shown, and checked by differentiating the whole motion twice along
+//! the flow. Each coefficient is then compared with `perturbation::slow_flow`, whose algorithm is another. Notebooks find it a third time.
 
 mod ansatz;
 mod cycle;

@@ -1,4 +1,10 @@
 //! Equations with the checks they have passed. An equation that fails its check cannot be made.
+//!
+//! # Method
+//! A check evaluates the formula as it stands: as a number of 256 bits at several amplitudes, integrals by the double exponential rule and sums to
+//! their end included, or as a power series with fractions, which carries as many coefficients as are certain. A definition gives its name a value
+//! for the checks that follow. A motion found by perturbation is put back into the equation of motion at enough fractions in the place of cos τ to
+//! decide for all phases.
 
 mod averaged;
 mod cycle;

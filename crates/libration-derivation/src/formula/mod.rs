@@ -1,4 +1,10 @@
 //! Formulas as they stand in a book: one tree that is printed, and evaluated to check what is printed.
+//!
+//! # Method
+//! An `Expression` of the numbers crate is made for computing: elementary operations, which can be differentiated, simplified, expanded and put on
+//! a tape. A formula is made for reading: sums of many terms in the order in which they are written, indices, units, rounded numbers, series,
+//! integrals, O(…). Every `Expression` becomes a formula (`convert.rs`), and no formula becomes an `Expression`. The two share no evaluator: a
+//! formula is evaluated term by term as it stands, which checks the result of the tape.
 
 pub(crate) mod build;
 mod convert;

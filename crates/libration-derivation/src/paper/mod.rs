@@ -16,6 +16,12 @@
 //! assert_eq!(row.finding.correct, "Delta^2 = 1 - a1^2/8 - a1*a3/8 - a3^2/4");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! A check is a function that reads the text of a statement with `expression`, evaluates it in a suitable ring (numbers, power series, polynomials
+//! with open constants) and compares it with the result of an independent method; where that fails nothing is decided. A formula that the document
+//! gives in words is a paraphrase, and called so. No verdict is written down: the tests change every number and every sign of a verified statement
+//! and see the verdict change, and correct the wrong ones and see them verified.
 
 mod finding;
 pub(crate) mod statement;

@@ -1,4 +1,8 @@
 //! The natural logarithm in two words, without branches.
+//!
+//! # Method
+//! In a batch the series is summed term by term over the block of 64 elements: a single chain of dependent operations, for four elements at a time,
+//! waits for its own results.
 
 use super::logarithm::exponent_and_scale;
 use super::polynomial;

@@ -3,6 +3,11 @@
 //!
 //! The same bits on every platform: nothing here calls the platform's C library. Tables of coefficients are
 //! printed by `reference/kernel_coefficients.py`.
+//!
+//! # Method
+//! Kernels take and return two words. Each evaluates a polynomial that was fitted on the interval after an argument reduction, which is exact or
+//! carried in the second word. There are no branches and no table look-ups, so that loops over the kernels become vector code. The largest relative
+//! error is stated at each table of coefficients.
 
 use crate::fused::FusedMultiplyAdd;
 

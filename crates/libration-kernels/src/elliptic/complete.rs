@@ -1,4 +1,9 @@
 //! Complete integrals in two words.
+//!
+//! # Method
+//! K(√p), the nome q and its logarithm come from the series of `descent.rs`. The integral of the second kind on the far side follows by Legendre's
+//! relation (DLMF 19.7.1), the far nome from ln q·ln q′ = π². The sum of the later squared differences of the arithmetic–geometric mean is kept
+//! divided by p, so that E − k′²K = k²·K·(½ − sum), and with it the action of the smallest swings, keeps its digits.
 
 use super::descent::Descent;
 use super::nearer::Nearer;

@@ -1,4 +1,12 @@
 //! Legendre's incomplete integrals from Carlson's symmetric ones (DLMF 19.25.5, 19.25.10).
+//!
+//! # Method
+//! φ is reduced to the nearest quarter turn, in two words and with π in three, from where sine and cosine are both relatively accurate. Half turns
+//! are counted by the sign of the rest: next to an odd quarter turn the integrand is as large as 1/k′, and a rounded quotient would put φ on the
+//! wrong side. F and E are right to 0.56 ulp at any φ; from 1e18 on they are their mean growth. Both come from one duplication, E as a sum of
+//! positive terms.
+//!
+//! In a batch a block of 64 elements continues until its last element needs no further step; elements that are done stay as they are.
 
 use super::Modulus;
 use super::carlson::{Closeness, Duplication};

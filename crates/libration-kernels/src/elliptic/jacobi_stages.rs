@@ -1,4 +1,9 @@
 //! Jacobi's functions of many arguments and moduli, stage by stage.
+//!
+//! # Method
+//! The nome enters the quotients with an error of 2⁻⁶⁹, which is enough for them, and products are added without being normalised first
+//! (`plus_product`). Together with the logarithm by terms (`fine_logarithm.rs`) this reduced the time for sn, cn, dn and am from 104 to 63 ns with
+//! AVX2.
 
 use super::jacobi::{Copolar, Factors, Quotients, amplitude, hyperbolic_limit};
 use super::moduli::{FEW, LengthMismatch, Moduli};

@@ -1,4 +1,9 @@
 //! A block of moduli on the way to what belongs to them, stage by stage.
+//!
+//! # Method
+//! No step of the quarter periods and nomes depends on the modulus except by selections. A block of 64 moduli therefore goes through the same
+//! operations, stage by stage, as one modulus does (`modulus_stages.rs`, `jacobi_stages.rs`, `complete_stages.rs`), with the same bits. K is right
+//! to 2⁻¹⁰², and with it the position of any u up to 1e6 K on its period.
 
 use super::descent::Descent;
 use super::moduli::Moduli;

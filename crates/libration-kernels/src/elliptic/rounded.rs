@@ -16,6 +16,9 @@
 //! | E(c): ¼p³·P(p)·ln(16/p) and ¼p³·P(p), each at most 0.02 | 0.05 | the same, twice |
 //! | tables | 0.01 | 2e-16 of those terms |
 //! | the one rounding to `f64` | 0.5 | |
+//!
+//! # Method
+//! The polynomials and logarithms take some fifty operations. Values in two words, where others need them, come from `complete.rs`.
 
 use super::incomplete::{First, Second};
 use super::nearer::Nearer;

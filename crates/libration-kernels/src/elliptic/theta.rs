@@ -4,7 +4,13 @@
 //! θ₁ = 2q^¼ sin z·p₁, θ₂ = 2q^¼ cos z·p₂, θ₃ = p₃, θ₄ = p₄, each p a cubic in Y = qX (DLMF 20.2). Where
 //! the modulus is above 1/√2 Jacobi's imaginary transformation (DLMF 20.7(viii)) turns sin, cos into sinh,
 //! cosh and q into the complementary nome, with the same p. Moving by a quarter period exchanges p₁ with
-//! p₂ and p₃ with p₄, so one evaluation, within an later of a turn of the nearest quarter, serves all.
+//! p₂ and p₃ with p₄, so one evaluation, within an eighth of a turn of the nearest quarter, serves all.
+//!
+//! # Method
+//! The phase clock turns time into turns by a frequency in two words and fused multiply-adds; whole turns are split off exactly before anything is
+//! rounded. A million periods cost no digit beyond what the time, as an `f64`, has lost: angle and velocity are within 2.2 ulp and the complement
+//! within 2.5, plus 2⁻⁵¹ of the time. From 2⁹⁷ periods on an eighth of a period is not determined; states and Jacobi functions are then NaN, except
+//! am and the unwrapped angle of a rotation. Batches of varying amplitude know the period to one word and end at 2⁴⁹ periods.
 
 use super::first_of_point;
 use crate::double_double::{DoubleDouble, fast_two_sum, two_prod, two_sum};

@@ -7,6 +7,14 @@
 //! [`Recording::traces`] and [`Recording::gate_times`] tell from these what was measured. Each guess is a [`Finding`], and [`Choices`]
 //! override it. What a file does not decide is refused with the choices that would. Every complaint names its line.
 //! [`Table`] is for columns that are asked for by name or number; each has a [`Role`], which its heading may contradict.
+//!
+//! # Method
+//! Bytes become pages of text (`container`): a text file is one page, each worksheet and each file of an archive another. A page becomes a sheet:
+//! `dialect` finds the delimiter and the decimal mark, `layout` where the numbers begin and the roles of the lines above them, `heading` the
+//! quantity and unit of a column. A `Recording` decides nothing about physics; `traces` does, and reports each inference. What the file leaves open
+//! is an error that lists the information needed, never a default: an angle without a unit is refused, unless it swings by more than a turn of
+//! radians. Commas are refused where they may be decimal or not. Sizes, counts and cell addresses that a file announces are checked before memory
+//! is allocated for them.
 
 mod ambiguity;
 mod cell_units;

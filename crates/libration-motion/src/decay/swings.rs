@@ -1,4 +1,10 @@
 //! Integration of a damped motion from turning point to turning point.
+//!
+//! # Method
+//! Between turning points the velocity has one sign, so that each swing is one analytic piece, mirrored where it goes down; from above a right
+//! angle it is integrated from the top (`half_swing.rs`). Where a power of the velocity is not whole, rest has no Taylor series: next to it gravity
+//! is constant to 1e-10, and time and distance are integrals (`turning.rs`). Averaged laws are autonomous, so that they give the time as an
+//! integral over ln tan(A/2), analytic from the bottom to the top, which is inverted (`envelope.rs`).
 
 use super::ending::DecayEnding;
 use super::half_swing::{HalfSwing, Turn};

@@ -3,6 +3,10 @@
 //! In one turn a deviation shrinks by exp ∮ ∂F/∂x′ dt (Liouville), for van der Pol's oscillator about e^(−2.9μ²) when μ is large. Below the last
 //! bit every start leads to the same end: the turn that begins there is the cycle, and neither Newton's method nor the equations of small
 //! deviations, in which all digits would be lost, can add to it.
+//!
+//! # Method
+//! Such a cycle is one turn from any start, and its multiplier is known by its logarithm, ∮ ∂F/∂x′ dt. It is used where the logarithm is below −40,
+//! so that a deviation shrinks to e⁻⁴⁰ = 4e-18.
 
 use super::closing::Rounds;
 use super::divergence::Divergence;

@@ -1,4 +1,15 @@
 //! Newton's method for the state that comes back to itself.
+//!
+//! # Method
+//! All orbits that are not released from rest are closed by Newton's method, whose matrix comes from the variational equations (`periodic::Flow`).
+//! Least squares let one condition replace another, as conservation of energy does. The uncertainty of the period is the change by one more step of
+//! Newton's method, for this integration and for one with other steps. Where the start closes with the period as the only unknown, and a neighbour
+//! does too, the orbit is one of a family and stays as it is (`family.rs`). Harmonics are sums over even times, doubled until the last ones vanish
+//! (`harmonics.rs`).
+//!
+//! The error of the start is the residual and the error of the flow, taken through the inverse of the bordered matrix. It grows along the orbit
+//! with the variations; with the error of the period it gives that of states, extrema and harmonics. Where it exceeds a hundredth of the orbit,
+//! neighbouring motions close as well and the orbit is not isolated.
 
 use super::closing::{Round, Rounds};
 use super::divergence::Divergence;

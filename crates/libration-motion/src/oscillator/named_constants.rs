@@ -1,4 +1,8 @@
 //! Constants that no product of letters is, such as √2, π and eᵏ, by names of their own.
+//!
+//! # Method
+//! In expansions with symbolic parameters, constants that no product of symbols equals (√2, e^k, long powers of sums) get names and are then
+//! symbols too.
 
 use libration_numbers::algebra::{LaurentPolynomial, LaurentPolynomials, Rational};
 use libration_numbers::{

@@ -1,4 +1,9 @@
 //! The Floquet multipliers of a periodic orbit, with their errors, and its stability.
+//!
+//! # Method
+//! The error of a multiplier is the change of the matrix between two tolerances, times the adjugate over the distances from the other multipliers
+//! (`linear::eigenvalue_errors`). An orbit is called stable or unstable only if the multipliers differ from one in modulus by more than their
+//! errors.
 
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};

@@ -1,4 +1,11 @@
 //! Conserved energies, and how well a motion keeps them.
+//!
+//! # Method
+//! A named system states its energy as a formula that does not cancel near rest, and its gain per time; where the gain is zero for the given values
+//! the energy is conserved. For other equations the forces must be proved to have a potential, whose change is the work along the polygon of the
+//! step ends, by Gauss–Kronrod rules, summed in two words. Intervals are halved only while that helps: next to a pole the rules differ by the
+//! roundings of the positions, and their difference is the uncertainty of the drift. The drift is the largest change over the largest kinetic
+//! energy, which does not depend on the zero of the potential.
 
 use super::NoEnergy;
 use super::line_integral::work;

@@ -3,6 +3,11 @@
 //! Most of these are singularities of the motion, before which steps become short by themselves. But a force that is flat
 //! there, such as e^(−1/x), or nearly so, such as √(x² + ε²), shows nothing of it in the first terms of its series: a step
 //! would go straight on, into what the formula does not say.
+//!
+//! # Method
+//! The zeros of divisors, bases of roots and arguments of logarithms, and the poles of tangents, are searched on the polynomial of the step. After
+//! a zero the accelerations are compared with the series. If they differ the step ends before the zero and the next one comes closer, until steps
+//! are too short or the series show the boundary.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,4 +1,10 @@
 //! All that an integration carries from step to step.
+//!
+//! # Method
+//! A checkpoint holds the state in two words, the unit of time, the signs of absolute values and the sides of events; from these the integration
+//! continues bit for bit. A step that ends only because the last requested time is near is not a checkpoint: on the way to later times it would
+//! have ended elsewhere. `simulate --resume` keeps the part of a file that the last checkpoint covers and computes the rest again, so that an
+//! incomplete last line does no harm.
 
 use super::System;
 use super::contacts::Contacts;

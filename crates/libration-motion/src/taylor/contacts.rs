@@ -3,6 +3,12 @@
 //! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's basis miss none
 //! of these. On which side of zero the formula is goes from step to step, so that a zero at the end of one step, which
 //! rounding may put before or behind it, is neither missed nor found twice.
+//!
+//! # Method
+//! An event is a zero of a formula on the tape of the system. Formulas with steep terms have series of their own for parts of a step, compared with
+//! the formula (`sharp.rs`), because the length of a step follows from the accelerations alone. So do formulas that end somewhere, such as 1/x − 2:
+//! parts become shorter towards the pole, the longest first, until they are 2⁻⁴⁰ of the step or number two thousand. A sign change where the values
+//! grow on both sides is a pole and not a zero.
 
 use super::Contact;
 use super::sign_change::{bernstein, first_sign_change, sign_changes};

@@ -1,4 +1,11 @@
 //! The uncertainty of the end of an integration that an event ends.
+//!
+//! # Method
+//! The uncertainty of an end that an event determines has two parts. The truncation error comes from a second integration to a thousandth of the
+//! tolerance. The roundings, which both integrations share, are bounded step by step (`roundings_of_steps.rs`), those of the forces from each
+//! operation (`linearised.rs`), and carried from the last step back to the first (`gathered.rs`) by differences of neighbouring motions
+//! (`growth.rs`), so that forces may jump, at times that are rounded too. Of long motions 4096 steps are kept at a time (`survey.rs`). An event
+//! that ends the motion turns the deviation of the state into one of the time (`crossing.rs`, `outcome.rs`).
 
 use super::gathered::gathered_roundings;
 use super::{Effort, IntegrationError, Moment, System, integrate};

@@ -1,4 +1,14 @@
 //! Machine code for expansions that are done often.
+//!
+//! # Method
+//! An expansion does the same arithmetic in every step. After 500 expansions, which cost as much as compiling, it is recorded once by a ring that
+//! writes down each operation instead of doing it (`straight_line.rs`). The order of all operations is therefore that of the lanes, and a test
+//! compares the bits of both. Systems that announce thousands of steps, as in continuation over a parameter, are compiled at once. `plan.rs` keeps
+//! the record and the rest of what all expansions to an order have in common, so that a short motion of a known system begins without delay.
+//!
+//! The zeroth coefficients of a single motion have code of their own, except those of functions and their arguments, which are computed before:
+//! they are needed once when a step is tried, and are the start of the next step. On other processors, on wasm32, and on systems that grant no
+//! memory for code, expansions run through `program.rs` as before.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -2,6 +2,11 @@
 //!
 //! Of e^(−x²) far out not one coefficient is left, and neither at the end of a step that goes through to the other side. So a
 //! step ends where such a formula is largest or smallest: there the equations of motion show what it does.
+//!
+//! # Method
+//! Terms that are felt only inside a step (e^(−x²), 1/cosh² x, (1 + x²)^(−50), a high power on the way to a turning point and back) are expected
+//! where an exponent, a hyperbolic argument, a divisor or the base of a high power changes by more than the series can follow. The step ends where
+//! that quantity turns, and is tried inside too, closer and closer to its end.
 
 use super::block::{Block, Row};
 use super::boundary::reached;

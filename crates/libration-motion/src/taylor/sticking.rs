@@ -3,6 +3,9 @@
 //! Where the motion can leave zero velocity to neither side, the sign in the friction takes the value between −1 and 1 that
 //! makes the acceleration vanish: A. F. Filippov, *Differential Equations with Discontinuous Righthand Sides*, Kluwer 1988,
 //! doi:10.1007/978-94-015-7793-9. The acceleration is linear in it, and so are all coefficients in its last one.
+//!
+//! # Method
+//! The sign and the series that keep the acceleration at zero are used until the sign reaches ±1.
 
 use super::block::{Block, Row};
 use super::expander::{Expander, Surroundings};

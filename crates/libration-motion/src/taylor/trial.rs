@@ -3,6 +3,11 @@
 //! The last coefficients tell how long a step may be if terms fall already. Those of eˣ grow up to the order by which x changes,
 //! and far on the side where eˣ vanishes they begin below the last bit: a step would go through the wall that comes. So
 //! before a step is taken the accelerations at its end are compared with those of its polynomials.
+//!
+//! # Method
+//! Each step is tried in the equations of motion. Where the accelerations at its end differ from those of its polynomials the step is halved, until
+//! they agree or until the difference is rounding, measured in states a few ulp away. Coefficients hide what begins below the last bit: those of
+//! e^x, or of a power such as x¹⁰¹ next to zero.
 
 use super::Cause;
 use super::allowance::ROUNDING;

@@ -1,4 +1,11 @@
 //! A tape evaluated on power series, one power of the variable after the other.
+//!
+//! # Method
+//! A formula becomes a tape (`tape.rs`): a list of elementary operations without repetitions. A jet holds the power series of every position of the
+//! tape, over any `Ring`, and appends one coefficient after the other by the recurrence of each operation (`series/recurrences.rs`), which is
+//! written once. The last coefficients of all positions are linear in the last ones of the inputs, by factors that are the first coefficients of a
+//! jet of their own (`Jet::gains`). An unknown coefficient can therefore be left out, solved for, and inserted (`Jet::amend`): in this way the same
+//! tape solves for a motion.
 
 use super::instruction::{Evaluator, Instruction, Value, Weighted};
 use super::tape::{Operation, Tape};

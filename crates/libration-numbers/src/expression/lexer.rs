@@ -1,4 +1,9 @@
 //! Text to lexemes: numbers, names with their primes, signs and brackets, each with its place.
+//!
+//! # Method
+//! LaTeX and Leibniz's derivatives become the same lexemes as primes and operators, so that there is one grammar (`parser.rs`). A name before a
+//! bracket is a factor only if it is a variable, which has primes somewhere in the text. A function without brackets takes a number and the names
+//! immediately after it, if nothing follows that may belong to it. Other text with two readings is refused, with both of them in the message.
 
 mod derivative;
 mod index;

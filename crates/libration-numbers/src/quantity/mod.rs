@@ -18,6 +18,10 @@
 //! assert_eq!(angles("10deg:170deg:40deg")?.len(), 5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! A decimal is kept as an exact fraction, with its multiple of π apart, until it is rounded once: to two words for an angle, to one for any other
+//! quantity.
 
 mod angle;
 mod angle_name;

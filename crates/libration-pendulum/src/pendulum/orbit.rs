@@ -1,4 +1,13 @@
 //! Common parts of the periodic motions: a phase clock, theta series, and quotients of their values.
+//!
+//! # Method
+//! tan(θ/2) and θ′ are quotients of theta functions of the smaller of the two nomes, q ≤ e^−π, for which four terms suffice. For k ≤ k′ these are
+//! series in sines and cosines; for `k > k′` Jacobi's imaginary transformation turns them into the same polynomials with hyperbolic sines and
+//! cosines: one `ThetaSeries`, and two `Side`s that select the pair of functions and the quotients. The argument is first reduced to within an
+//! eighth of a turn of the nearest quarter period. Odd quarters exchange the functions, so that no quotient is evaluated where it cancels.
+//!
+//! The angle is twice an arctangent whose smaller side is returned with it as the complement. Phase, theta values, factors and arctangent are in
+//! two words; angle and velocity are each rounded once. On the separatrix the same quotients are hyperbolic functions in closed form.
 
 use std::marker::PhantomData;
 

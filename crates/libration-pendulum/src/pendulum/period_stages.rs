@@ -3,6 +3,10 @@
 //! One amplitude is a long chain of dependent operations. A block of them goes through the chain in short
 //! loops, each of which the compiler vectorises and the processor overlaps; the operations, and so the bits,
 //! are those of one amplitude.
+//!
+//! # Method
+//! A block holds 64 amplitudes; `swing_period_stages.rs` adds the period in seconds, the nome and the condition number. A sine in two words is
+//! summed term by term over the block (`sin_cos_series_of_block`), since compilers do not vectorise a loop over terms inside a loop over elements.
 
 use super::LengthMismatch;
 use super::period::{

@@ -1,5 +1,10 @@
 //! A periodic motion prepared for millions of times on one orbit: a table of polynomials, evaluated in four
 //! lanes.
+//!
+//! # Method
+//! `Motion::prepare` cuts the period into 2ᵖ segments, each with a Taylor polynomial of degree 12 in time (`table.rs`). A time costs one look-up
+//! and one polynomial in `f64`; its position on the orbit and the constant term of its segment are in two words. A batch goes in lanes of four.
+//! Motions that would need more than 4096 segments keep the theta quotients.
 
 use super::LengthMismatch;
 use super::motion::Motion;

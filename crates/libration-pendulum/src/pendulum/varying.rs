@@ -3,6 +3,10 @@
 //!
 //! Amplitudes up to π/2 take the circular expansion of the nome, those above the hyperbolic one of the
 //! complementary nome; a batch sorts its elements by side, so that each loop does one kind of work.
+//!
+//! # Method
+//! Where each element of a batch has its own amplitude nothing can be prepared. A batch therefore sorts its elements into one queue for each side
+//! of π/2, and empties a full queue stage by stage, 64 elements together (`varying_stages.rs`). The velocity has four roundings, the angle one.
 
 use super::period::{
     FRAC_1_PI, Nearer, amplitude_above, excess_below, log_inverse_nome, nearer_of_amplitude, root_of_nome,

@@ -3,6 +3,10 @@
 //! Of the orbits of x″ = F(x) those are left under x″ = F(x) + ε·f(x, x′) with a small ε over which f does no work, W(A) = 0, and where the
 //! work changes its sign (L. S. Pontryagin, Zh. Eksp. Teor. Fiz. 4, 883 (1934); V. K. Melnikov, Trans. Moscow Math. Soc. 12, 1 (1963)).
 //! A distance from the cycle in energy grows by ε·dW/dE in a period, so that the exponent is ε·(dW/dE)/T.
+//!
+//! # Method
+//! The orbits are found by integration. The work is an integral along the orbit, and its derivative by the energy another one (`work.rs`), which
+//! gives the stability exponent and shows two cycles between two neighbouring amplitudes.
 
 use super::work::{Work, WorkOverOrbits};
 use crate::perturbation::{FirstOrder, SlowFlowError};

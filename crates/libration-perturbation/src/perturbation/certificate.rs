@@ -1,4 +1,11 @@
 //! Exact checks of a family's series by a road that knows no harmonics.
+//!
+//! # Method
+//! Up to order 15 everything is computed again in plain rationals, with √ω0² where the velocity enters and ω0 is irrational. Above that order, for
+//! x″ = F(x), the relation between frequency and turning points is compared exactly with the reversion of the potential. For centres whose force
+//! depends on the velocity the period as a function of the amplitude is compared with that along the orbits in the plane of states
+//! (`conservative.rs`, `first_integral.rs`). Neither method knows harmonics of the motion in time. `Certificate` says which check was made. If two
+//! methods disagree the result is an error.
 
 use super::conservative::{displacement, period_ratio};
 use super::first_integral::{self, PlaneOfStates};

@@ -4,6 +4,10 @@
 //! harmonic, (1 − k²)·xₙₖ = Rₙₖ/ω0² + k²·Σ_{j<n} Wₙ₋ⱼ·xⱼₖ, with Rₙ the coefficient of the acceleration without −ω0²xₙ.
 //! For k = 1 the cosine fixes Wₙ, and the sine, whose left side is zero because the phase is chosen so that no sin τ
 //! appears, fixes the amplitude of cos τ one order below. The lowest of these conditions gives the amplitude x₀.
+//!
+//! # Method
+//! The lowest solvability condition is a polynomial (`selection.rs`). The harmonics contain sines, so that the turning points are not at τ = 0 and
+//! π but where the velocity vanishes (`extremes.rs`).
 
 use super::lindstedt::Family;
 use libration_numbers::internals::expression::{Jet, Tape};

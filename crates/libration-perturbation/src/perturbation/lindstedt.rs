@@ -9,6 +9,14 @@
 //!
 //! where Rₙ is the coefficient of F with xₙ left out. For k = 1 the left side vanishes: xₙ₁ = Aₙ is free, the
 //! gauge, and the right side must vanish too, which fixes Wₙ₋₁ (solvability: no secular term).
+//!
+//! # Method
+//! At each order the jet gives the terms that the lower orders force. The coefficient of cos τ is the gauge. Named gauges are found from the
+//! fundamental one by substituting a series; lists of coefficients go through the expansion itself, so that tests can compare the two. Relations
+//! between physical quantities come from reversion by Lagrange's formula (`series_set.rs`).
+//!
+//! Where the force is opposite at the opposite displacement and the same velocity, (x, t) → (−x, −t) makes the motions periodic. Their phase begins
+//! at the equilibrium, where all harmonics are sines (`shape.rs`).
 
 use libration_numbers::internals::expression::{Jet, Tape};
 use libration_numbers::internals::series::truncated::next_square_root;

@@ -1,4 +1,8 @@
 //! A model's series in exact fractions, put together from its series modulo primes.
+//!
+//! # Method
+//! Fractions of hundreds of digits are not added. The expansion runs modulo eight primes at once, and its fractions are reconstructed order by
+//! order (`algebra/reconstruction.rs`).
 
 use super::gauge::Gauge;
 use super::model::{Model, Motion};

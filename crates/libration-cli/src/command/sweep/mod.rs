@@ -1,4 +1,15 @@
 //! `libration sweep`: one question at all points of a grid.
+//!
+//! # Method
+//! A `Plan` is data: the words of a command line in which `{NAME}` stands for the value of an axis, the values, the paths to the kept fields, and
+//! the grid in chunks. It is all that a chunk needs, so that threads, machines and repetitions change no byte. A chunk is both a block of the grid
+//! and a run of its points. The kept fields follow from the first of a few scattered points that has a result, before anything is written; if none
+//! has, the sweep is refused. Each point is a `Call` of its own.
+//!
+//! In a directory `sweep.json` holds the plan. A chunk is a file that is complete or absent; no other state is kept. In Python (`sweeps.py`) the
+//! same chunks are those of a Zarr store, written by `_zarr.py` without compression, with sorted metadata and no date, so that no library's version
+//! shows in the bytes. Drafts are kept outside the store, and `status` is the last file of a chunk to be written. Threads (`_workers.py`) and the
+//! tasks of a cluster need only the plan and a number.
 
 pub(crate) mod axis;
 mod chunk;

@@ -6,6 +6,11 @@
 //! Reference: R. A. Nelson and M. G. Olsson, *The pendulum – Rich physics from a simple system*, Am. J. Phys. 54, 112 (1986),
 //! doi:10.1119/1.14703; the mass of air that moves along: G. G. Stokes, Trans. Cambridge Philos. Soc. 9, part II, 8 (1851), with
 //! the viscous layer as in L. D. Landau and E. M. Lifshitz, *Fluid Mechanics*, § 24.
+//!
+//! # Method
+//! g is one function of all inputs. Sensitivity coefficients are its derivatives by the five-point rule with steps of a thousandth of each value,
+//! so that an uncertainty, however large, does not leave the domain. Inputs of which one enters another are correlated: the angular width of the
+//! bob at a gate depends on the length. A fitted input has the degrees of freedom of its scatter where its uncertainty comes from the scatter.
 
 mod apparatus;
 mod combined;

@@ -22,6 +22,11 @@
 //! assert!((fit.best().damping.value - 0.1).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! Half a period is integrated with its sensitivities, and Newton's method finds the turning point and the drive of the solution that is its own
+//! mirror image afterwards (`required_drive.rs`). Starts come from one harmonic (`start.rs`). In a round that moves farther than the last one, as
+//! on either side of a fold in turns, parameters and amplitudes about which rows are linearised go half the way (`search.rs`).
 
 mod error;
 mod model;

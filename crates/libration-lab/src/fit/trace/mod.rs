@@ -9,6 +9,16 @@
 //! Uncertainties are those of the scatter, or of the stated ones if these are larger, times their inflation by the correlation of
 //! residuals: the noise is fitted with the parameters, and where residuals are not noise at all a bootstrap
 //! of blocks shows whether that is enough. Errors common to all rows, as by a clock or a pivot that was fitted, are added.
+//!
+//! # Method
+//! The motions of all traces go side by side through the lanes of the integrator, and each step gives the model values of all rows in it
+//! (`Step::values_at`). Only the derivatives by the coefficients of the damping and by one shift of the first state are integrated (`swing.rs`).
+//! Residuals and derivatives are reduced by orthogonal transformations to as many rows as there are parameters, with the same sum of squares and
+//! slopes (`statistics/triangle.rs`), so that the cost of Levenberg's and Marquardt's method does not depend on the number of rows.
+//!
+//! The search thins rows to 64 in a period (`series.rs`), follows the motion to 1e-9 and ends roughly. Further starts are not tried once two ends
+//! are alike, in phase with the data throughout, or leave only noise. The last descent has all rows, each model its numbers, and the preferred
+//! model its last digits. A search ends without a further motion when a linear model predicts a decrease below the tolerance.
 
 mod error;
 mod options;

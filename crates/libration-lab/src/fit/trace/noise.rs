@@ -6,6 +6,11 @@
 //! same prior weight as all others together. Under each the variance of a least squares estimate is a Σ aᵀ,
 //! where a is the response of the parameter to the rows. The remaining uncertainty about the noise makes the degrees of
 //! freedom of Student's t finite (F. E. Satterthwaite, Biometrics Bull. 2, 110 (1946), doi:10.2307/3002019).
+//!
+//! # Method
+//! The residuals of real swings are correlated from row to row. The motion is fitted by least squares as if they were not, which costs little where
+//! the spectrum of the noise is smooth about the frequency of the swing; only the uncertainties are computed for the correlated noise. White noise
+//! is one end of the same scale.
 
 use libration::watch::Watch;
 use nalgebra::{Cholesky, DMatrix, DVector};

@@ -1,4 +1,8 @@
 //! Errors common to all rows, which do not show in the scatter and are added to it.
+//!
+//! # Method
+//! Such errors are those of the clock, and of the centre of the circle through positions (`measurement/fitted_pivot.rs`), whose covariance goes
+//! with the trace to this fit and to the cycles (`fit/cycles/pivot.rs`).
 
 use nalgebra::DMatrix;
 

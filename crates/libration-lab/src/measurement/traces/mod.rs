@@ -1,4 +1,11 @@
 //! A recording → traces: which columns, in which units, run by run.
+//!
+//! # Method
+//! Rows out of time order are sorted in or left out, and a clock that is set back starts another run (`sequence.rs`); rows outside the requested
+//! times are not judged. Times that rounding has made equal, or that are rounded to a number of significant digits, are replaced by the even times
+//! that round to them (`faults/even_times.rs`); the extent of the polygon of these times, as `Trace::clock_uncertainty`, enters the uncertainty of
+//! ω0. A gyroscope is read about the axis along which its three rates lie; accelerations alone give no angle, and are refused with the missing
+//! information in the message.
 
 pub(crate) mod circle;
 mod columns;

@@ -1,4 +1,14 @@
 //! The largest Lyapunov exponent: the rate at which neighbouring motions part.
+//!
+//! # Method
+//! A deviation is carried along by the linearised equations and set back to size one after each interval; its logarithm is the record. Next to a
+//! separatrix, at the distance δ in energy, it grows by 1/δ at each return and shrinks by √δ on the way, so that errors ε come back as ε/δ and look
+//! like chaos in any integration. The depth of the valleys of the record distinguishes the two: where ε·e^(2·depth) is not small the verdict is
+//! undecided.
+//!
+//! Chaos requires growth by e¹⁰⁰, which no single passage produces, growth in each of ten blocks, a bounded motion, and the same on two neighbours:
+//! next to an unstable periodic motion no neighbour stays. Equations with a plane of states, and linear ones, are regular by theorems, which are
+//! tried first (`verdict.rs`).
 
 mod schedule;
 pub(crate) mod verdict;

@@ -1,4 +1,8 @@
 //! Sums of products of powers of letters, negative powers and square roots among them.
+//!
+//! # Method
+//! Coefficients are plain fractions: in units of ω0 a coefficient of order n in the mixed quadratic–cubic oscillator has n/2 terms, since each
+//! force has a weight, and numbers modulo primes would gain nothing. Exponents are halves, so that roots of single symbols are included.
 
 mod ring;
 mod text;

@@ -1,6 +1,10 @@
 //! Equations for each number of a range: `x[i]'' = k*(x[i+1] - 2*x[i] + x[i-1]), i = 1..32`.
 //!
 //! What an index leads to outside of all ranges is zero, or what is said of it, as by `x[0] = A*cos(t)` or `x[33] = x[1]`.
+//!
+//! # Method
+//! `x[i]` is a symbol of that name until all equations are read. Each range is then expanded: indices become numbers, members get plain names (x3),
+//! and those without an equation are zero or what is stated for them. A name x0 next to `x[i]` is refused where `x[0]` lies outside the range.
 
 use std::collections::{BTreeMap, BTreeSet};
 

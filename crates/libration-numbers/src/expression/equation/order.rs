@@ -1,4 +1,11 @@
 //! Choice of the derivative for which each equation is solved.
+//!
+//! # Method
+//! An equation without a second derivative is solved for the first derivative of the variable that has no second derivative in any equation. A
+//! state holds all coordinates, then the velocities of those with an acceleration; only `StateLayout` knows which component is which. The error of
+//! a first-order variable is a part of how far it moves, like that of every coordinate: its zero may be arbitrary, as that of a phase or a
+//! temperature is, and an amount that decays moves by as much as there is. Whatever only accelerations have (oscillators, normal modes, releases
+//! from rest, energies) begins with `Equation::refuse_first_order`.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,14 @@
 //! A series in numbers: term by term, with what is known of the rest.
+//!
+//! # Method
+//! Partial sums are floats of 256 bits and rounded once. Remainders are proven where a series with positive coefficients bounds the series or
+//! equals it: the remainder of the positive series, from its value, is then the bound (`positive.rs`). For a polynomial force that series is the
+//! period of the well that softens as much as the coefficients allow (`majorant/`); for the harmonics of the pendulum it is the series itself, by a
+//! theorem on functions that map half planes into half planes (`comparison/pendulum_harmonic.rs`).
+//!
+//! Other remainders and every radius of convergence are estimates and are called so, the latter with a range. The rules of the estimates were
+//! chosen, and are tested, by comparison with exact values. Padé approximants are exact, by Euclid's algorithm; a pole is called spurious when the
+//! next lower approximant has none in its direction.
 
 mod bound;
 mod convergence;

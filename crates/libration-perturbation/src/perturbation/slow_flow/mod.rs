@@ -30,6 +30,11 @@
 //! assert_eq!(flow.phase_rate[0][2].to_string(), "-1/16");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Method
+//! The jet is in powers of A, and its coefficients are series in ε of functions of ψ. Each power of A and of ε is one equation of a harmonic
+//! oscillator, whose secular terms fix one coefficient of A′ and one of ψ′. On the half swing (`half_swing.rs`) the condition is that the next half
+//! swing begins at the opposite displacement. A force that does not vanish with A, as dry friction, has ε = γA, so that it does.
 
 mod averaging;
 mod error;

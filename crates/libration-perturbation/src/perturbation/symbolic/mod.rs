@@ -1,4 +1,9 @@
 //! Expansions whose coefficients keep letters: the same recurrences over Laurent polynomials.
+//!
+//! # Method
+//! Where ω0² is a sum, its root is a further symbol, whose square is put back as far as one of the terms of the sum leads the others; the remainder
+//! is compared by clearing powers of ω0. The reversion of the potential is checked in symbols, and everything once more with fractions in their
+//! place, modulo primes.
 
 mod frequency;
 

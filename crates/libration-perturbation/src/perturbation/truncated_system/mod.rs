@@ -1,5 +1,10 @@
 //! The equation of motion for a sum of few harmonics under a truncated force: the algebraic system that is left,
 //! and all its solutions.
+//!
+//! # Method
+//! Projections of the truncated force are exact sums over a few phases. All solutions, complex ones included, are followed from those of a system
+//! of the same shape whose solutions are roots of unity (`tracking.rs`); no path goes to infinity, and their number 1 + d + d² + … is known
+//! beforehand and checked. The small-angle branch is followed by itself from amplitude zero; the solution at its end is the accepted one.
 
 mod collocation;
 mod error;

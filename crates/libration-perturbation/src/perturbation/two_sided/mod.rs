@@ -4,6 +4,10 @@
 //! period follows by the mean of X±′, to which odd powers of the cosine give 1/π; the harmonics are integrals over χ of X±·cos kθ with the phase
 //! θ = Ω∫dt, a series in ρ whose coefficients are polynomials in χ and harmonics. So everything is exact, in fractions and powers of π, by powers
 //! of ρ and then of any other variable; and it is found in digits, at the places of a quadrature.
+//!
+//! # Method
+//! The integrals are taken exactly in the ring of the half swing up to order 15 and, as a check and for higher orders, by Gauss's quadrature of
+//! series. There are harmonics of every order; those up to the order of the expansion are given, and the result says so.
 
 mod digits;
 mod phase;

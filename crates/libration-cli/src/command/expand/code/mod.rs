@@ -1,4 +1,9 @@
 //! The expansion as functions of a programming language: frequency, period and displacement.
+//!
+//! # Method
+//! Each coefficient is one line, so that no compiler meets brackets a hundred deep. Numbers are written with as many digits as restore their bits.
+//! Names change where a language reserves them or, in Fortran, does not distinguish them. The tests compile and run the functions of all four
+//! languages where there is a compiler.
 
 mod language;
 mod program;

@@ -1,4 +1,8 @@
 //! Comparison of the kinds of damping by the data.
+//!
+//! # Method
+//! Akaike's criterion counts the effective number of independent rows under the noise of the largest model. T0 is averaged over the models that the
+//! data do not exclude, with the spread between them in its uncertainty.
 
 mod average;
 mod models;
