@@ -14,8 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from ._equations import text_of_sympy
 from ._progress import spoken
 from .errors import Interrupted
+
 
 class Table:
     """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
@@ -180,8 +182,6 @@ def text_of(value: Any) -> str:
     if hasattr(value, "nominal_value") and hasattr(value, "std_dev"):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
     if hasattr(value, "free_symbols"):
-        from .expansion import text_of_sympy
-
         return text_of_sympy(value)
     if isinstance(value, (float, np.floating, np.ndarray)) and np.ndim(value) == 0:
         return repr(float(value))

@@ -11,6 +11,7 @@
 import html
 import json
 import re
+import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, overload
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._ask import Asked, answered, asked
+from ._pictures import draw
 from .errors import Interrupted
 from .picture import Picture
 
@@ -164,8 +166,6 @@ class Answer(Fields):
     @property
     def question(self) -> str:
         """The question as the words of a command line."""
-        import shlex
-
         return shlex.join(["libration", *self._asked.words])
 
     @property
@@ -212,8 +212,6 @@ class Answer(Fields):
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draws the answer with matplotlib, where the command has a picture for it."""
-        from ._pictures import draw
-
         return draw(self, ax)
 
     def _repr_html_(self) -> str:

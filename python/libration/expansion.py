@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _ask, _native, _plot, questions
+from ._equations import text_of_sympy
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import ExpansionError
@@ -330,20 +331,6 @@ def expand(
 
 def _value(value: float | str | Fraction) -> str:
     return value if isinstance(value, str) else str(value)
-
-
-def text_of_sympy(given: Any) -> str:
-    """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''."""
-    import sympy
-
-    equation: Any = given if isinstance(given, sympy.Equality) else sympy.Eq(given, 0, evaluate=False)
-    functions = equation.atoms(sympy.core.function.AppliedUndef)
-    derivatives = sorted(equation.atoms(sympy.Derivative), key=lambda it: -it.derivative_count)
-    for it in derivatives:
-        equation = equation.xreplace({it: sympy.Symbol(f"{it.expr.func.__name__}" + "'" * it.derivative_count)})
-    for it in functions:
-        equation = equation.xreplace({it: sympy.Symbol(it.func.__name__)})
-    return f"{sympy.sstr(equation.lhs)} = {sympy.sstr(equation.rhs)}"
 
 
 def _expansion(found: Any, question: Any) -> Expansion:

@@ -8,6 +8,7 @@
 ('exact', 2.0032)
 """
 
+import csv
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -90,8 +91,6 @@ class Fit(Answer):
 
     def residuals(self) -> Rows:
         """Of a fitted motion: time, value, fitted value and residual of each row, in SI units."""
-        import csv
-
         lines = list(csv.DictReader(self._again(["--csv"]).splitlines()))
         return Rows([{name: cell if name == "trace" else float(cell) for name, cell in line.items()} for line in lines])
 

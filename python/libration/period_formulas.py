@@ -126,6 +126,9 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         raise FormulaError(f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: give a larger tolerance, or take the exact libration.period_ratio")
 
 
+formulas = PeriodFormulas()
+
+
 def _each(amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]") -> Any:
     """Numbers and texts one by one, arrays of numbers together."""
     if isinstance(amplitude, str) or np.ndim(amplitude) == 0:

@@ -45,5 +45,7 @@ recording = lb.lab.read("swing.csv", angle=2, unit="deg")
 assert_type(recording, lb.lab.Recording)
 assert_type(lb.lab.fit_trace(recording, length="0.57m±0.004m"), lb.lab.Fit)
 assert_type(lb.expand("pendulum").code("rust"), str)
+lb.nothing  # type: ignore[attr-defined]  # pyright: ignore
+lb.questions.nothing  # type: ignore[attr-defined]  # pyright: ignore
 lb.decay("60deg", lineer=0.1)  # type: ignore[call-arg]
 lb.section("lorenz", direction="up")  # type: ignore[arg-type]
