@@ -1,6 +1,7 @@
 """The pendulum at any amplitude, and from there any nonlinear oscillator.
 
-Angles are radians from the downward vertical, times seconds, lengths metres. Periods, states and elliptic functions (`libration.special`) are NumPy ufuncs.
+Angles are radians from the downward vertical, times seconds, lengths metres. Periods, states and
+elliptic functions (`libration.special`) are NumPy ufuncs.
 
 >>> import numpy as np
 >>> import libration as lb
@@ -55,7 +56,8 @@ if TYPE_CHECKING:
     from .simulation import Events, Simulation, States, simulate
     from .sweeps import sweep
 else:
-    # Modules are imported when one of their names is used; `python/tests/test_imports.py` compares this table with the imports above.
+    # Modules are imported when one of their names is used; `python/tests/test_imports.py` compares
+    # this table with the imports above.
     __getattr__, __dir__ = lazily(
         __name__,
         {

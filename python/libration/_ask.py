@@ -1,6 +1,7 @@
 """How questions of the command are put in Python's words, and what comes back.
 
-What is given goes down as text, in the notation of the command; what it means, and what is wrong with it, the command says.
+What is given goes down as text, in the notation of the command; what it means, and what is wrong
+with it, the command says.
 """
 
 import os
@@ -18,40 +19,52 @@ from ._equations import text_of_sympy
 from ._progress import spoken
 from .errors import Interrupted
 
+ARRAYS = 'arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}'
+
 
 class Table:
-    """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
+    """Columns in place of a file: a mapping of names with units to arrays, or a DataFrame."""
 
     def __init__(self, columns: Any) -> None:
         if isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read"):
-            raise TypeError(f"got {type(columns).__name__}: give the name of a file as text or as a path, or arrays by names with units")
+            raise TypeError(
+                f"got {type(columns).__name__}: give the name of a file as text or as a path, "
+                "or arrays by names with units"
+            )
         if isinstance(columns, np.ndarray) and columns.dtype.names is None:
-            raise TypeError('an array has no names of columns: give a file, or arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
+            raise TypeError(f"an array has no names of columns: give a file, or {ARRAYS}")
         if isinstance(columns, np.ndarray):
             columns = {name: columns[name] for name in columns.dtype.names}
         names = [str(name) for name in columns]
         arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
         if not names:
-            raise ValueError('there are no columns: give arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
+            raise ValueError(f"there are no columns: give {ARRAYS}")
         lengths = {len(array) for array in arrays}
         if len(lengths) != 1 or any(array.ndim != 1 for array in arrays):
-            shapes = ", ".join(f"{name}: {array.shape}" for name, array in zip(names, arrays))
-            raise ValueError(f"the columns differ in shape ({shapes}): give arrays of one dimension and equal lengths")
+            shapes = ", ".join(f"{name}: {it.shape}" for name, it in zip(names, arrays))
+            raise ValueError(
+                f"the columns differ in shape ({shapes}): give arrays of one dimension and equal "
+                "lengths"
+            )
         lines = [names, *([_cell(cell) for cell in row] for row in zip(*arrays))]
         self.text = "".join(",".join(map(_quoted, line)) + "\n" for line in lines).encode()
 
 
 Value: TypeAlias = str | SupportsFloat | Fraction
-"""A number, in SI units where there are units, or a text such as ``"60deg"``, ``"57cm"``, ``"1/2"``."""
+"""A number, in SI units where it has a unit, or a text such as ``"60deg"`` or ``"1/2"``."""
 Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
 """One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
 Values: TypeAlias = Mapping[str, Given] | str
 """By name."""
 Path: TypeAlias = str | os.PathLike[str]
 Columns: TypeAlias = Mapping[str, Any] | Table
-"""Columns in place of a file: arrays by names with units, such as ``{"t (s)": t, "angle (deg)": angle}``, or a DataFrame of pandas."""
+"""Columns in place of a file: a DataFrame of pandas, or arrays by names with units, such as
+``{"t (s)": t, "angle (deg)": angle}``.
+"""
 Say: TypeAlias = bool | Callable[[str], object]
-"""True for a line of progress, where tqdm is installed; or a function of a text such as ``"12 of 40 amplitudes"``."""
+"""True for a line of progress, where tqdm is installed; or a function of a text, such as
+``"12 of 40 amplitudes"``.
+"""
 
 
 def _cell(value: Any) -> str:
@@ -59,7 +72,9 @@ def _cell(value: Any) -> str:
 
 
 def _quoted(cell: str) -> str:
-    return '"' + cell.replace('"', '""') + '"' if any(letter in cell for letter in ',"\n\r') else cell
+    if not any(letter in cell for letter in ',"\n\r'):
+        return cell
+    return '"' + cell.replace('"', '""') + '"'
 
 
 class Parameter(NamedTuple):
@@ -94,7 +109,10 @@ class Question(NamedTuple):
 @cache
 def catalogue() -> dict[str, Question]:
     """All questions by their words."""
-    return {words: Question(words, about, remarks, [Parameter(*it) for it in given]) for words, about, remarks, given in _native.questions()}
+    return {
+        words: Question(words, about, remarks, [Parameter(*it) for it in given])
+        for words, about, remarks, given in _native.questions()
+    }
 
 
 class Asked(NamedTuple):
@@ -135,14 +153,16 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
             options.append(f"--{parameter.name}")
         else:
             options += [f"--{parameter.name}={text}" for text in texts]
-    if read and "--header" in {f"--{parameter.name}" for parameter in catalogue()[words].parameters}:
+    if read and any(parameter.name == "header" for parameter in catalogue()[words].parameters):
         # The names of columns are no row of numbers, even where they are numbers.
-        inherited = ["--header=present", *(word for word in inherited if not word.startswith("--header="))]
+        inherited = [word for word in inherited if not word.startswith("--header=")]
+        inherited = ["--header=present", *inherited]
     if len(read) > 1:
         raise ValueError("two tables are given in place of files: save one of them as a file")
     own = {option.split("=")[0] for option in options}
     options = [option for option in inherited if option.split("=")[0] not in own] + options
-    return Asked((*words.split(), *options, *(["--", *arguments] if arguments else [])), read[0] if read else None)
+    arguments = ["--", *arguments] if arguments else []
+    return Asked((*words.split(), *options, *arguments), read[0] if read else None)
 
 
 def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
@@ -150,7 +170,8 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{parameter.keyword}: got {value!r}: give True or False")
         return []
-    if parameter.value.startswith("FILE") and not isinstance(value, (str, os.PathLike, list, tuple)):
+    is_file = parameter.value.startswith("FILE")
+    if is_file and not isinstance(value, (str, os.PathLike, list, tuple)):
         value = value if isinstance(value, Table) else Table(value)
         read.append(value.text)
         return ["-"]
@@ -159,7 +180,11 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         return [",".join(pairs)] if parameter.value.endswith("…") else pairs
     if not parameter.is_repeated:
         return [",".join(map(text_of, _several(value)))]
-    return [text for it in _several(value) for text in (_texts(parameter, it, read) if isinstance(it, (Mapping, Table)) else [text_of(it)])]
+    texts: list[str] = []
+    for it in _several(value):
+        is_whole = isinstance(it, (Mapping, Table))
+        texts += _texts(parameter, it, read) if is_whole else [text_of(it)]
+    return texts
 
 
 def _several(value: Any) -> list[Any]:
@@ -170,7 +195,9 @@ def _several(value: Any) -> list[Any]:
 
 
 def text_of(value: Any) -> str:
-    """As the command reads it: all digits of numbers, a value with its uncertainty as ``0.57±0.004``, an equation of SymPy as text."""
+    """As the command reads it: all digits of numbers, ``0.57±0.004`` for a value with its
+    uncertainty, the text of an equation of SymPy.
+    """
     if isinstance(value, str):
         return str(value)
     if isinstance(value, os.PathLike):
@@ -188,7 +215,9 @@ def text_of(value: Any) -> str:
     raise TypeError(f"got {type(value).__name__}: give a number or a text")
 
 
-def answered(question: Asked, form: Iterable[str], progress: Say = False) -> tuple[str, BaseException | None]:
+def answered(
+    question: Asked, form: Iterable[str], progress: Say = False
+) -> tuple[str, BaseException | None]:
     """The answer in a form, and Ctrl-C if that has ended it early.
 
     Raises

@@ -6,8 +6,10 @@ from importlib import import_module
 from typing import Any
 
 
-def lazily(package: str, names: Mapping[str, Iterable[str]]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """The `__getattr__` and the `__dir__` of a package, from the names that each of its modules has for it.
+def lazily(
+    package: str, names: Mapping[str, Iterable[str]]
+) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """The `__getattr__` and the `__dir__` of a package, from the names in each of its modules.
 
     Modules themselves are found too, and each name is looked up once.
     """
@@ -20,7 +22,8 @@ def lazily(package: str, names: Mapping[str, Iterable[str]]) -> tuple[Callable[[
             return known[name]
         if name in names:
             return import_module(f"{package}.{name}")
-        raise AttributeError(f"module {package!r} has no attribute {name!r}", name=name, obj=sys.modules[package])
+        message = f"module {package!r} has no attribute {name!r}"
+        raise AttributeError(message, name=name, obj=sys.modules[package])
 
     def listed() -> list[str]:
         return sorted({*known, *module_of, *names})
