@@ -233,7 +233,7 @@ class Answer(Fields):
         return draw(self, ax)
 
     def _repr_html_(self) -> str:
-        described = {name: rest for name, *rest in _descriptions().get(self._asked.command, [])}
+        described = {name: rest for name, *rest in descriptions().get(self._asked.command, [])}
         head = [
             (name, value, *described.get(name, ("", "")))
             for name, value in self._fields.items()
@@ -290,7 +290,7 @@ def _array(values: list[Any]) -> Any:
 
 
 @cache
-def _descriptions() -> dict[str, list[tuple[str, str, str]]]:
+def descriptions() -> dict[str, list[tuple[str, str, str]]]:
     """Name, unit and meaning of the fields of each command, as `libration fields` says."""
     text, _, _ = _native.ask(["fields", "--json"])
     found: dict[str, list[tuple[str, str, str]]] = {}

@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from . import _report
 from ._ask import Path, answered
-from .answer import Answer, Rows
+from .answer import Answer, Rows, descriptions
 from .errors import Interrupted, NoAnswer
 
 if TYPE_CHECKING:
@@ -47,8 +48,7 @@ class Measured(NamedTuple):
         """With two digits of the uncertainty."""
         if not 0 < self.std_dev < np.inf:
             return f"{self.nominal_value!r}+/-{self.std_dev!r}"
-        digits = max(0, 1 - int(np.floor(np.log10(self.std_dev))))
-        return f"{self.nominal_value:.{digits}f}+/-{self.std_dev:.{digits}f}"
+        return "+/-".join(_report.rounded(*self))
 
 
 def measured(value: float, uncertainty: float | None) -> "UFloat | Measured":
@@ -102,6 +102,34 @@ class Fit(Answer):
         """Of a fitted motion: time, value, fitted value and residual of each row, in SI units."""
         lines = csv.DictReader(self._again(["--csv"]).splitlines())
         return Rows([{name: _number(name, cell) for name, cell in it.items()} for it in lines])
+
+    def report_text(self) -> str:
+        """A report as text: statistics, parameters and results with uncertainties, warnings.
+
+        Values have two digits of their standard uncertainty, which follows in per cent too; names
+        are those of the JSON. The sections are those of lmfit's ``fit_report``.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> amplitude, period = [10, 30, 50, 70], [2.0075, 2.0399, 2.1033, 2.2054]
+        >>> fit = lb.lab.fit_periods({"amplitude (deg)": amplitude, "period (s)": period})
+        >>> print(fit.report_text())
+        [[Fit]]
+            libration fit periods --header=present -- -
+        [[Fit Statistics]]
+            law                       = exact
+            weighting                 = none: uncertainties from the scatter
+            rows                      = 4
+            rows_incomplete           = 0
+            rms_s                     = 0.00154487
+            uncertainties_enlarged_by = 1
+        [[Results]]
+            beta  0.9817 ± 0.0072 (0.74 %)
+            t0    2.0032 ± 0.0012 s (0.062 %)
+        """
+        units = {name: unit for name, unit, _ in descriptions()[self._asked.command]}
+        return _report.report(self.question, self._fields, units)
 
     def report(self, file: Path) -> None:
         """Writes a report of a fitted motion with pictures, as .html or as .md.
