@@ -11,7 +11,7 @@ elliptic functions (`libration.special`) are NumPy ufuncs.
 
 from typing import TYPE_CHECKING
 
-from . import errors, special
+from . import _ufuncs, errors, special
 from ._lazy import lazily
 from ._native import (
     STANDARD_GRAVITY,
@@ -25,6 +25,8 @@ from ._native import (
     state,
 )
 from .errors import Interrupted, LibrationError
+
+_ufuncs.describe()
 
 if TYPE_CHECKING:
     from . import figure, lab, questions

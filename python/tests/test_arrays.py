@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import re
 import subprocess
 import sys
 import threading
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 import libration as lb
+from libration import _ufuncs
 from ufuncs import ALL, inputs, outputs, same
 
 every = pytest.mark.parametrize("ufunc", ALL)
@@ -333,6 +335,23 @@ def test_reductions_that_mean_nothing_are_refused():
         lb.special.ellipkinc.reduce([[0.1, 0.2]], axis=None, initial=None, dtype=complex)
     with pytest.raises(ValueError, match="reduce only supported"):
         lb.period_ratio.reduce([0.1, 0.2])
+
+
+OF_TWO_ARGUMENTS = [ufunc for ufunc in ALL if ufunc.nin == 2]
+
+
+@pytest.mark.parametrize("ufunc", OF_TWO_ARGUMENTS)
+@pytest.mark.parametrize("method", ["reduce", "accumulate", "reduceat"])
+def test_reductions_of_two_arguments_are_refused_with_the_reason(ufunc, method):
+    if not hasattr(np.sin, "__dict__"):
+        pytest.skip("ufuncs of this NumPy take no attributes")
+    call = f"{ufunc.__name__}({', '.join(_ufuncs.arguments(ufunc))})"
+    reason = rf"^{ufunc.__name__}\.{method} has no meaning.*: give arrays to {re.escape(call)}$"
+    for arguments in ([[0.1, 0.2]], [[0.1, 0.2], [0]]):
+        with pytest.raises(TypeError, match=reason):
+            getattr(ufunc, method)(*arguments)
+    with pytest.raises(TypeError, match=reason):
+        getattr(ufunc, method)([[0.1, 0.2]], axis=1, dtype=float)
 
 
 def test_outer_and_at_work_as_for_every_ufunc():
