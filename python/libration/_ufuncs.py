@@ -1,19 +1,38 @@
-"""The compiled ufuncs without reductions, which have no meaning for them.
+"""The compiled ufuncs with the names of their arguments, and without reductions.
 
 Where ufuncs take no attributes, as in NumPy 1.26, they stay as NumPy makes them.
 """
 
 import re
+from inspect import Parameter, Signature
 from typing import Any, NoReturn
 
 import numpy as np
 
 from . import _native
 
+OPTIONS = {
+    "where": True,
+    "casting": "same_kind",
+    "order": "K",
+    "dtype": None,
+    "subok": True,
+    "signature": None,
+}
+
 
 def arguments(ufunc: Any) -> list[str]:
     """The names of the arguments, as the docstring has them."""
     return re.findall(r"^(\w+) : array_like$", ufunc.__doc__, re.MULTILINE)
+
+
+def signature(ufunc: Any) -> Signature:
+    """The signature of a call."""
+    names = [Parameter(name, Parameter.POSITIONAL_ONLY) for name in arguments(ufunc)]
+    nothing = None if ufunc.nout == 1 else (None,) * ufunc.nout
+    out = Parameter("out", Parameter.POSITIONAL_OR_KEYWORD, default=nothing)
+    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=it) for name, it in OPTIONS.items()]
+    return Signature([*names, out, *options])
 
 
 class Refused:
@@ -31,8 +50,9 @@ class Refused:
 
 
 def describe() -> None:
-    """Refuses reductions of the ufuncs of two arguments."""
+    """Gives the ufuncs their signatures, and refuses reductions of those of two arguments."""
     for ufunc in vars(_native).values():
         if isinstance(ufunc, np.ufunc) and hasattr(ufunc, "__dict__"):
+            setattr(ufunc, "__signature__", signature(ufunc))
             for method in ("reduce", "accumulate", "reduceat") if ufunc.nin == 2 else ():
                 setattr(ufunc, method, Refused(ufunc, method))
