@@ -5,6 +5,7 @@ with it, the command says.
 """
 
 import os
+import sys
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -36,6 +37,8 @@ class Table:
         if isinstance(columns, np.ndarray):
             columns = {name: columns[name] for name in columns.dtype.names}
         names = [str(name) for name in columns]
+        for name in columns:
+            refuse_units(columns[name], f"column `{name}`: ")
         arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
         if not names:
             raise ValueError(f"there are no columns: give {ARRAYS}")
@@ -89,12 +92,26 @@ class Parameter(NamedTuple):
     is_repeated: bool
     choices: list[str]
     meaning: str
+    is_measured: bool = False
+    """True for a measured quantity, whose uncertainty goes into the results."""
 
     @property
     def keyword(self) -> str:
         """Its name in Python."""
         name = self.name.replace("-", "_")
         return f"{name}_" if name in ("from", "lambda") else name
+
+    def text(self, value: Any) -> str:
+        """One value as the command reads it; an uncertainty that would not be used is left out."""
+        refuse_units(value, f"{self.keyword}: ")
+        if _is_uncertain(value) and not self.is_measured:
+            reason = "its uncertainty is not used here, only its value"
+            warnings.warn(f"{self.keyword}: got {value}: {reason}", stacklevel=_outside())
+            value = float(value.nominal_value)
+        try:
+            return text_of(value)
+        except TypeError as error:
+            raise TypeError(f"{self.keyword}: {error}") from None
 
 
 class Question(NamedTuple):
@@ -110,9 +127,18 @@ class Question(NamedTuple):
 def catalogue() -> dict[str, Question]:
     """All questions by their words."""
     return {
-        words: Question(words, about, remarks, [Parameter(*it) for it in given])
+        words: Question(words, about, remarks, [_parameter(words, it) for it in given])
         for words, about, remarks, given in _native.questions()
     }
+
+
+def _parameter(words: str, given: Sequence[Any]) -> Parameter:
+    parameter = Parameter(*given)
+    is_of_measurements = words.split()[0] in ("fit", "plan")
+    is_measured = is_of_measurements and parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
+    return parameter._replace(
+        is_measured=is_measured and parameter.name not in ("width", "height")
+    )
 
 
 class Asked(NamedTuple):
@@ -176,22 +202,47 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         read.append(value.text)
         return ["-"]
     if parameter.value.startswith("NAME=") and isinstance(value, Mapping):
-        pairs = [f"{name}={','.join(map(text_of, _several(it)))}" for name, it in value.items()]
+        values = {name: map(parameter.text, _several(it)) for name, it in value.items()}
+        pairs = [f"{name}={','.join(texts)}" for name, texts in values.items()]
         return [",".join(pairs)] if parameter.value.endswith("…") else pairs
     if not parameter.is_repeated:
-        return [",".join(map(text_of, _several(value)))]
+        return [",".join(map(parameter.text, _several(value)))]
     texts: list[str] = []
     for it in _several(value):
         is_whole = isinstance(it, (Mapping, Table))
-        texts += _texts(parameter, it, read) if is_whole else [text_of(it)]
+        texts += _texts(parameter, it, read) if is_whole else [parameter.text(it)]
     return texts
 
 
 def _several(value: Any) -> list[Any]:
     """What is given, one by one."""
+    if _is_uncertain(value):
+        return [value]
     if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
         return list(np.ravel(value))
     return list(value) if isinstance(value, (list, tuple, set, frozenset, range)) else [value]
+
+
+def _is_uncertain(value: Any) -> bool:
+    """True for a number of the package uncertainties, and for `libration.lab.Measured`."""
+    return hasattr(value, "nominal_value") and hasattr(value, "std_dev")
+
+
+def refuse_units(value: Any, where: str) -> None:
+    """Refuses quantities such as those of pint, whose numbers mean nothing without their units."""
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        raise TypeError(
+            f"{where}got a quantity with a unit: give a number in SI units, such as "
+            'quantity.to_base_units().magnitude, or a text with its unit, such as "57cm"'
+        )
+
+
+def _outside() -> int:
+    """The level in the stack of the first caller outside the package, for warnings."""
+    level, frame = 0, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith("libration."):
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def text_of(value: Any) -> str:
@@ -206,7 +257,7 @@ def text_of(value: Any) -> str:
         raise TypeError(f"got {value!r}: give a number or a text")
     if isinstance(value, (int, np.integer, Fraction)):
         return str(value)
-    if hasattr(value, "nominal_value") and hasattr(value, "std_dev"):
+    if _is_uncertain(value):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
     if hasattr(value, "free_symbols"):
         return text_of_sympy(value)
@@ -230,7 +281,7 @@ def answered(
     with spoken(progress, question.command) as tell:
         answer, notes, error = _native.ask(words, question.input, tell)
     for note in notes:
-        warnings.warn(note, stacklevel=4)
+        warnings.warn(note, stacklevel=_outside())
     if error is not None and not isinstance(error, KeyboardInterrupt):
         raise error
     return answer, error

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._ask import Columns, Given, Path, Table
+from ._ask import Columns, Given, Path, Table, refuse_units
 from .answer import Answer, answer
 from .fit import Fit, Measured
 from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
@@ -138,6 +138,8 @@ def recording(
     [True]
     """
     own = {name: it for name, it in locals().items() if name in HEADERS and it is not None}
+    for name, it in own.items():
+        refuse_units(it, f"{name}: ")
     given = {name: np.asarray(it, dtype=float) for name, it in own.items()}
     shape = given["t"].shape
     columns = {

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
+from ._ask import refuse_units
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import NoAnswer, SimulationError
@@ -225,6 +226,7 @@ def simulate(
             f"system: got {type(system).__name__}: give the name of a system, "
             "or its equations as text, such as \"x'' + sin(x) = 0\""
         )
+    refuse_units(times, "times: ")
     wanted = np.atleast_1d(np.asarray(times))
     if wanted.dtype.kind in "USO":
         raise TypeError(

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native, _workers, _zarr
-from ._ask import asked, catalogue
+from ._ask import asked, catalogue, refuse_units
 from ._plan import Plan, begin
 from ._progress import Tell, told
 from .errors import Interrupted, NoAnswer, UsageError
@@ -117,6 +117,8 @@ def sweep(
         reason = f"got {chunk}: give how many points a chunk has at most, 1 or more"
         raise UsageError.about("chunk", reason)
     words = _words(question, given)
+    for name, values in over.items():
+        refuse_units(values, f"over: {name}: ")
     axes = [(str(name), _values(values)) for name, values in over.items()]
     kept = _kept(keep)
     place = Path(os.path.abspath(os.fspath(store)))
