@@ -8,6 +8,7 @@ import numpy as np
 from sphinx.util import logging
 
 import libration
+from libration._ufuncs import arguments
 
 LOG = logging.getLogger(__name__)
 
@@ -20,11 +21,10 @@ def setup(app):
     return {"parallel_read_safe": True}
 
 
-def signature(app, what, name, obj, options, arguments, answer):
+def signature(app, what, name, obj, options, given, answer):
     """Ufuncs with their own arguments, and classes that a function makes without any."""
     if isinstance(obj, np.ufunc):
-        given = re.findall(r"^(\w+) : array_like$", obj.__doc__, re.MULTILINE)
-        return f"({', '.join(given)}, /, **kwargs)", None
+        return f"({', '.join(arguments(obj))}, /, **kwargs)", None
     if what == "class" and "\nParameters\n" not in inspect.getdoc(obj):
         return "", None
     return None

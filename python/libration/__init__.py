@@ -1,6 +1,7 @@
 """The pendulum at any amplitude, and from there any nonlinear oscillator.
 
-Angles are radians from the downward vertical, times seconds, lengths metres. Periods, states and elliptic functions (`libration.special`) are NumPy ufuncs.
+Angles are radians from the downward vertical, times seconds, lengths metres. Periods, states and
+elliptic functions (`libration.special`) are NumPy ufuncs.
 
 >>> import numpy as np
 >>> import libration as lb
@@ -8,7 +9,10 @@ Angles are radians from the downward vertical, times seconds, lengths metres. Pe
 [1.017409, 1.073182, 1.180341]
 """
 
-from . import errors, figure, lab, questions, special
+from typing import TYPE_CHECKING
+
+from . import _ufuncs, errors, special
+from ._lazy import lazily
 from ._native import (
     STANDARD_GRAVITY,
     __version__,
@@ -20,20 +24,77 @@ from ._native import (
     period_ratio_near_top,
     state,
 )
-from .answer import Answer, Fields, Rows
-from .derivation import Derivation, derive
 from .errors import Interrupted, LibrationError
-from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
-from .pendulum import Harmonics, Motion, Pendulum, State
-from .period_formulas import PeriodFormula, PeriodFormulas
-from .picture import Picture
-from .polynomial import Polynomial
-from .published import Paper, paper
-from .questions import backbone, bifurcation, decay, fields, fourier, lyapunov, melnikov, modes, orbit, oscillators, resonance, response, section, stability, systems
-from .simulation import Events, Simulation, States, simulate
-from .sweeps import sweep
 
-formulas = PeriodFormulas()
+_ufuncs.describe()
+
+if TYPE_CHECKING:
+    from . import figure, lab, questions
+    from .answer import Answer, Fields, Rows
+    from .derivation import Derivation, derive
+    from .expansion import Evaluation, Expansion, GaugeSeries, Series, expand
+    from .pendulum import Harmonics, Motion, Pendulum, State
+    from .period_formulas import PeriodFormula, PeriodFormulas, formulas
+    from .picture import Picture
+    from .polynomial import Polynomial
+    from .published import Paper, paper
+    from .questions import (
+        backbone,
+        bifurcation,
+        decay,
+        fields,
+        fourier,
+        lyapunov,
+        melnikov,
+        modes,
+        orbit,
+        oscillators,
+        resonance,
+        response,
+        section,
+        stability,
+        systems,
+    )
+    from .simulation import Events, Simulation, States, simulate
+    from .sweeps import sweep
+else:
+    # Modules are imported when one of their names is used; `python/tests/test_imports.py` compares
+    # this table with the imports above.
+    __getattr__, __dir__ = lazily(
+        __name__,
+        {
+            "answer": ["Answer", "Fields", "Rows"],
+            "derivation": ["Derivation", "derive"],
+            "expansion": ["Evaluation", "Expansion", "GaugeSeries", "Series", "expand"],
+            "figure": [],
+            "fit": [],
+            "lab": [],
+            "pendulum": ["Harmonics", "Motion", "Pendulum", "State"],
+            "period_formulas": ["PeriodFormula", "PeriodFormulas", "formulas"],
+            "picture": ["Picture"],
+            "polynomial": ["Polynomial"],
+            "published": ["Paper", "paper"],
+            "questions": [
+                "backbone",
+                "bifurcation",
+                "decay",
+                "fields",
+                "fourier",
+                "lyapunov",
+                "melnikov",
+                "modes",
+                "orbit",
+                "oscillators",
+                "resonance",
+                "response",
+                "section",
+                "stability",
+                "systems",
+            ],
+            "simulation": ["Events", "Simulation", "States", "simulate"],
+            "sweeps": ["sweep"],
+        },
+    )
 
 __all__ = [
     "Answer",

@@ -1,9 +1,11 @@
 """How questions of the command are put in Python's words, and what comes back.
 
-What is given goes down as text, in the notation of the command; what it means, and what is wrong with it, the command says.
+What is given goes down as text, in the notation of the command; what it means, and what is wrong
+with it, the command says.
 """
 
 import os
+import sys
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -14,42 +16,58 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
+from ._equations import text_of_sympy
 from ._progress import spoken
 from .errors import Interrupted
 
+ARRAYS = 'arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}'
+
+
 class Table:
-    """Columns that are read as a file: a mapping of names with units to arrays, or a pandas DataFrame."""
+    """Columns in place of a file: a mapping of names with units to arrays, or a DataFrame."""
 
     def __init__(self, columns: Any) -> None:
         if isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read"):
-            raise TypeError(f"got {type(columns).__name__}: give the name of a file as text or as a path, or arrays by names with units")
+            raise TypeError(
+                f"got {type(columns).__name__}: give the name of a file as text or as a path, "
+                "or arrays by names with units"
+            )
         if isinstance(columns, np.ndarray) and columns.dtype.names is None:
-            raise TypeError('an array has no names of columns: give a file, or arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
+            raise TypeError(f"an array has no names of columns: give a file, or {ARRAYS}")
         if isinstance(columns, np.ndarray):
             columns = {name: columns[name] for name in columns.dtype.names}
         names = [str(name) for name in columns]
+        for name in columns:
+            refuse_units(columns[name], f"column `{name}`: ")
         arrays = [np.atleast_1d(np.asarray(columns[name])) for name in columns]
         if not names:
-            raise ValueError('there are no columns: give arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}')
+            raise ValueError(f"there are no columns: give {ARRAYS}")
         lengths = {len(array) for array in arrays}
         if len(lengths) != 1 or any(array.ndim != 1 for array in arrays):
-            shapes = ", ".join(f"{name}: {array.shape}" for name, array in zip(names, arrays))
-            raise ValueError(f"the columns differ in shape ({shapes}): give arrays of one dimension and equal lengths")
+            shapes = ", ".join(f"{name}: {it.shape}" for name, it in zip(names, arrays))
+            raise ValueError(
+                f"the columns differ in shape ({shapes}): give arrays of one dimension and equal "
+                "lengths"
+            )
         lines = [names, *([_cell(cell) for cell in row] for row in zip(*arrays))]
         self.text = "".join(",".join(map(_quoted, line)) + "\n" for line in lines).encode()
 
 
 Value: TypeAlias = str | SupportsFloat | Fraction
-"""A number, in SI units where there are units, or a text such as ``"60deg"``, ``"57cm"``, ``"1/2"``."""
+"""A number, in SI units where it has a unit, or a text such as ``"60deg"`` or ``"1/2"``."""
 Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
 """One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
 Values: TypeAlias = Mapping[str, Given] | str
 """By name."""
 Path: TypeAlias = str | os.PathLike[str]
 Columns: TypeAlias = Mapping[str, Any] | Table
-"""Columns in place of a file: arrays by names with units, such as ``{"t (s)": t, "angle (deg)": angle}``, or a DataFrame of pandas."""
+"""Columns in place of a file: a DataFrame of pandas, or arrays by names with units, such as
+``{"t (s)": t, "angle (deg)": angle}``.
+"""
 Say: TypeAlias = bool | Callable[[str], object]
-"""True for a line of progress, where tqdm is installed; or a function of a text such as ``"12 of 40 amplitudes"``."""
+"""True for a line of progress, where tqdm is installed; or a function of a text, such as
+``"12 of 40 amplitudes"``.
+"""
 
 
 def _cell(value: Any) -> str:
@@ -57,7 +75,9 @@ def _cell(value: Any) -> str:
 
 
 def _quoted(cell: str) -> str:
-    return '"' + cell.replace('"', '""') + '"' if any(letter in cell for letter in ',"\n\r') else cell
+    if not any(letter in cell for letter in ',"\n\r'):
+        return cell
+    return '"' + cell.replace('"', '""') + '"'
 
 
 class Parameter(NamedTuple):
@@ -72,12 +92,26 @@ class Parameter(NamedTuple):
     is_repeated: bool
     choices: list[str]
     meaning: str
+    is_measured: bool = False
+    """True for a measured quantity, whose uncertainty goes into the results."""
 
     @property
     def keyword(self) -> str:
         """Its name in Python."""
         name = self.name.replace("-", "_")
         return f"{name}_" if name in ("from", "lambda") else name
+
+    def text(self, value: Any) -> str:
+        """One value as the command reads it; an uncertainty that would not be used is left out."""
+        refuse_units(value, f"{self.keyword}: ")
+        if _is_uncertain(value) and not self.is_measured:
+            reason = "its uncertainty is not used here, only its value"
+            warnings.warn(f"{self.keyword}: got {value}: {reason}", stacklevel=_outside())
+            value = float(value.nominal_value)
+        try:
+            return text_of(value)
+        except TypeError as error:
+            raise TypeError(f"{self.keyword}: {error}") from None
 
 
 class Question(NamedTuple):
@@ -92,7 +126,19 @@ class Question(NamedTuple):
 @cache
 def catalogue() -> dict[str, Question]:
     """All questions by their words."""
-    return {words: Question(words, about, remarks, [Parameter(*it) for it in given]) for words, about, remarks, given in _native.questions()}
+    return {
+        words: Question(words, about, remarks, [_parameter(words, it) for it in given])
+        for words, about, remarks, given in _native.questions()
+    }
+
+
+def _parameter(words: str, given: Sequence[Any]) -> Parameter:
+    parameter = Parameter(*given)
+    is_of_measurements = words.split()[0] in ("fit", "plan")
+    is_measured = is_of_measurements and parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
+    return parameter._replace(
+        is_measured=is_measured and parameter.name not in ("width", "height")
+    )
 
 
 class Asked(NamedTuple):
@@ -133,14 +179,16 @@ def asked(words: str, given: Mapping[str, Any]) -> Asked:
             options.append(f"--{parameter.name}")
         else:
             options += [f"--{parameter.name}={text}" for text in texts]
-    if read and "--header" in {f"--{parameter.name}" for parameter in catalogue()[words].parameters}:
+    if read and any(parameter.name == "header" for parameter in catalogue()[words].parameters):
         # The names of columns are no row of numbers, even where they are numbers.
-        inherited = ["--header=present", *(word for word in inherited if not word.startswith("--header="))]
+        inherited = [word for word in inherited if not word.startswith("--header=")]
+        inherited = ["--header=present", *inherited]
     if len(read) > 1:
         raise ValueError("two tables are given in place of files: save one of them as a file")
     own = {option.split("=")[0] for option in options}
     options = [option for option in inherited if option.split("=")[0] not in own] + options
-    return Asked((*words.split(), *options, *(["--", *arguments] if arguments else [])), read[0] if read else None)
+    arguments = ["--", *arguments] if arguments else []
+    return Asked((*words.split(), *options, *arguments), read[0] if read else None)
 
 
 def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
@@ -148,27 +196,59 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
         if not isinstance(value, (bool, np.bool_)):
             raise TypeError(f"{parameter.keyword}: got {value!r}: give True or False")
         return []
-    if parameter.value.startswith("FILE") and not isinstance(value, (str, os.PathLike, list, tuple)):
+    is_file = parameter.value.startswith("FILE")
+    if is_file and not isinstance(value, (str, os.PathLike, list, tuple)):
         value = value if isinstance(value, Table) else Table(value)
         read.append(value.text)
         return ["-"]
     if parameter.value.startswith("NAME=") and isinstance(value, Mapping):
-        pairs = [f"{name}={','.join(map(text_of, _several(it)))}" for name, it in value.items()]
+        values = {name: map(parameter.text, _several(it)) for name, it in value.items()}
+        pairs = [f"{name}={','.join(texts)}" for name, texts in values.items()]
         return [",".join(pairs)] if parameter.value.endswith("…") else pairs
     if not parameter.is_repeated:
-        return [",".join(map(text_of, _several(value)))]
-    return [text for it in _several(value) for text in (_texts(parameter, it, read) if isinstance(it, (Mapping, Table)) else [text_of(it)])]
+        return [",".join(map(parameter.text, _several(value)))]
+    texts: list[str] = []
+    for it in _several(value):
+        is_whole = isinstance(it, (Mapping, Table))
+        texts += _texts(parameter, it, read) if is_whole else [parameter.text(it)]
+    return texts
 
 
 def _several(value: Any) -> list[Any]:
     """What is given, one by one."""
+    if _is_uncertain(value):
+        return [value]
     if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
         return list(np.ravel(value))
     return list(value) if isinstance(value, (list, tuple, set, frozenset, range)) else [value]
 
 
+def _is_uncertain(value: Any) -> bool:
+    """True for a number of the package uncertainties, and for `libration.lab.Measured`."""
+    return hasattr(value, "nominal_value") and hasattr(value, "std_dev")
+
+
+def refuse_units(value: Any, where: str) -> None:
+    """Refuses quantities such as those of pint, whose numbers mean nothing without their units."""
+    if hasattr(value, "magnitude") and hasattr(value, "units"):
+        raise TypeError(
+            f"{where}got a quantity with a unit: give a number in SI units, such as "
+            'quantity.to_base_units().magnitude, or a text with its unit, such as "57cm"'
+        )
+
+
+def _outside() -> int:
+    """The level in the stack of the first caller outside the package, for warnings."""
+    level, frame = 0, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith("libration."):
+        level, frame = level + 1, frame.f_back
+    return level
+
+
 def text_of(value: Any) -> str:
-    """As the command reads it: all digits of numbers, a value with its uncertainty as ``0.57±0.004``, an equation of SymPy as text."""
+    """As the command reads it: all digits of numbers, ``0.57±0.004`` for a value with its
+    uncertainty, the text of an equation of SymPy.
+    """
     if isinstance(value, str):
         return str(value)
     if isinstance(value, os.PathLike):
@@ -177,18 +257,18 @@ def text_of(value: Any) -> str:
         raise TypeError(f"got {value!r}: give a number or a text")
     if isinstance(value, (int, np.integer, Fraction)):
         return str(value)
-    if hasattr(value, "nominal_value") and hasattr(value, "std_dev"):
+    if _is_uncertain(value):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
     if hasattr(value, "free_symbols"):
-        from .expansion import text_of_sympy
-
         return text_of_sympy(value)
     if isinstance(value, (float, np.floating, np.ndarray)) and np.ndim(value) == 0:
         return repr(float(value))
     raise TypeError(f"got {type(value).__name__}: give a number or a text")
 
 
-def answered(question: Asked, form: Iterable[str], progress: Say = False) -> tuple[str, BaseException | None]:
+def answered(
+    question: Asked, form: Iterable[str], progress: Say = False
+) -> tuple[str, BaseException | None]:
     """The answer in a form, and Ctrl-C if that has ended it early.
 
     Raises
@@ -201,7 +281,7 @@ def answered(question: Asked, form: Iterable[str], progress: Say = False) -> tup
     with spoken(progress, question.command) as tell:
         answer, notes, error = _native.ask(words, question.input, tell)
     for note in notes:
-        warnings.warn(note, stacklevel=4)
+        warnings.warn(note, stacklevel=_outside())
     if error is not None and not isinstance(error, KeyboardInterrupt):
         raise error
     return answer, error

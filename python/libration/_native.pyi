@@ -10,11 +10,17 @@ from typing_extensions import Unpack
 __version__: str
 STANDARD_GRAVITY: float
 
+_Tell: TypeAlias = Callable[[int, int | None], object]
+
 def pendulum(length: float | str, gravity: float | str) -> tuple[float, float, float, float]:
     """Length and gravity in SI units, angular frequency and period of small swings."""
 
+_Harmonics: TypeAlias = tuple[NDArray[int64], NDArray[float64], NDArray[float64]]
+
 class Motion:
-    def __new__(cls, length: float, gravity: float, angle: float | str, velocity: float | str) -> Motion: ...
+    def __new__(
+        cls, length: float, gravity: float, angle: float | str, velocity: float | str
+    ) -> Motion: ...
     @property
     def regime(self) -> str: ...
     @property
@@ -28,7 +34,7 @@ class Motion:
     def states_at(self, times: NDArray[float64]) -> tuple[NDArray[float64], NDArray[float64]]: ...
     def harmonics(
         self, tolerance: float, limit: int
-    ) -> tuple[tuple[float, float, float], tuple[NDArray[int64], NDArray[float64], NDArray[float64]]]: ...
+    ) -> tuple[tuple[float, float, float], _Harmonics]: ...
 
 class PeriodFormula:
     def __new__(cls, key: str) -> PeriodFormula: ...
@@ -42,12 +48,14 @@ class PeriodFormula:
 
 class Expansion:
     def fields(self) -> dict[str, Any]: ...
-    def evaluate(self, at: float, quantity: str) -> tuple[float, float, bool, list[tuple[int, float, float]]]: ...
+    def evaluate(
+        self, at: float, quantity: str
+    ) -> tuple[float, float, bool, list[tuple[int, float, float]]]: ...
 
 _Question: TypeAlias = tuple[str, list[tuple[str, str]], list[str], str | None]
 
 def expand(
-    question: _Question, order: int, gauge: str, progress: Callable[[int, int | None], object] | None
+    question: _Question, order: int, gauge: str, progress: _Tell | None
 ) -> tuple[Expansion | None, BaseException | None]: ...
 class Simulation:
     def words(self) -> tuple[str, str, list[str], list[str], int, float]: ...
@@ -59,17 +67,24 @@ _Pairs: TypeAlias = list[tuple[str, str]]
 _Motion: TypeAlias = tuple[str, _Pairs, _Pairs, _Pairs, tuple[str, str] | None, float]
 
 def simulate(
-    question: _Motion, times: NDArray[float64], progress: Callable[[int, int | None], object] | None
+    question: _Motion, times: NDArray[float64], progress: _Tell | None
 ) -> tuple[Simulation, BaseException | None]: ...
 def ask(
-    arguments: Sequence[str], input: bytes | None = None, progress: Callable[[str], object] | None = None
+    arguments: Sequence[str],
+    input: bytes | None = None,
+    progress: Callable[[str], object] | None = None,
 ) -> tuple[str, list[str], BaseException | None]: ...
-def questions() -> list[tuple[str, str, str, list[tuple[str, str, str, bool, bool, list[str], str]]]]: ...
+def questions(
+    
+) -> list[tuple[str, str, str, list[tuple[str, str, str, bool, bool, list[str], str]]]]: ...
 def sweep_plan(
-    question: Sequence[str], axes: Sequence[tuple[str, str | Sequence[str]]], keep: Sequence[str], chunk: int | None = None
+    question: Sequence[str],
+    axes: Sequence[tuple[str, str | Sequence[str]]],
+    keep: Sequence[str],
+    chunk: int | None = None,
 ) -> str: ...
 def sweep_chunk(
-    plan: str, chunk: int, go_on: Callable[[int, int | None], object] | None = None
+    plan: str, chunk: int, go_on: _Tell | None = None
 ) -> tuple[NDArray[float64], NDArray[uint8], list[str]]: ...
 def program(arguments: Sequence[str]) -> int: ...
 def latex(formula: str) -> str: ...
@@ -77,6 +92,10 @@ def formula_keys() -> list[str]: ...
 def simplest_formulas(amplitude: float | str, tolerance: float) -> list[str]: ...
 
 _Array: TypeAlias = NDArray[floating[Any]]
+_TwoNumbers: TypeAlias = tuple[float64, float64]
+_TwoArrays: TypeAlias = tuple[_Array, _Array]
+_FourNumbers: TypeAlias = tuple[float64, float64, float64, float64]
+_FourArrays: TypeAlias = tuple[_Array, _Array, _Array, _Array]
 
 class _Options(TypedDict, total=False):
     """The keywords of all ufuncs but ``out``."""
@@ -113,59 +132,143 @@ class _OneToOne(_Ufunc, Protocol):
     @overload
     def __call__(self, x: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
     @overload
-    def __call__(self, x: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self, x: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]
+    ) -> _Array: ...
     @overload
-    def __call__(self, x: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self, x: ArrayLike, /, out: None = None, **options: Unpack[_Options]
+    ) -> _Array: ...
 
 class _TwoToOne(_Ufunc, Protocol):
     """Two numbers to one."""
 
     @overload
-    def __call__(self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
+    def __call__(
+        self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]
+    ) -> float64: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        /,
+        out: _Array | tuple[_Array],
+        **options: Unpack[_Options],
+    ) -> _Array: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]
+    ) -> _Array: ...
 
 class _ThreeToOne(_Ufunc, Protocol):
     """Three numbers to one."""
 
     @overload
-    def __call__(self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]) -> float64: ...
+    def __call__(
+        self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]
+    ) -> float64: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: _Array | tuple[_Array], **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        /,
+        out: _Array | tuple[_Array],
+        **options: Unpack[_Options],
+    ) -> _Array: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> _Array: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        /,
+        out: None = None,
+        **options: Unpack[_Options],
+    ) -> _Array: ...
 
 class _TwoToFour(_Ufunc, Protocol):
     """Two numbers to four."""
 
     @overload
-    def __call__(self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64, float64, float64]: ...
+    def __call__(
+        self, x1: float, x2: float, /, out: None = None, **options: Unpack[_Options]
+    ) -> _FourNumbers: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: tuple[_Array, _Array, _Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array, _Array, _Array]: ...
+    def __call__(
+        self, x1: ArrayLike, x2: ArrayLike, /, out: _FourArrays, **options: Unpack[_Options]
+    ) -> _FourArrays: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array, _Array, _Array]: ...
+    def __call__(
+        self, x1: ArrayLike, x2: ArrayLike, /, out: None = None, **options: Unpack[_Options]
+    ) -> _FourArrays: ...
 
 class _ThreeToTwo(_Ufunc, Protocol):
     """Three numbers to two."""
 
     @overload
-    def __call__(self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64]: ...
+    def __call__(
+        self, x1: float, x2: float, x3: float, /, out: None = None, **options: Unpack[_Options]
+    ) -> _TwoNumbers: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: tuple[_Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        /,
+        out: _TwoArrays,
+        **options: Unpack[_Options],
+    ) -> _TwoArrays: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        /,
+        out: None = None,
+        **options: Unpack[_Options],
+    ) -> _TwoArrays: ...
 
 class _FourToTwo(_Ufunc, Protocol):
     """Four numbers to two."""
 
     @overload
-    def __call__(self, x1: float, x2: float, x3: float, x4: float, /, out: None = None, **options: Unpack[_Options]) -> tuple[float64, float64]: ...
+    def __call__(
+        self,
+        x1: float,
+        x2: float,
+        x3: float,
+        x4: float,
+        /,
+        out: None = None,
+        **options: Unpack[_Options],
+    ) -> _TwoNumbers: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, /, out: tuple[_Array, _Array], **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        x4: ArrayLike,
+        /,
+        out: _TwoArrays,
+        **options: Unpack[_Options],
+    ) -> _TwoArrays: ...
     @overload
-    def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, /, out: None = None, **options: Unpack[_Options]) -> tuple[_Array, _Array]: ...
+    def __call__(
+        self,
+        x1: ArrayLike,
+        x2: ArrayLike,
+        x3: ArrayLike,
+        x4: ArrayLike,
+        /,
+        out: None = None,
+        **options: Unpack[_Options],
+    ) -> _TwoArrays: ...
 
 period_ratio: _OneToOne
 period_excess: _OneToOne

@@ -19,7 +19,11 @@ def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
     command = answer._asked.command
     if command not in PICTURES:
         drawn = any(parameter.name == "figure" for parameter in catalogue()[command].parameters)
-        instead = "answer.picture() has that of the command" if drawn else f"there are some of {', '.join(PICTURES)}"
+        instead = (
+            "answer.picture() has that of the command"
+            if drawn
+            else f"there are some of {', '.join(PICTURES)}"
+        )
         raise TypeError(f"there is no plot of an answer to `{command}`: {instead}")
     return PICTURES[command](answer, ax)
 
@@ -27,7 +31,11 @@ def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _decay(answer: "Answer", ax: "Axes | None") -> "Axes":
     turns = answer.turning_points
     ax = _plot.axes(ax, ("t / s", "amplitude / °"))
-    for name, label in [("amplitude_rad", "integrated"), ("averaged_rad", "averaged"), ("small_amplitude_rad", "law of small amplitudes")]:
+    for name, label in [
+        ("amplitude_rad", "integrated"),
+        ("averaged_rad", "averaged"),
+        ("small_amplitude_rad", "law of small amplitudes"),
+    ]:
         ax.plot(turns.time_s, np.degrees(turns[name]), label=label)
     _plot.legend(ax)
     return ax
@@ -42,7 +50,8 @@ def _motion(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _period(answer: "Answer", ax: "Axes | None") -> "Axes":
     results = answer.results
     ax = _plot.axes(ax, ("θ₀ / °", "T / s"))
-    ax.plot(np.degrees(results.amplitude_rad), results.period_s, marker="." if len(results) < 50 else "")
+    marker = "." if len(results) < 50 else ""
+    ax.plot(np.degrees(results.amplitude_rad), results.period_s, marker=marker)
     return ax
 
 
@@ -62,7 +71,12 @@ def _plan(answer: "Answer", ax: "Axes | None") -> "Axes":
     for name in ("total", "noise", "angle_scale", "length", "clock"):
         part = np.asarray(choices[name], dtype=float)
         if (part > 0).any():
-            ax.plot(np.degrees(choices.amplitude_rad), np.where(part > 0, part, np.nan), marker=".", label=name.replace("_", " "))
+            ax.plot(
+                np.degrees(choices.amplitude_rad),
+                np.where(part > 0, part, np.nan),
+                marker=".",
+                label=name.replace("_", " "),
+            )
     ax.axhline(answer["wanted"], color="#888888", linewidth=0.8)
     ax.set_yscale("log")
     _plot.legend(ax)
@@ -72,10 +86,15 @@ def _plan(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _backbone(answer: "Answer", ax: "Axes | None") -> "Axes":
     points = answer.points
     ax = _plot.axes(ax, ("amplitude", "frequency"))
-    for name, label in [("angular_frequency_rad_per_s", "orbit"), ("series_angular_frequency_rad_per_s", f"series to order {answer['order']}"), ("exact", "exact")]:
+    for name, label in [
+        ("angular_frequency_rad_per_s", "orbit"),
+        ("series_angular_frequency_rad_per_s", f"series to order {answer['order']}"),
+        ("exact", "exact"),
+    ]:
         values = np.asarray(points[name], dtype=float)
         if np.isfinite(values).any():
-            ax.plot(points.amplitude, values, label=label, linestyle="-" if label == "orbit" else "--")
+            linestyle = "-" if label == "orbit" else "--"
+            ax.plot(points.amplitude, values, label=label, linestyle=linestyle)
     _plot.legend(ax)
     return ax
 
@@ -87,7 +106,8 @@ def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
     for name in dict.fromkeys(terms.coordinate):
         own = terms.coordinate == name
         turns = np.outer(phase, np.asarray(terms.n)[own])
-        values = np.cos(turns) @ np.asarray(terms.cosine)[own] + np.sin(turns) @ np.asarray(terms.sine)[own]
+        cosine, sine = np.asarray(terms.cosine)[own], np.asarray(terms.sine)[own]
+        values = np.cos(turns) @ cosine + np.sin(turns) @ sine
         ax.plot(phase * answer["period_s"] / (2 * np.pi), values, label=name)
     if len(set(terms.coordinate)) > 1:
         _plot.legend(ax)
@@ -112,8 +132,10 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
     for separatrix in answer.separatrices:
         values = np.full_like(phase, separatrix["mean_rad2_per_s2"])
         for term in separatrix["harmonics"]:
-            values += term["cosine_rad2_per_s2"] * np.cos(term["n"] * phase) + term["sine_rad2_per_s2"] * np.sin(term["n"] * phase)
-        ax.plot(np.degrees(phase), values, label="upper separatrix" if separatrix["direction"] > 0 else "lower separatrix")
+            values += term["cosine_rad2_per_s2"] * np.cos(term["n"] * phase)
+            values += term["sine_rad2_per_s2"] * np.sin(term["n"] * phase)
+        label = "upper separatrix" if separatrix["direction"] > 0 else "lower separatrix"
+        ax.plot(np.degrees(phase), values, label=label)
     ax.axhline(0, color="grey", linewidth=0.8, linestyle="--")
     _plot.legend(ax)
     return ax
@@ -122,19 +144,32 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     rotates = any(branch["turns"] for branch in answer.branches)
     name = answer["coordinate"]
-    ax = _plot.axes(ax, (answer["parameter"], f"{name} from even rotation" if rotates else f"largest |{name}|"))
+    label = f"{name} from even rotation" if rotates else f"largest |{name}|"
+    ax = _plot.axes(ax, (answer["parameter"], label))
     kinds = list(dict.fromkeys(branch["kind"] for branch in answer.branches))
     for branch in answer.branches:
         colour = _plot.COLOURS[kinds.index(branch["kind"]) % len(_plot.COLOURS)]
-        value, amplitude, stable = (np.array([point[name] for point in branch["points"]]) for name in ("parameter", "amplitude_max", "stable"))
+        value, amplitude, stable = (
+            np.array([point[name] for point in branch["points"]])
+            for name in ("parameter", "amplitude_max", "stable")
+        )
         ax.plot(value, amplitude, linestyle="--", linewidth=0.8, color=colour)
-        ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=branch["kind"].replace("_", " "))
+        label = branch["kind"].replace("_", " ")
+        ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=label)
         for special in branch["special"]:
-            ax.plot([special["parameter"]], [special["amplitude_max"]], linestyle="", marker="o", markersize=4, color=colour)
+            place = [special["parameter"]], [special["amplitude_max"]]
+            ax.plot(*place, linestyle="", marker="o", markersize=4, color=colour)
     for direction, colour, size in (("up", "black", 5), ("down", "#E69F00", 3)):
-        places = [(it["parameter"], it["amplitude_max"]) for it in answer["sweeps"] if it["direction"] == direction and it["amplitude_max"] is not None and bool(it["turns"]) == rotates]
+        swept = [it for it in answer["sweeps"] if it["direction"] == direction]
+        places = [
+            (it["parameter"], it["amplitude_max"])
+            for it in swept
+            if it["amplitude_max"] is not None and bool(it["turns"]) == rotates
+        ]
         if places:
-            ax.plot(*zip(*places, strict=True), linestyle="", marker=".", markersize=size, color=colour, label=f"swept {direction}")
+            x, y = zip(*places)
+            label = f"swept {direction}"
+            ax.plot(x, y, linestyle="", marker=".", markersize=size, color=colour, label=label)
     _plot.legend(ax)
     return ax
 
@@ -143,9 +178,9 @@ def _stability(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, tuple(answer["parameters"]))
     kinds = list(dict.fromkeys(curve["kind"] for curve in answer.curves))
     for curve in answer.curves:
-        place = kinds.index(curve["kind"])
+        colour = _plot.COLOURS[kinds.index(curve["kind"]) % len(_plot.COLOURS)]
         x, y = np.array([point["parameters"] for point in curve["points"]]).T
-        ax.plot(x, y, color=_plot.COLOURS[place % len(_plot.COLOURS)], label=curve["kind"].replace("_", " "))
+        ax.plot(x, y, color=colour, label=curve["kind"].replace("_", " "))
     _plot.legend(ax)
     return ax
 
@@ -164,7 +199,8 @@ def _bifurcation(answer: "Answer", ax: "Axes | None") -> "Axes":
     ax = _plot.axes(ax, (answer["parameter"], answer["state"][0]))
     for sweep in dict.fromkeys(points.sweep):
         chosen = points.sweep == sweep
-        ax.plot(points.value[chosen], points.state[chosen, 0], linestyle="", marker=".", markersize=2, label=sweep)
+        places = points.value[chosen], points.state[chosen, 0]
+        ax.plot(*places, linestyle="", marker=".", markersize=2, label=sweep)
     if len(set(points.sweep)) > 1:
         _plot.legend(ax)
     return ax
@@ -182,22 +218,26 @@ def _modes(answer: "Answer", ax: "Axes | None") -> "Axes":
         return _followed_mode(answer, ax)
     ax = _plot.axes(ax, ("coordinate", "shape"))
     for mode in answer.modes:
-        ax.plot(answer["coordinates"], mode["shape"], marker="o", label=f"ω = {mode['angular_frequency_rad_per_s']:.6g}")
+        label = f"ω = {mode['angular_frequency_rad_per_s']:.6g}"
+        ax.plot(answer["coordinates"], mode["shape"], marker="o", label=label)
     _plot.legend(ax)
     return ax
 
 
 def _followed_mode(answer: "Answer", ax: "Axes | None") -> "Axes":
     points = answer.points
+    omega = points.angular_frequency_rad_per_s
+    series = np.asarray(points.series_angular_frequency_rad_per_s, dtype=float)
     ax = _plot.axes(ax, (f"amplitude of {answer['coordinate']}", "ω / (rad/s)"))
     for stable, marker, label in [(True, "o", "stable"), (False, "x", "unstable")]:
         here = points.stable == stable
         if here.any():
-            ax.plot(points.amplitude[here], points.angular_frequency_rad_per_s[here], linestyle="", marker=marker, markersize=4, label=label)
-    ax.plot(points.amplitude, points.angular_frequency_rad_per_s, linewidth=0.8, color="#888888", zorder=1)
+            places = points.amplitude[here], omega[here]
+            ax.plot(*places, linestyle="", marker=marker, markersize=4, label=label)
+    ax.plot(points.amplitude, omega, linewidth=0.8, color="#888888", zorder=1)
     # The series leaves the frame where it is far off.
     limits = ax.get_ylim()
-    ax.plot(points.amplitude, np.asarray(points.series_angular_frequency_rad_per_s, dtype=float), linestyle=":", color=_plot.COLOURS[2], label="ω + κa²")
+    ax.plot(points.amplitude, series, linestyle=":", color=_plot.COLOURS[2], label="ω + κa²")
     ax.set_ylim(limits)
     _plot.legend(ax)
     return ax
@@ -221,8 +261,9 @@ def _fit_trace(answer: Any, ax: "Axes | None") -> "Axes":
     for place, trace in enumerate(traces):
         chosen, colour = rows.trace == trace, _plot.COLOURS[place % len(_plot.COLOURS)]
         label = "measured" if len(traces) == 1 else trace
-        ax.plot(rows.time_s[chosen], np.degrees(rows.fitted[chosen]), color=law, linewidth=1.2, label="fitted")
-        ax.plot(rows.time_s[chosen], np.degrees(rows.value[chosen]), linestyle="", marker=".", markersize=3, color=colour, label=label)
+        t, value = rows.time_s[chosen], np.degrees(rows.value[chosen])
+        ax.plot(t, np.degrees(rows.fitted[chosen]), color=law, linewidth=1.2, label="fitted")
+        ax.plot(t, value, linestyle="", marker=".", markersize=3, color=colour, label=label)
     _plot.legend(ax)
     return ax
 
@@ -236,17 +277,19 @@ def _fit_gates(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
     is_angle = answer["amplitude_unit"] == "rad"
     scale = np.degrees(1.0) if is_angle else 1.0
-    ax = _plot.axes(ax, ("Ω / (rad/s)", "amplitude / °" if is_angle else f"amplitude / {answer['amplitude_unit']}"))
-    ax.plot(answer.measurements.angular_frequency_rad_per_s, scale * answer.measurements.amplitude, linestyle="", marker="o", markersize=4, label="measured")
+    unit = "°" if is_angle else answer["amplitude_unit"]
+    ax = _plot.axes(ax, ("Ω / (rad/s)", f"amplitude / {unit}"))
+    places = answer.measurements.angular_frequency_rad_per_s, scale * answer.measurements.amplitude
+    ax.plot(*places, linestyle="", marker="o", markersize=4, label="measured")
     curve = answer.curve
     for stable, dashes, label in [(True, "-", "stable"), (False, "--", "unstable")]:
         for branch in dict.fromkeys(curve.branch):
             own = curve.branch == branch
             here = curve.stable[own] == stable
-            ax.plot(
-                curve.angular_frequency_rad_per_s[own], np.where(here, scale * curve.amplitude[own], np.nan), dashes,
-                color=_plot.COLOURS[1], label=label if here.any() else "_",
-            )
+            amplitude = np.where(here, scale * curve.amplitude[own], np.nan)
+            name = label if here.any() else "_"
+            places = curve.angular_frequency_rad_per_s[own], amplitude
+            ax.plot(*places, dashes, color=_plot.COLOURS[1], label=name)
     _plot.legend(ax)
     return ax
 
@@ -254,22 +297,33 @@ def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
 def _spectrum(answer: Any, ax: "Axes | None") -> "Axes":
     traces = answer.traces
     if not len(traces) or "spectrum_hz" not in traces[0]:
-        raise TypeError("there is no picture of what a file holds, but of its harmonics: lab.spectrum(recording).plot()")
+        raise TypeError(
+            "there is no picture of what a file holds, but of its harmonics: "
+            "lab.spectrum(recording).plot()"
+        )
     is_angle = traces[0]["unit"] == "rad"
     scale = np.degrees(1.0) if is_angle else 1.0
     ax = _plot.axes(ax, ("frequency / Hz", "amplitude / °" if is_angle else "amplitude / (rad/s)"))
     for place, trace in enumerate(traces):
         colour = _plot.COLOURS[place % len(_plot.COLOURS)]
         name = f"spectrum, {trace['name']}" if trace["name"] else "spectrum"
-        ax.plot(trace["spectrum_hz"], scale * np.asarray(trace["spectrum_amplitudes"], dtype=float), color=colour, linewidth=0.8, label=name)
+        amplitudes = scale * np.asarray(trace["spectrum_amplitudes"], dtype=float)
+        ax.plot(trace["spectrum_hz"], amplitudes, color=colour, linewidth=0.8, label=name)
         lines = trace.harmonics
         hz = lines.frequency_hz
-        theory, amplitude, spread = (scale * np.abs(np.asarray(lines[key], dtype=float)) for key in ("theory", "amplitude", "amplitude_uncertainty"))
-        known, seen, lost = theory > 0, (lines.n > 0) & (amplitude > 2 * spread), (lines.n > 0) & (amplitude <= 2 * spread)
-        ax.plot(hz[known], theory[known], linestyle="", marker="s", markersize=7, markerfacecolor="none", color="black", label="pendulum")
-        ax.errorbar(hz[seen], amplitude[seen], spread[seen], linestyle="", marker="o", markersize=4, color=colour, label="measured")
+        theory, amplitude, spread = (
+            scale * np.abs(np.asarray(lines[key], dtype=float))
+            for key in ("theory", "amplitude", "amplitude_uncertainty")
+        )
+        known, is_above = theory > 0, amplitude > 2 * spread
+        seen, lost = (lines.n > 0) & is_above, (lines.n > 0) & (amplitude <= 2 * spread)
+        squares: dict[str, Any] = {"marker": "s", "markersize": 7, "markerfacecolor": "none"}
+        ax.plot(hz[known], theory[known], linestyle="", **squares, color="black", label="pendulum")
+        dots: dict[str, Any] = {"linestyle": "", "marker": "o", "markersize": 4, "color": colour}
+        ax.errorbar(hz[seen], amplitude[seen], spread[seen], **dots, label="measured")
         if lost.any():
-            ax.plot(hz[lost], (amplitude + 2 * spread)[lost], linestyle="", marker="v", markersize=4, color=colour, label="upper limit (2σ)")
+            limits: dict[str, Any] = {**dots, "marker": "v", "label": "upper limit (2σ)"}
+            ax.plot(hz[lost], (amplitude + 2 * spread)[lost], **limits)
     ax.set_yscale("log")
     _plot.legend(ax)
     return ax

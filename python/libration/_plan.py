@@ -1,4 +1,7 @@
-"""What a sweep asks and keeps, where its chunks are in a store, and how one is answered, on any machine."""
+"""The plan of a sweep: what it asks and keeps, and where its chunks are in a store.
+
+A chunk can be answered on any machine.
+"""
 
 import json
 import shlex
@@ -59,13 +62,15 @@ class Plan:
             further = (f"{field['name']}_number",) if entries else ()
             about = {"units": field["unit"], "long_name": field["meaning"], "path": field["path"]}
             about = {name: text for name, text in about.items() if text}
-            variables.append(Variable(field["name"], names + further, shape + entries, chunk + entries, "float64", about))
+            lengths = (shape + entries, chunk + entries)
+            variables.append(Variable(field["name"], names + further, *lengths, "float64", about))
         flags = {
             "long_name": "whether there is an answer",
             "flag_values": [-1, 0, 1, 2],
             "flag_meanings": "not_asked_yet answer no_answer not_understood",
         }
-        variables.append(Variable("message", names, shape, chunk, "string", {"long_name": "why there is no answer"}))
+        why = {"long_name": "why there is no answer"}
+        variables.append(Variable("message", names, shape, chunk, "string", why))
         variables.append(Variable("status", names, shape, chunk, "int8", flags))
         return variables
 
@@ -76,18 +81,19 @@ class Plan:
             values = axis["values"] if axis["numbers"] is None else axis["numbers"]
             kind = "string" if axis["numbers"] is None else "float64"
             about = {"units": axis["unit"]} if axis["unit"] else {}
-            length = (len(values),)
-            coordinates.append((Variable(axis["name"], (axis["name"],), length, length, kind, about), values))
+            name, length = axis["name"], (len(values),)
+            coordinates.append((Variable(name, (name,), length, length, kind, about), values))
         return coordinates
 
     def about(self) -> dict[str, Any]:
         """Where the answers are from."""
         question = shlex.join(["libration", *self["question"]])
-        return {"question": question, "version": self["version"], "format": self["format"], "source": "libration sweep"}
+        own = {name: self[name] for name in ("version", "format")}
+        return {"question": question, **own, "source": "libration sweep"}
 
 
 def begin(plan: Plan, store: Path) -> None:
-    """Writes what a store holds before its first answers; one that holds something else is refused."""
+    """Writes the beginning of a store; a store that holds something else is refused."""
     files = _zarr.group([*(it for it, _ in plan.coordinates()), *plan.answers()], plan.about())
     for variable, values in plan.coordinates():
         files = {variable.file([0]): variable.encoded(values), **files}
@@ -99,7 +105,8 @@ def begin(plan: Plan, store: Path) -> None:
         if not place.exists():
             _zarr.write(store, path, content)
         elif place.read_bytes() != content:
-            raise NoAnswer(f"{store} holds another sweep: {_difference(store, plan)}; give another directory")
+            difference = _difference(store, plan)
+            raise NoAnswer(f"{store} holds another sweep: {difference}; give another directory")
 
 
 def _difference(store: Path, plan: Plan) -> str:

@@ -30,4 +30,11 @@ def legend(ax: "Axes") -> None:
     first: dict[str, Any] = {}
     for handle, label in zip(*ax.get_legend_handles_labels()):
         first.setdefault(label, handle)
-    ax.legend(list(first.values()), list(first), loc="lower left", bbox_to_anchor=(0, 1), ncols=min(len(first), 4), frameon=False)
+    ax.legend(
+        list(first.values()),
+        list(first),
+        loc="lower left",
+        bbox_to_anchor=(0, 1),
+        ncols=min(len(first), 4),
+        frameon=False,
+    )

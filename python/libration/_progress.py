@@ -12,7 +12,7 @@ Tell: TypeAlias = Callable[[int, int | None], object]
 
 @contextmanager
 def told(progress: "bool | Tell", what: str) -> Iterator["Tell | None"]:
-    """Whom a long call tells: the function that is given, or a bar of tqdm where that is installed."""
+    """The function that a long call tells: the one given, or a bar of tqdm where installed."""
     if progress is True:
         try:
             from tqdm.auto import tqdm
@@ -26,7 +26,9 @@ def told(progress: "bool | Tell", what: str) -> Iterator["Tell | None"]:
 
 
 @contextmanager
-def spoken(progress: "bool | Callable[[str], object]", what: str) -> Iterator["Callable[[str], object] | None"]:
+def spoken(
+    progress: "bool | Callable[[str], object]", what: str
+) -> Iterator["Callable[[str], object] | None"]:
     """Whom a question of the command tells in words how far it is."""
     if progress is True:
         try:

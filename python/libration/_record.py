@@ -15,7 +15,8 @@ class Record:
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        return all(_equal(getattr(self, it.name), getattr(other, it.name)) for it in fields(self) if it.compare)  # type: ignore[arg-type]
+        names = [it.name for it in fields(self) if it.compare]  # type: ignore[arg-type]
+        return all(_equal(getattr(self, name), getattr(other, name)) for name in names)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -29,9 +30,10 @@ class Shown:
         raise NotImplementedError
 
     def _repr_html_(self) -> str:
+        left = 'style="text-align: left"'
         cells = [(html.escape(name), html.escape(str(value))) for name, value in self._facts()]
-        rows = "".join(f'<tr><th style="text-align: left">{name}</th><td style="text-align: left">{value}</td></tr>' for name, value in cells)
-        return f"<table>{rows}</table>"
+        rows = [f"<tr><th {left}>{name}</th><td {left}>{value}</td></tr>" for name, value in cells]
+        return f"<table>{''.join(rows)}</table>"
 
 
 def _equal(one: Any, other: Any) -> bool:

@@ -10,6 +10,7 @@ from typing import Any
 from ._plan import Plan, answer_chunk
 from .errors import NoAnswer
 
+KEPT = "whole chunks are kept, and the same call goes on from there"
 PAUSE = 0.1
 """Seconds between two looks at whether Ctrl-C was pressed."""
 
@@ -50,7 +51,10 @@ def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iter
     from distributed.comm.core import CommClosedError
 
     as_completed: Any = completed
-    waiting = {client.submit(answer_chunk, plan, store, number, pure=False, retries=RETRIES): number for number in missing}
+    waiting = {
+        client.submit(answer_chunk, plan, store, number, pure=False, retries=RETRIES): number
+        for number in missing
+    }
     chunks = as_completed(waiting)
     try:
         for chunk in chunks:
@@ -59,9 +63,9 @@ def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iter
                 yield chunk.result()
             except KilledWorker as error:
                 reason = f"chunk {number} has killed all workers that were given it: {error}"
-                raise NoAnswer(f"{reason}; whole chunks are kept, and the same call goes on from there") from error
+                raise NoAnswer(f"{reason}; {KEPT}") from error
     except (CancelledError, CommClosedError, TimeoutError) as error:
-        raise NoAnswer("the cluster has gone: whole chunks are kept, and the same call goes on from there") from error
+        raise NoAnswer(f"the cluster has gone: {KEPT}") from error
     finally:
         if client.status == "running":
             client.cancel(list(waiting))

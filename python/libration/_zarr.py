@@ -1,7 +1,8 @@
-"""Stores of Zarr (format 3) on a disk, whose bytes follow from what they hold: written here, read by zarr and xarray.
+"""Stores of Zarr (format 3) on a disk, whose bytes follow from what they hold: written here, read
+by zarr and xarray.
 
-Chunks are not compressed, so that no version of a compressor shows in them. A file is written elsewhere, brought to the disk, and renamed into its place: it
-is there and whole, or it is not.
+Chunks are not compressed, so that no version of a compressor shows in them. A file is written
+elsewhere, brought to the disk, and renamed into its place: it is there and whole, or it is not.
 """
 
 import json
@@ -65,7 +66,8 @@ class Variable(NamedTuple):
         if self.kind != "string":
             return block.astype(block.dtype.newbyteorder("<")).tobytes()
         texts = [text.encode() for text in block.ravel()]
-        return struct.pack("<I", len(texts)) + b"".join(struct.pack("<I", len(text)) + text for text in texts)
+        counted = [struct.pack("<I", len(text)) + text for text in texts]
+        return struct.pack("<I", len(texts)) + b"".join(counted)
 
 
 def group(variables: Iterable[Variable], attributes: Mapping[str, Any]) -> dict[str, bytes]:
@@ -82,7 +84,8 @@ def group(variables: Iterable[Variable], attributes: Mapping[str, Any]) -> dict[
 
 
 def _json(value: Any) -> bytes:
-    return (json.dumps(value, sort_keys=True, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    text = json.dumps(value, sort_keys=True, indent=1, ensure_ascii=False, allow_nan=False)
+    return f"{text}\n".encode()
 
 
 def write(store: Path, path: str, content: bytes) -> None:
@@ -104,7 +107,7 @@ def write(store: Path, path: str, content: bytes) -> None:
 
 
 def workshop(store: Path) -> Path:
-    """Where files are until they are whole: beside the store, so that nothing half-written is ever in it."""
+    """The directory of unfinished files, next to the store, which never holds half a file."""
     return store.with_name(f".{store.name}.unfinished")
 
 

@@ -11,6 +11,7 @@
 import html
 import json
 import re
+import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, overload
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._ask import Asked, answered, asked
+from ._pictures import draw
 from .errors import Interrupted
 from .picture import Picture
 
@@ -34,7 +36,9 @@ Column: TypeAlias = "NDArray[Any]"
 
 
 class Fields(Mapping[str, Any]):
-    """An object of an answer: ``fields["name"]`` is what the JSON has, ``fields.name`` the same with lists as arrays and `Rows`."""
+    """An object of an answer: ``fields["name"]`` is what the JSON has, ``fields.name`` the same
+    with lists as arrays and `Rows`.
+    """
 
     __slots__ = ("_fields",)
     _fields: dict[str, Any]
@@ -56,7 +60,8 @@ class Fields(Mapping[str, Any]):
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name not in self._fields:
-            raise AttributeError(f"no field `{name}`: there are {', '.join(self)}", name=name, obj=self)
+            message = f"no field `{name}`: there are {', '.join(self)}"
+            raise AttributeError(message, name=name, obj=self)
         return _seen(self._fields[name])
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -77,7 +82,8 @@ class Fields(Mapping[str, Any]):
         return type(self), (self._fields,)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={_short(value)}' for name, value in self._fields.items())})"
+        fields = [f"{name}={_short(value)}" for name, value in self._fields.items()]
+        return f"{type(self).__name__}({', '.join(fields)})"
 
     def to_dict(self) -> dict[str, Any]:
         """A copy as Python's own lists and dicts: what the JSON of the command has."""
@@ -86,7 +92,9 @@ class Fields(Mapping[str, Any]):
 
 
 class Rows(Sequence[Fields]):
-    """A list of things with the same fields: ``rows[0]`` is one of them, ``rows.name`` or ``rows["name"]`` a column as an array."""
+    """A list of things with the same fields: ``rows[0]`` is one of them, ``rows.name`` or
+    ``rows["name"]`` a column as an array.
+    """
 
     __slots__ = ("_rows",)
     _rows: list[dict[str, Any]]
@@ -112,7 +120,8 @@ class Rows(Sequence[Fields]):
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name not in self.names:
-            raise AttributeError(f"no column `{name}`: there are {', '.join(self.names)}", name=name, obj=self)
+            message = f"no column `{name}`: there are {', '.join(self.names)}"
+            raise AttributeError(message, name=name, obj=self)
         return self[name]
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -142,14 +151,17 @@ class Rows(Sequence[Fields]):
         import pandas
 
         columns = {name: self[name] for name in self.names}
-        return pandas.DataFrame({name: list(it) if it.ndim > 1 else it for name, it in columns.items()})
+        return pandas.DataFrame(_cells(columns))
 
     def _repr_html_(self) -> str:
-        return _table(self.names, ([row.get(name) for name in self.names] for row in self._rows), len(self))
+        rows = ([row.get(name) for name in self.names] for row in self._rows)
+        return _table(self.names, rows, len(self))
 
 
 class Answer(Fields):
-    """The answer to a question: ``answer["field"]`` is what the JSON of the command has, ``answer.field`` the same with arrays and `Rows`."""
+    """The answer to a question: ``answer["field"]`` is what the JSON of the command has,
+    ``answer.field`` the same with arrays and `Rows`.
+    """
 
     __slots__ = ("_asked",)
     _asked: Asked
@@ -164,29 +176,35 @@ class Answer(Fields):
     @property
     def question(self) -> str:
         """The question as the words of a command line."""
-        import shlex
-
         return shlex.join(["libration", *self._asked.words])
 
     @property
     def rows(self) -> Rows:
         """The longest list of things with fields."""
-        lists: list[list[Any]] = [it for it in self._fields.values() if isinstance(it, list) and it and isinstance(it[0], dict)]
-        longest: list[Any] = max(lists, key=len, default=[])
+        lists: list[list[Any]] = [it for it in self._fields.values() if isinstance(it, list)]
+        of_things = [it for it in lists if it and isinstance(it[0], dict)]
+        longest: list[Any] = max(of_things, key=len, default=[])
         return Rows(longest)
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The rows, with a column for each number of a state."""
         import pandas
 
-        return pandas.DataFrame({name: list(it) if it.ndim > 1 else it for name, it in self._columns().items()})
+        return pandas.DataFrame(_cells(self._columns()))
 
     def to_xarray(self) -> "xarray.Dataset":
-        """The rows as a dataset over their number; its attributes are the texts and numbers beside them."""
+        """The rows as a dataset over their number; single texts and numbers are attributes."""
         import xarray
 
-        plain = {name: value for name, value in self._fields.items() if isinstance(value, (str, int, float)) and not isinstance(value, bool)}
-        columns = {name: (("row", *(f"{name}_{axis}" for axis in range(1, it.ndim))), it) for name, it in self._columns().items()}
+        plain = {
+            name: value
+            for name, value in self._fields.items()
+            if isinstance(value, (str, int, float)) and not isinstance(value, bool)
+        }
+        columns = {
+            name: (("row", *(f"{name}_{axis}" for axis in range(1, it.ndim))), it)
+            for name, it in self._columns().items()
+        }
         return xarray.Dataset(columns, attrs={**plain, "question": self.question})
 
     def _columns(self) -> dict[str, Column]:
@@ -212,22 +230,25 @@ class Answer(Fields):
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
         """Draws the answer with matplotlib, where the command has a picture for it."""
-        from ._pictures import draw
-
         return draw(self, ax)
 
     def _repr_html_(self) -> str:
-        described = {name: rest for name, *rest in _descriptions().get(self._asked.command, [])}
-        head = [(name, value, *described.get(name, ("", ""))) for name, value in self._fields.items() if not isinstance(value, (list, dict))]
-        rows = self.rows
-        return _table(("field", "value", "unit", "meaning"), head, len(head)) + (rows._repr_html_() if rows else "")
+        described = {name: rest for name, *rest in descriptions().get(self._asked.command, [])}
+        head = [
+            (name, value, *described.get(name, ("", "")))
+            for name, value in self._fields.items()
+            if not isinstance(value, (list, dict))
+        ]
+        table = _table(("field", "value", "unit", "meaning"), head, len(head))
+        return table + (self.rows._repr_html_() if self.rows else "")
 
 
 A = TypeVar("A", bound=Answer)
 
 
 def answer(kind: type[A], words: str, given: Mapping[str, Any]) -> A:
-    """The answer to a question with what a function was given, ``progress`` among it; empty where it was written to a file.
+    """The answer to a question with what a function was given, ``progress`` among it; empty where
+    it was written to a file.
 
     Raises
     ------
@@ -255,7 +276,8 @@ def _array(values: list[Any]) -> Any:
     if not values:
         return np.array([])
     flat = [it for value in values for it in (value if isinstance(value, list) else [value])]
-    is_number = all(it is None or isinstance(it, (int, float)) and not isinstance(it, bool) for it in flat)
+    numbers = [it for it in flat if isinstance(it, (int, float)) and not isinstance(it, bool)]
+    is_number = len(numbers) + flat.count(None) == len(flat)
     lengths = {len(value) if isinstance(value, list) else -1 for value in values}
     if len(lengths) == 1 and is_number:
         whole = all(isinstance(it, int) for it in flat)
@@ -268,13 +290,19 @@ def _array(values: list[Any]) -> Any:
 
 
 @cache
-def _descriptions() -> dict[str, list[tuple[str, str, str]]]:
+def descriptions() -> dict[str, list[tuple[str, str, str]]]:
     """Name, unit and meaning of the fields of each command, as `libration fields` says."""
     text, _, _ = _native.ask(["fields", "--json"])
     found: dict[str, list[tuple[str, str, str]]] = {}
     for command in json.loads(text)["commands"]:
-        found.setdefault(command["command"], []).extend((it["name"], it["unit"], it["meaning"]) for it in command["json"])
+        fields = [(it["name"], it["unit"], it["meaning"]) for it in command["json"]]
+        found.setdefault(command["command"], []).extend(fields)
     return found
+
+
+def _cells(columns: Mapping[str, Column]) -> dict[str, Any]:
+    """Columns for pandas: a cell is a number, a text or an array."""
+    return {name: list(it) if it.ndim > 1 else it for name, it in columns.items()}
 
 
 def _short(value: Any) -> str:

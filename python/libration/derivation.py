@@ -58,18 +58,21 @@ class Derivation:
         forms = {".md": "markdown", ".html": "html", ".tex": "latex", ".ipynb": "ipynb"}
         ending = os.path.splitext(os.fspath(file))[1].lower()
         if ending not in forms:
-            raise ValueError(f"`{os.fspath(file)}` has no known ending: give one of {', '.join(forms)}")
+            known = ", ".join(forms)
+            raise ValueError(f"`{os.fspath(file)}` has no known ending: give one of {known}")
         questions.derive(**self.given, format=forms[ending], output=file)  # type: ignore[arg-type]
 
     def _repr_html_(self) -> str:
-        """The page in a frame of its own, so that its style stays there, with its sections folded."""
-        page = re.sub(
-            r"<section id=\"[^\"]*\">\s*<h2>(.*?)</h2>(.*?)</section>",
-            lambda it: f"<details><summary><b>{re.sub('<[^>]*>', '', it[1])}</b></summary>{it[2]}</details>",
-            self.to_html(),
-            flags=re.DOTALL,
-        )
-        return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 36rem; border: 0" title="{html.escape(self.title)}"></iframe>'
+        """The page in a frame of its own, which keeps its style, with its sections folded."""
+        section = r"<section id=\"[^\"]*\">\s*<h2>(.*?)</h2>(.*?)</section>"
+        page = html.escape(re.sub(section, _folded, self.to_html(), flags=re.DOTALL))
+        style, title = "width: 100%; height: 36rem; border: 0", html.escape(self.title)
+        return f'<iframe srcdoc="{page}" style="{style}" title="{title}"></iframe>'
+
+
+def _folded(section: "re.Match[str]") -> str:
+    title = re.sub("<[^>]*>", "", section[1])
+    return f"<details><summary><b>{title}</b></summary>{section[2]}</details>"
 
 
 def derive(
@@ -109,5 +112,6 @@ def derive(
     >>> lb.derive("elliptic")
     <derivation: The period of a pendulum at any amplitude>
     """
-    given = {name: it for name, it in locals().items() if name != "progress" and it is not None and it is not False}
+    own = {name: it for name, it in locals().items() if name != "progress"}
+    given = {name: it for name, it in own.items() if it is not None and it is not False}
     return Derivation(given, questions.derive(**given, progress=progress))

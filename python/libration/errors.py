@@ -3,16 +3,30 @@
 from collections.abc import Sequence
 from typing import Any
 
-__all__ = ["ExpansionError", "FormulaError", "Interrupted", "LibrationError", "MissingFile", "NoAnswer", "PendulumError", "QuantityError", "SimulationError", "UnknownKeyError", "UsageError"]
+__all__ = [
+    "ExpansionError",
+    "FormulaError",
+    "Interrupted",
+    "LibrationError",
+    "MissingFile",
+    "NoAnswer",
+    "PendulumError",
+    "QuantityError",
+    "SimulationError",
+    "UnknownKeyError",
+    "UsageError",
+]
 
 
 class LibrationError(ValueError):
     """Any refusal of this package."""
 
     parameters: Sequence[str] = ()
-    """The arguments that the error is about, by their names in Python; empty where it is about none."""
+    """The names in Python of the arguments that the error is about; may be empty."""
     item: str | None = None
-    """The name of the value that it is about, in an argument that has several, such as ``set={"c": ...}``; else None."""
+    """The name of the value that it is about, in an argument that has several, such as
+    ``set={"c": ...}``; else None.
+    """
     hint: str | None = None
     """A call that has a result in place of this one; None where none is known."""
     suggestion: str | None = None
@@ -49,7 +63,7 @@ class QuantityError(LibrationError):
 
 
 class SimulationError(LibrationError):
-    """A motion that cannot begin, or did not come to its end; then what was found is its ``partial``."""
+    """A motion that cannot begin, or did not come to its end: ``partial`` is what was found."""
 
     partial: Any = None
     """The `Simulation` until then; None where there is none."""
@@ -73,7 +87,7 @@ class UsageError(LibrationError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in a long call; what was done until then is its ``partial``, None where nothing is certain yet."""
+    """Ctrl-C in a long call; ``partial`` is what was done, None where nothing is certain yet."""
 
     def __init__(self, partial: Any = None) -> None:
         super().__init__("interrupted; what was done is the attribute `partial` of this exception")

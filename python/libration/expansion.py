@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _ask, _native, _plot, questions
+from ._equations import text_of_sympy
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import ExpansionError
@@ -47,14 +48,15 @@ class Series:
         return self.coefficients[power]
 
     def __call__(self, x: float, **letters: float) -> float:
-        """The sum of the terms, with values for letters; `Expansion.evaluate` says what is missing."""
+        """The sum of the terms, with values for letters; `Expansion.evaluate` has a bound."""
         total = 0.0
         for c in reversed(self.coefficients):
             total = total * x + (c(**letters) if isinstance(c, Polynomial) else float(c))
         return total
 
     def __str__(self) -> str:
-        terms = [_term(c, self.variable, n) for n, c in enumerate(self.coefficients) if not _is_zero(c)]
+        present = [(n, c) for n, c in enumerate(self.coefficients) if not _is_zero(c)]
+        terms = [_term(c, self.variable, n) for n, c in present]
         return " + ".join(terms).replace("+ -", "- ") or "0"
 
     def to_sympy(self) -> "sympy.Expr":
@@ -64,8 +66,10 @@ class Series:
         x = sympy.Symbol(self.variable)
         total: Any = sympy.Integer(0)
         for n, c in enumerate(self.coefficients):
-            number = c.to_sympy() if isinstance(c, Polynomial) else sympy.Rational(c.numerator, c.denominator)
-            total += number * x**n
+            if isinstance(c, Polynomial):
+                total += c.to_sympy() * x**n
+            else:
+                total += sympy.Rational(c.numerator, c.denominator) * x**n
         return total
 
     def _repr_latex_(self) -> str:
@@ -74,7 +78,9 @@ class Series:
 
 @dataclass(frozen=True)
 class GaugeSeries:
-    """The series by powers of the parameter ε that a gauge defines, or of the strength of a self-excitation."""
+    """The series by powers of the parameter ε that a gauge defines, or of the strength of a
+    self-excitation.
+    """
 
     frequency: Series
     """Ω/ω0."""
@@ -90,12 +96,17 @@ class GaugeSeries:
 
 @dataclass(frozen=True, eq=False)
 class Evaluation(Record, Shown):
-    """A series in numbers, term by term; of an array of amplitudes numbers are arrays, and the terms of each stand along the last axis."""
+    """A series in numbers, term by term.
+
+    Of an array of amplitudes numbers are arrays, and the terms of each stand along the last axis.
+    """
 
     value: float | NDArray[np.float64]
     """The sum of all terms, rounded to a float."""
     remainder: float | NDArray[np.float64]
-    """At most so much is left out, or about so much where it is not proven, the rounding apart; infinite where the series is not known to converge."""
+    """A bound on what is left out, or an estimate where it is not proven, without the rounding;
+    infinite where the series is not known to converge.
+    """
     is_proven: bool
     """Whether the remainder is a theorem, or an estimate from the decay of the terms."""
     powers: NDArray[np.int64]
@@ -106,22 +117,26 @@ class Evaluation(Record, Shown):
     """Up to and with each term."""
 
     def _facts(self) -> list[tuple[str, object]]:
-        return [("value", self.value), ("left out, at most" if self.is_proven else "left out, about", self.remainder), ("terms", len(self.powers))]
+        left_out = "left out, at most" if self.is_proven else "left out, about"
+        return [("value", self.value), (left_out, self.remainder), ("terms", len(self.powers))]
 
     def __str__(self) -> str:
+        bound = "at most" if self.is_proven else "about"
         if np.ndim(self.value) > 0:
-            return f"{self.value} (left out: {'at most' if self.is_proven else 'about'} {self.remainder})"
+            return f"{self.value} (left out: {bound} {self.remainder})"
         if self.remainder == np.inf:
             return f"{self.value!r} (no bound on what is left out)"
-        return f"{self.value!r} (left out: {f'at most {self.remainder:.2g}' if self.is_proven else f'about {self.remainder:.2g}, an estimate'})"
+        kind = "" if self.is_proven else ", an estimate"
+        return f"{self.value!r} (left out: {bound} {self.remainder:.2g}{kind})"
 
 
 @dataclass(frozen=True, eq=False)
 class Expansion(Record):
-    """Periodic motions x = xₑ + Σₖ aₖ·cos kΩt + bₖ·sin kΩt of an oscillator as power series; `expand` makes it.
+    """Periodic motions x = xₑ + Σₖ aₖ·cos kΩt + bₖ·sin kΩt as power series; `expand` makes it.
 
-    `frequency`, `period` and `harmonics` are by powers of the amplitude, the largest displacement from the equilibrium; of a limit cycle, whose
-    amplitude is not free, by powers of the strength of its excitation.
+    `frequency`, `period` and `harmonics` are by powers of the amplitude, the largest displacement
+    from the equilibrium; of a limit cycle, whose amplitude is not free, by powers of the strength
+    of its excitation.
     """
 
     equation: str
@@ -129,7 +144,9 @@ class Expansion(Record):
     displacement: str
     """The name of the displacement."""
     order: int
-    """The displacement is given up to this power, the frequency up to one less; of a limit cycle both up to this power."""
+    """The highest power of the displacement, of a limit cycle also of the frequency, which else
+    has one power less.
+    """
     frequency: Series
     """Ω/ω0."""
     period: Series | None
@@ -137,7 +154,7 @@ class Expansion(Record):
     harmonics: dict[int, Series]
     """aₖ by k; bₖ where `phase_origin` is "passage", of limit cycles both are in `gauge_series`."""
     half_swing: "tuple[Series, Series] | None"
-    """Ω/ω0 and T/T0 by powers of half the distance between the turning points, for asymmetric wells."""
+    """Ω/ω0 and T/T0 by powers of half the distance of the turning points, for asymmetric wells."""
     epsilon: Series | None
     """The parameter of the gauge by powers of the amplitude."""
     gauge: str | None
@@ -157,7 +174,7 @@ class Expansion(Record):
     digits: int | None
     """None where coefficients are exact; else so many digits of each are right."""
     is_proven: bool
-    """Whether a second, exact computation proves at least how the frequency depends on the amplitude."""
+    """True if a second, exact computation proves at least the frequency by the amplitude."""
     _question: Any = field(repr=False, compare=False)
     _expansion: Any = field(repr=False, compare=False)
 
@@ -165,12 +182,15 @@ class Expansion(Record):
         return {**self.__dict__, "_expansion": None}
 
     def evaluate(self, amplitude: ArrayLike, quantity: str = "period") -> Evaluation:
-        """A series at an amplitude, or at a strength of self-excitation, with a bound of what is missing; the sum itself is rounded once.
+        """A series at an amplitude, or a strength of self-excitation, with a bound on the rest.
+
+        The sum itself is rounded once.
 
         Parameters
         ----------
         amplitude : array_like
-            The largest displacement from the equilibrium; where that is an angle, in radians. A number or an array of any shape.
+            The largest displacement from the equilibrium; where that is an angle, in radians. A
+            number or an array of any shape.
         quantity : str
             ``"period"`` (T/T0), ``"frequency"`` (Ω/ω0), or a harmonic, such as ``"a3"``.
 
@@ -193,15 +213,18 @@ class Expansion(Record):
         if not found:
             raise ExpansionError("amplitude: got an empty array: give at least one amplitude")
         powers = np.array([power for power, _, _ in found[0][3]], dtype=np.int64)
-        columns = [np.array([[step[n] for step in steps] for *_, steps in found]).reshape(*amplitudes.shape, len(powers)) for n in (1, 2)]
+        steps = [[step[1:] for step in it[3]] for it in found]
+        columns = np.array(steps).reshape(*amplitudes.shape, len(powers), 2)
         if amplitudes.ndim == 0:
-            return Evaluation(*found[0][:3], powers, *columns)
-        value, remainder = (np.array([it[n] for it in found]).reshape(amplitudes.shape) for n in (0, 1))
-        return Evaluation(value, remainder, all(it[2] for it in found), powers, *columns)
+            return Evaluation(*found[0][:3], powers, columns[..., 0], columns[..., 1])
+        value, remainder = np.array([it[:2] for it in found]).T.reshape(2, *amplitudes.shape)
+        is_proven = all(it[2] for it in found)
+        return Evaluation(value, remainder, is_proven, powers, columns[..., 0], columns[..., 1])
 
     def _given(self) -> dict[str, Any]:
         (text, values, letters, about), order, gauge = self._question
-        given: dict[str, Any] = {"oscillator": text, "set": dict(values), "letters": letters or None, "about": about, "order": order}
+        given: dict[str, Any] = {"oscillator": text, "set": dict(values), "about": about}
+        given |= {"letters": letters or None, "order": order}
         return given | ({"gauge": gauge} if self.gauge is not None else {})
 
     def to_dict(self) -> dict[str, Any]:
@@ -224,7 +247,7 @@ class Expansion(Record):
         return _ask.text("expand", {**self._given(), "format": "latex"})
 
     def plot(self, ax: "Axes | None" = None, amplitudes: ArrayLike | None = None) -> "Axes":
-        """Draws the frequency, as more and more terms have it, against the amplitude, or the strength of a limit cycle.
+        """Draws partial sums of the frequency against the amplitude, or against the strength.
 
         Parameters
         ----------
@@ -244,9 +267,10 @@ class Expansion(Record):
         """
         if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
             raise ExpansionError("the coefficients have letters: give these values with set")
-        at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(np.asarray(amplitudes, dtype=float))
+        at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(amplitudes).astype(float)
         ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
-        powers = [power for power, c in enumerate(self.frequency.coefficients) if power and not _is_zero(c)]
+        coefficients = enumerate(self.frequency.coefficients)
+        powers = [power for power, c in coefficients if power and not _is_zero(c)]
         for power in powers[-6:]:
             part = Series(self.frequency.coefficients[: power + 1], self.frequency.variable)
             ax.plot(at, [part(x) for x in at], label=f"to {self.frequency.variable}^{power}")
@@ -276,20 +300,24 @@ def expand(
     Parameters
     ----------
     oscillator : str or sympy.Eq or sympy.Expr
-        An equation of motion, such as ``"x'' + x + a*x^3 = 0"``, a key of the catalogue, such as ``"pendulum"`` or ``"van_der_pol"``, or an equation
-        of SymPy for a function of one variable (an expression is one that is zero). Parameters without a value stay letters.
+        An equation of motion, such as ``"x'' + x + a*x^3 = 0"``, a key of the catalogue, such as
+        ``"pendulum"`` or ``"van_der_pol"``, or an equation of SymPy for a function of one variable
+        (an expression is one that is zero). Parameters without a value stay letters.
     order : int
         Up to this power of the amplitude, from 1 to 1000.
     set : dict
-        Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as the decimals that they print as.
+        Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as
+        the decimals that they print as.
     letters : sequence of str
         Parameters of a named oscillator that stay letters.
     about : float or str
         Near which equilibrium; that nearest to zero if it is not given.
     gauge : str
-        What the parameter ε means: ``"fundamental"``, ``"x_max"``, ``"half_swing"``, ``"energy"``, ``"nome"``, or ``"A1=1,A3=-1/192"``.
+        What the parameter ε means: ``"fundamental"``, ``"x_max"``, ``"half_swing"``, ``"energy"``,
+        ``"nome"``, or ``"A1=1,A3=-1/192"``.
     progress : bool or callable
-        True for a bar, where tqdm is installed; or a function of how much is done and of how much (or None).
+        True for a bar, where tqdm is installed; or a function of how much is done and of how much
+        (or None).
 
     Returns
     -------
@@ -298,7 +326,8 @@ def expand(
     Raises
     ------
     ExpansionError
-        Text that is no equation, an equation without a stable equilibrium, an order or a gauge that cannot be.
+        Text that is no equation, an equation without a stable equilibrium, an order or a gauge that
+        cannot be.
     Interrupted
         Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.
 
@@ -332,20 +361,6 @@ def _value(value: float | str | Fraction) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-def text_of_sympy(given: Any) -> str:
-    """An equation of SymPy as text: x(t) becomes x, its derivatives x' and x''."""
-    import sympy
-
-    equation: Any = given if isinstance(given, sympy.Equality) else sympy.Eq(given, 0, evaluate=False)
-    functions = equation.atoms(sympy.core.function.AppliedUndef)
-    derivatives = sorted(equation.atoms(sympy.Derivative), key=lambda it: -it.derivative_count)
-    for it in derivatives:
-        equation = equation.xreplace({it: sympy.Symbol(f"{it.expr.func.__name__}" + "'" * it.derivative_count)})
-    for it in functions:
-        equation = equation.xreplace({it: sympy.Symbol(it.func.__name__)})
-    return f"{sympy.sstr(equation.lhs)} = {sympy.sstr(equation.rhs)}"
-
-
 def _expansion(found: Any, question: Any) -> Expansion:
     it = found.fields()
     own = it["variable"]
@@ -359,6 +374,7 @@ def _expansion(found: Any, question: Any) -> Expansion:
         x_min=_series(it["x_min"], own),
     )
     frequency, period, epsilon, waves = of_amplitude or (None, None, None, [])
+    halves = [_series(it, "A") for it in (half_swing or ())[:2]]
     return Expansion(
         equation=it["equation"],
         displacement=it["displacement"],
@@ -366,7 +382,7 @@ def _expansion(found: Any, question: Any) -> Expansion:
         frequency=_series(frequency, "A") if of_amplitude else of_gauge.frequency,
         period=_series(period, "A") if of_amplitude else None,
         harmonics={k: _series(wave, "A") for k, wave in waves} if of_amplitude else of_gauge.cos,
-        half_swing=(_series(half_swing[0], "A"), _series(half_swing[1], "A")) if half_swing else None,
+        half_swing=(halves[0], halves[1]) if halves else None,
         epsilon=_series(epsilon, "A") if of_amplitude else None,
         gauge=it["gauge"],
         gauge_series=of_gauge,

@@ -19,36 +19,54 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._ask import Columns, Given, Path, Table
+from ._ask import Columns, Given, Path, Table, refuse_units
 from .answer import Answer, answer
 from .fit import Fit, Measured
 from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
 from .questions import inspect as _inspect
 from .questions import plan
 
-__all__ = ["Fit", "Measured", "Recording", "fit_gates", "fit_lengths", "fit_periods", "fit_response", "fit_trace", "plan", "read", "recording", "spectrum"]
+__all__ = [
+    "Fit",
+    "Measured",
+    "Recording",
+    "fit_gates",
+    "fit_lengths",
+    "fit_periods",
+    "fit_response",
+    "fit_trace",
+    "plan",
+    "read",
+    "recording",
+    "spectrum",
+]
 
 
 class Recording(Answer):
-    """What a file holds: all that `libration inspect` says of it, and its numbers. Fits take it in place of the file, read in the same way."""
+    """What a file holds: all that `libration inspect` says of it, and its numbers.
+
+    Fits take it in place of the file, read in the same way.
+    """
 
     __slots__ = ()
 
     @property
     def columns(self) -> dict[str, NDArray[Any]]:
-        """The columns of the file by their headers, in the units of the file; NaN where a cell is blank or no number."""
-        return {it["name"] or str(it["number"]): np.array(it["values"], dtype=float) for it in self["column_values"]}
+        """The columns by their headers, in the units of the file; NaN without a number."""
+        columns = [(it["name"] or str(it["number"]), it["values"]) for it in self["column_values"]]
+        return {name: np.array(values, dtype=float) for name, values in columns}
 
 
 def read(file: Path | Columns, **reading: Given | bool) -> Recording:
-    """Reads what an instrument wrote: text in any dialect, Excel, archives; or columns in its place.
+    """Reads what an instrument wrote: text in any dialect, Excel, archives; or columns.
 
     Parameters
     ----------
     file : str or path or mapping or pandas.DataFrame
         The file, or columns by names with units, such as ``{"t (s)": t, "theta (deg)": angle}``.
     **reading
-        What is not to be detected, such as ``angle=2, unit="deg"``: the parameters of `libration.questions.inspect`, with the same names.
+        What is not to be detected, such as ``angle=2, unit="deg"``: the parameters of
+        `libration.questions.inspect`, with the same names.
 
     Returns
     -------
@@ -76,7 +94,14 @@ def read(file: Path | Columns, **reading: Given | bool) -> Recording:
     return Recording(found, found._asked)
 
 
-HEADERS = {"t": "t (s)", "angle": "angle (rad)", "angular_velocity": "angular velocity (rad/s)", "x": "x (m)", "y": "y (m)", "uncertainty": "uncertainty"}
+HEADERS = {
+    "t": "t (s)",
+    "angle": "angle (rad)",
+    "angular_velocity": "angular velocity (rad/s)",
+    "x": "x (m)",
+    "y": "y (m)",
+    "uncertainty": "uncertainty",
+}
 
 
 def recording(
@@ -108,21 +133,37 @@ def recording(
     Examples
     --------
     >>> import libration as lb
-    >>> lb.lab.recording(t=[0, 0.1, 0.2], angle=[1.0, 0.9, 0.6], uncertainty=0.01).traces.has_uncertainties.tolist()
+    >>> rec = lb.lab.recording(t=[0, 0.1, 0.2], angle=[1.0, 0.9, 0.6], uncertainty=0.01)
+    >>> rec.traces.has_uncertainties.tolist()
     [True]
     """
-    given = {name: np.asarray(it, dtype=float) for name, it in locals().items() if name in HEADERS and it is not None}
-    columns = {HEADERS[name]: np.broadcast_to(it, given["t"].shape) if it.ndim == 0 else it for name, it in given.items()}
+    own = {name: it for name, it in locals().items() if name in HEADERS and it is not None}
+    for name, it in own.items():
+        refuse_units(it, f"{name}: ")
+    given = {name: np.asarray(it, dtype=float) for name, it in own.items()}
+    shape = given["t"].shape
+    columns = {
+        HEADERS[name]: np.broadcast_to(it, shape) if it.ndim == 0 else it
+        for name, it in given.items()
+    }
     options: dict[str, Any] = {"uncertainty": "uncertainty"} if uncertainty is not None else {}
     return answer(Recording, "inspect", {"file": Table(columns), "values": True, **options})
 
 
-def spectrum(file: Path | Columns, *, harmonics: int | None = None, swings: int | None = None, **reading: Given | bool) -> Answer:
-    """The harmonics of measured swings, each beside that of the pendulum with the same first harmonic.
+def spectrum(
+    file: Path | Columns,
+    *,
+    harmonics: int | None = None,
+    swings: int | None = None,
+    **reading: Given | bool,
+) -> Answer:
+    """The harmonics of measured swings, compared with a pendulum of the same first harmonic.
 
-    Windows of a few swings are fitted by least squares beside the phase of the first harmonic, so that amplitudes may fall, and rows may be uneven, missing or
-    wrong; uncertainties are from the noise about each harmonic. ``.plot()`` draws the spectrum with both. Even harmonics tell of an asymmetry, odd ones that differ
-    of another torque or a wrong scale of the angle; ``remarks`` says so.
+    Windows of a few swings are fitted by least squares beside the phase of the first harmonic, so
+    that amplitudes may fall, and rows may be uneven, missing or wrong; uncertainties are from the
+    noise about each harmonic. ``.plot()`` draws the spectrum with both. Even harmonics tell of an
+    asymmetry, odd ones that differ of another torque or a wrong scale of the angle; ``remarks``
+    says so.
 
     Parameters
     ----------
@@ -158,8 +199,10 @@ def spectrum(file: Path | Columns, *, harmonics: int | None = None, swings: int 
     >>> rng = np.random.default_rng(1)
     >>> found = lb.lab.spectrum(lb.lab.recording(t=t, angle=angle + 1e-3 * rng.normal(size=t.size)))
     >>> third = found.traces[0].harmonics[3]
-    >>> bool(abs(third["in_phase"] - third["theory"]) < 4 * third["difference_uncertainty"]), round(third["theory"], 4)
-    (True, -0.0162)
+    >>> bool(abs(third["in_phase"] - third["theory"]) < 4 * third["difference_uncertainty"])
+    True
+    >>> round(third["theory"], 4)
+    -0.0162
     """
-    found: Answer = _inspect(file, **{"spectrum": True, "harmonics": harmonics, "swings": swings, **reading})  # type: ignore[arg-type]
-    return found
+    given: dict[str, Any] = {"spectrum": True, "harmonics": harmonics, "swings": swings, **reading}
+    return _inspect(file, **given)

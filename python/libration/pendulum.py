@@ -34,15 +34,17 @@ class Pendulum(Shown):
     Parameters
     ----------
     length : float or str
-        Length in metres, or a text with a unit, such as ``"99.4cm"``. That of a physical pendulum is its moment of inertia over mass times the
-        distance from pivot to centre of mass.
+        Length in metres, or a text with a unit, such as ``"99.4cm"``. That of a physical pendulum
+        is its moment of inertia over mass times the distance from pivot to centre of mass.
     gravity : float or str
-        Acceleration of free fall in m/s², or a text, such as ``"9.81m/s^2"``; the standard one if it is not given.
+        Acceleration of free fall in m/s², or a text, such as ``"9.81m/s^2"``; the standard one if
+        it is not given.
 
     Raises
     ------
     PendulumError
-        A length or gravity that is not positive and finite, or √(gravity/length) outside 1e-290 to 1e290 rad/s.
+        A length or gravity that is not positive and finite, or √(gravity/length) outside 1e-290 to
+        1e290 rad/s.
 
     Examples
     --------
@@ -83,7 +85,8 @@ class Pendulum(Shown):
         Parameters
         ----------
         angle : float or str
-            Radians, or a text such as ``"60deg"``, or ``"pi-1e-6"``, which keeps the distance from the top.
+            Radians, or a text such as ``"60deg"``, or ``"pi-1e-6"``, which keeps the distance from
+            the top.
 
         Examples
         --------
@@ -94,7 +97,14 @@ class Pendulum(Shown):
         return Motion(self, angle)
 
     def launch(self, angle: float | str, velocity: float | str) -> "Motion":
-        """The motion that passes an angle (radians or text) with a velocity (rad/s or text, such as ``"360deg/s"``) at t = 0.
+        """The motion that passes an angle with a velocity at t = 0.
+
+        Parameters
+        ----------
+        angle : float or str
+            Radians, or a text such as ``"60deg"``.
+        velocity : float or str
+            In rad/s, or a text such as ``"360deg/s"``.
 
         Examples
         --------
@@ -106,7 +116,7 @@ class Pendulum(Shown):
 
 
     def to_dict(self, *amplitudes: float | str) -> dict[str, Any]:
-        """The periods at amplitudes, exact and by every formula, as `libration period` has them in JSON.
+        """The periods at amplitudes, exact and by every formula: the JSON of `libration period`.
 
         Examples
         --------
@@ -140,8 +150,8 @@ class State(NamedTuple):
 class Harmonics(Record):
     """The harmonics of a motion, by ascending n.
 
-    A swing is Σ angle·cos(nΩτ), a rotation ±Ωτ + Σ angle·sin(nΩτ), with τ = t - epoch; the velocity is -Σ velocity·sin(nΩτ), or mean_velocity +
-    Σ velocity·cos(nΩτ).
+    A swing is Σ angle·cos(nΩτ), a rotation ±Ωτ + Σ angle·sin(nΩτ), with τ = t - epoch; the velocity
+    is -Σ velocity·sin(nΩτ), or mean_velocity + Σ velocity·cos(nΩτ).
     """
 
     fundamental: float
@@ -165,14 +175,16 @@ class Harmonics(Record):
 class Motion(Shown):
     """A motion of a pendulum, exact at any time; `Pendulum.release` and `Pendulum.launch` make it.
 
-    Calling it with times in seconds, a number or an array of any shape, gives `State`, the angle in radians and the velocity in rad/s: 2.2 ulp of the
-    angle and 4·2⁻⁵³·abs(velocity·t), likewise the velocity.
+    Calling it with times in seconds, a number or an array of any shape, gives `State`, the angle in
+    radians and the velocity in rad/s: 2.2 ulp of the angle and 4·2⁻⁵³·abs(velocity·t), likewise the
+    velocity.
 
     Raises
     ------
     PendulumError, QuantityError
-        A start that floating-point numbers cannot tell from the separatrix, or from the upright position; a velocity that is not finite, or
-        above 2e150 times the angular frequency; an angle that is none.
+        A start that floating-point numbers cannot tell from the separatrix, or from the upright
+        position; a velocity that is not finite, or above 2e150 times the angular frequency; an
+        angle that is none.
 
     Examples
     --------
@@ -192,7 +204,8 @@ class Motion(Shown):
     _motion: "_native.Motion" = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        motion = _native.Motion(self.pendulum.length, self.pendulum.gravity, self.angle, self.velocity)
+        of = self.pendulum
+        motion = _native.Motion(of.length, of.gravity, self.angle, self.velocity)
         object.__setattr__(self, "_motion", motion)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -200,10 +213,11 @@ class Motion(Shown):
 
     def _facts(self) -> list[tuple[str, object]]:
         amplitude = [("amplitude", f"{self.amplitude} rad")] if self.amplitude is not None else []
+        angle, velocity = self.angle, self.velocity
         return [
             ("regime", self.regime),
-            ("angle at t = 0", self.angle if isinstance(self.angle, str) else f"{self.angle} rad"),
-            ("velocity at t = 0", self.velocity if isinstance(self.velocity, str) else f"{self.velocity} rad/s"),
+            ("angle at t = 0", angle if isinstance(angle, str) else f"{angle} rad"),
+            ("velocity at t = 0", velocity if isinstance(velocity, str) else f"{velocity} rad/s"),
             *amplitude,
             ("period", f"{self.period} s"),
             ("pendulum", self.pendulum),
@@ -211,12 +225,16 @@ class Motion(Shown):
 
     @property
     def regime(self) -> str:
-        """``"libration"``, ``"rotation"``, ``"separatrix"``, ``"rest (stable)"`` or ``"rest (upright)"``."""
+        """``"libration"``, ``"rotation"``, ``"separatrix"``, ``"rest (stable)"`` or
+        ``"rest (upright)"``.
+        """
         return self._motion.regime
 
     @property
     def period(self) -> float:
-        """The period in seconds, of a rotation the time of a turn; infinite on the separatrix; at rest that of small swings, NaN upright."""
+        """The period in seconds, of a rotation the time of a turn; infinite on the separatrix; at
+        rest that of small swings, NaN upright.
+        """
         return self._motion.period
 
     @property
@@ -254,7 +272,14 @@ class Motion(Shown):
         return State(angle.reshape(times.shape), velocity.reshape(times.shape))
 
     def harmonics(self, tolerance: float = 1e-12, limit: int = 1000) -> Harmonics:
-        """The harmonics whose coefficient of the angle is at least a tolerance (rad), at most so many of them.
+        """The harmonics whose coefficient of the angle is at least a tolerance (rad).
+
+        Parameters
+        ----------
+        tolerance : float
+            In radians.
+        limit : int
+            The largest number of harmonics.
 
         Examples
         --------
@@ -264,15 +289,22 @@ class Motion(Shown):
         [1, 3, 5]
         """
         if limit < 0:
-            raise ValueError(f"limit: got {limit}: give how many harmonics there are to be at most, such as 1000")
+            raise ValueError(
+                f"limit: got {limit}: give the largest number of harmonics, such as 1000"
+            )
         of_all, terms = self._motion.harmonics(tolerance, limit)
         return Harmonics(*of_all, *terms)
 
     def to_dict(self, t: ArrayLike | None = None) -> dict[str, Any]:
-        """The motion as `libration motion` has it in JSON, at the times that are given, or over a period."""
+        """The motion at the times given, or over a period: the JSON of `libration motion`."""
         times = None if t is None else np.ravel(t)
-        pendulum = self.pendulum
-        return questions.motion(self.angle, velocity=self.velocity, times=times, length=pendulum.length, gravity=pendulum.gravity).to_dict()
+        return questions.motion(
+            self.angle,
+            velocity=self.velocity,
+            times=times,
+            length=self.pendulum.length,
+            gravity=self.pendulum.gravity,
+        ).to_dict()
 
     def plot(self, ax: "Axes | None" = None, t: ArrayLike | None = None) -> "Axes":
         """Draws the angle in degrees against the time; over two periods, where no times are given.
@@ -282,14 +314,17 @@ class Motion(Shown):
         matplotlib.axes.Axes
         """
         if t is None:
-            span = 2 * self.period if np.isfinite(self.period) else 10 / self.pendulum.angular_frequency
+            has_period = np.isfinite(self.period)
+            span = 2 * self.period if has_period else 10 / self.pendulum.angular_frequency
             t = np.linspace(0, span, 601)
         ax = _plot.axes(ax, ("t / s", "θ / °"))
         ax.plot(np.ravel(t), np.degrees(np.ravel(self(t).angle)))
         return ax
 
     def swing(self) -> "Swing":
-        """The pendulum in a notebook, swinging in real time beside the small swings of the same length; it can be dragged to another start.
+        """The pendulum in a notebook, in real time, next to the small swings of the same length.
+
+        It can be dragged to another start.
 
         Returns
         -------
@@ -298,5 +333,7 @@ class Motion(Shown):
         try:
             from .swing import Swing
         except ImportError as error:
-            raise ImportError("a pendulum in a notebook needs anywidget: pip install 'libration[notebook]'") from error
+            raise ImportError(
+                "a pendulum in a notebook needs anywidget: pip install 'libration[notebook]'"
+            ) from error
         return Swing(self)

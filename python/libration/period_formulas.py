@@ -9,7 +9,7 @@
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -54,7 +54,7 @@ class PeriodFormula:
     def __post_init__(self) -> None:
         formula = _native.PeriodFormula(self.key)
         object.__setattr__(self, "_formula", formula)
-        names = ("key", "name", "authors", "year", "source", "latex", "domain", "complexity", "defined_below")
+        names = [it.name for it in fields(self) if it.name != "_formula"]
         for name, value in zip(names, formula.words(), strict=True):
             object.__setattr__(self, name, value)
 
@@ -77,22 +77,27 @@ class PeriodFormula:
     @overload
     def error(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
     def error(self, amplitude: Any) -> Any:
-        """Formula/exact - 1, with all digits however small; infinite where the formula is not defined, NaN where the period is not."""
+        """Formula/exact - 1, with all digits however small; infinite where the formula is not
+        defined, NaN where the period is not.
+        """
         return _each(amplitude, self._formula.error, self._formula.errors)
 
     def worst_error(self, up_to: float | str) -> tuple[float, float]:
-        """The error of largest magnitude up to an amplitude, and the amplitude in radians that has it."""
+        """The error of largest magnitude up to an amplitude, and its amplitude in radians."""
         return self._formula.worst_error(up_to)
 
     def holds_to(self, tolerance: float) -> float:
-        """The amplitude in radians up to which the magnitude of the error is at most a tolerance; 0 if nowhere, π if everywhere."""
+        """The amplitude in radians up to which the magnitude of the error is at most a tolerance;
+        0 if nowhere, π if everywhere.
+        """
         return self._formula.holds_to(tolerance)
 
 
 class PeriodFormulas(Mapping[str, PeriodFormula]):
     """The catalogue, ``lb.formulas``, by key: a mapping.
 
-    ``power_series_N``, ``black_vel_N`` and ``sin2_series_N`` are found for N up to 1000, of which it lists the first few.
+    ``power_series_N``, ``black_vel_N`` and ``sin2_series_N`` are found for N up to 1000, of which
+    it lists the first few.
     """
 
     def __getitem__(self, key: str) -> PeriodFormula:
@@ -108,7 +113,7 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         return f"<{len(self)} period formulas: {', '.join(self)}>"
 
     def simplest(self, amplitude: float | str, tolerance: float) -> list[PeriodFormula]:
-        """The formulas that are right to a tolerance up to an amplitude (radians or text), the simplest first."""
+        """The formulas that are right to a tolerance up to an amplitude, the simplest first."""
         return [PeriodFormula(key) for key in _native.simplest_formulas(amplitude, tolerance)]
 
     def best(self, amplitude: float | str, tolerance: float) -> PeriodFormula:
@@ -122,11 +127,22 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         for formula in self.simplest(amplitude, tolerance):
             return formula
         if not isinstance(amplitude, str) and amplitude >= np.pi:
-            raise FormulaError(f"the amplitude is {amplitude!r} rad, and swings stay below pi: for degrees write \"{amplitude:g}deg\"")
-        raise FormulaError(f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: give a larger tolerance, or take the exact libration.period_ratio")
+            raise FormulaError(
+                f"the amplitude is {amplitude!r} rad, and swings stay below pi: "
+                f'for degrees write "{amplitude:g}deg"'
+            )
+        raise FormulaError(
+            f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: "
+            "give a larger tolerance, or take the exact libration.period_ratio"
+        )
 
 
-def _each(amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]") -> Any:
+formulas = PeriodFormulas()
+
+
+def _each(
+    amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]"
+) -> Any:
     """Numbers and texts one by one, arrays of numbers together."""
     if isinstance(amplitude, str) or np.ndim(amplitude) == 0:
         return one(amplitude)

@@ -23,7 +23,9 @@ class Picture:
 
     __slots__ = ("_asked", "_option", "svg")
 
-    def __init__(self, question: Asked, option: str, size: str | None = None, progress: Any = False) -> None:
+    def __init__(
+        self, question: Asked, option: str, size: str | None = None, progress: Any = False
+    ) -> None:
         self._asked = question._replace(words=_sized(question, size))
         self._option = option
         self.svg = self._drawn("-", [], progress)
@@ -48,7 +50,8 @@ class Picture:
     def to_dict(self) -> dict[str, Any]:
         """What is drawn, as numbers: the JSON of the command."""
         with tempfile.TemporaryDirectory() as folder:
-            fields: dict[str, Any] = json.loads(self._drawn(os.path.join(folder, "picture.svg"), ["--json"]))
+            text = self._drawn(os.path.join(folder, "picture.svg"), ["--json"])
+            fields: dict[str, Any] = json.loads(text)
         return fields
 
 

@@ -34,7 +34,8 @@ class Polynomial:
         """The value where the letters have these values."""
         missing = [letter for letter in self.letters if letter not in values]
         if missing:
-            raise TypeError(f"no value for {', '.join(missing)}: give one for each of {', '.join(self.letters)}")
+            wanted = ", ".join(self.letters)
+            raise TypeError(f"no value for {', '.join(missing)}: give one for each of {wanted}")
         total = 0.0
         for factor, powers in self.terms:
             term = float(factor)
@@ -52,15 +53,16 @@ class Polynomial:
 
         total: Any = sympy.Integer(0)
         for factor, powers in self.terms:
-            term: Any = sympy.Rational(factor.numerator, factor.denominator)
+            term: Any = sympy.Rational(*factor.as_integer_ratio())
             for letter, exponent in powers:
-                term *= sympy.Symbol(letter, positive=True) ** sympy.Rational(exponent.numerator, exponent.denominator)
+                power = sympy.Rational(*exponent.as_integer_ratio())
+                term *= sympy.Symbol(letter, positive=True) ** power
             total += term
         return total
 
 
 def _product(factor: Fraction, powers: tuple[tuple[str, Fraction], ...]) -> str:
-    names = [letter if exponent == 1 else f"{letter}^{_exponent(exponent)}" for letter, exponent in powers]
+    names = [it if power == 1 else f"{it}^{_exponent(power)}" for it, power in powers]
     if names and abs(factor) == 1:
         return ("-" if factor < 0 else "") + "*".join(names)
     return "*".join([str(factor), *names])

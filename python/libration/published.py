@@ -30,8 +30,13 @@ class Paper(Answer):
         return found
 
 
-def paper(document: Literal["black-vel", "cote"] | None = None, *, only: Given | None = None, label: Given | None = None) -> Paper:
-    """Every equation of two published derivations, checked by computation and corrected where it is wrong.
+def paper(
+    document: Literal["black-vel", "cote"] | None = None,
+    *,
+    only: Given | None = None,
+    label: Given | None = None,
+) -> Paper:
+    """Every equation of two published derivations, checked by computation and corrected.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@
 
 >>> import numpy as np
 >>> import libration as lb
->>> sol = lb.simulate("double_pendulum", initial={"theta1": "120deg"}, times=np.linspace(0, 10, 101))
+>>> sol = lb.simulate("double_pendulum", {"theta1": "120deg"}, times=np.linspace(0, 10, 101))
 >>> sol.t.shape, sol["theta1"].shape, sol.names
 ((101,), (101,), ('theta1', 'theta2', "theta1'", "theta2'"))
 >>> round(float(sol(5.0)["theta1"]), 9) == round(float(sol["theta1"][50]), 9)
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
+from ._ask import refuse_units
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import NoAnswer, SimulationError
@@ -45,7 +46,8 @@ class States(Record):
         try:
             return self.y[..., self.names.index(name)]
         except ValueError:
-            raise KeyError(f"the state has no variable `{name}`: it has {', '.join(self.names)}") from None
+            known = ", ".join(self.names)
+            raise KeyError(f"the state has no variable `{name}`: it has {known}") from None
 
     def __len__(self) -> int:
         return len(self.t)
@@ -63,7 +65,8 @@ class Events(States):
 class Simulation(States, Shown):
     """A motion; `simulate` makes it.
 
-    Calling it with times between its ends, a number or an array of any shape, gives `States` there, as accurate as those at the times asked for.
+    Calling it with times between its ends, a number or an array of any shape, gives `States` there,
+    as accurate as those at the times asked for.
     """
 
     title: str
@@ -86,7 +89,8 @@ class Simulation(States, Shown):
     _motion: Any = field(repr=False, compare=False)
 
     def _facts(self) -> list[tuple[str, object]]:
-        last = [f"{name} = {value:.9g}" for name, value in zip(self.names, self.y[-1])] if len(self) else []
+        ends = zip(self.names, self.y[-1]) if len(self) else ()
+        last = [f"{name} = {value:.9g}" for name, value in ends]
         return [
             ("system", self.title),
             ("equations", self.equation),
@@ -112,22 +116,28 @@ class Simulation(States, Shown):
         """The states at the times asked for, by time."""
         import pandas
 
-        return pandas.DataFrame({name: self[name] for name in self.names}, index=pandas.Index(self.t, name="t"))
+        columns = {name: self[name] for name in self.names}
+        return pandas.DataFrame(columns, index=pandas.Index(self.t, name="t"))
 
     def to_xarray(self) -> "xarray.Dataset":
         """The states at the times asked for, with their units."""
         import xarray
 
         columns = {
-            name: ("t", self[name], {"units": unit} if unit else {}) for name, unit in zip(self.names, self.units)
+            name: ("t", self[name], {"units": unit} if unit else {})
+            for name, unit in zip(self.names, self.units)
         }
-        return xarray.Dataset(columns, coords={"t": self.t}, attrs={"title": self.title, "equation": self.equation})
+        about = {"title": self.title, "equation": self.equation}
+        return xarray.Dataset(columns, coords={"t": self.t}, attrs=about)
 
     def to_dict(self) -> dict[str, Any]:
         """The motion as `libration simulate` has it in JSON."""
         (system, values, start, looked_for, ending, tolerance), times = self._question
         if any(way != "any" for _, way in looked_for):
-            raise NoAnswer("the command looks for events in both directions: leave out \"rising\" and \"falling\"")
+            raise NoAnswer(
+                "the command looks for events in both directions: "
+                'leave out "rising" and "falling"'
+            )
         until, direction = ending or (None, None)
         return questions.simulate(
             system,
@@ -169,23 +179,28 @@ def simulate(
     Parameters
     ----------
     system : str
-        A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or ``"duffing"``, or equations, such as
-        ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with ``;`` between them.
+        A key of a catalogue, such as ``"double_pendulum"``, ``"damped_pendulum"``, ``"lorenz"`` or
+        ``"duffing"``, or equations, such as ``"x'' + 0.1*x' + sin(x) = cos(t)"``, several with
+        ``;`` between them.
     initial : dict
-        Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas, angles or quantities as text; ``{"x[i]":
-        "sin(pi*i/33)"}`` for all of a chain. What is not given is at rest.
+        Values at t = 0 by name, such as ``{"theta": "60deg", "theta'": 1.5}``: numbers, formulas,
+        angles or quantities as text; ``{"x[i]": "sin(pi*i/33)"}`` for all of a chain. What is not
+        given is at rest.
     times : array_like
-        Where the states are wanted: away from 0 in one direction, or ascending on both sides of it. A number is one time.
+        Where the states are wanted: away from 0 in one direction, or ascending on both sides of it.
+        A number is one time.
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``.
     events : str or list of str or dict
-        Formulas whose zeros are looked for, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with what counts, "rising", "falling" or "any".
+        Formulas whose zeros are looked for, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with
+        what counts, "rising", "falling" or "any".
     until : str or tuple
         The formula whose first zero ends the motion, and what counts.
     tolerance : float
         Relative error of a step, from 1e-18 to 0.1.
     progress : bool or callable
-        True for a bar, where tqdm is installed; or a function of how much is done and of how much, in thousandths of the time.
+        True for a bar, where tqdm is installed; or a function of how much is done and of how much,
+        in thousandths of the time.
 
     Returns
     -------
@@ -194,7 +209,8 @@ def simulate(
     Raises
     ------
     SimulationError
-        Equations, names or times that cannot be; a motion that stops at a singularity, whose part until there is the exception's ``partial``.
+        Equations, names or times that cannot be; a motion that stops at a singularity, whose part
+        until there is the exception's ``partial``.
     Interrupted
         Ctrl-C; its ``partial`` is the motion until then.
 
@@ -206,16 +222,25 @@ def simulate(
     [1.854074677, 5.562224032, 9.270373387]
     """
     if not isinstance(system, str):
-        raise TypeError(f"system: got {type(system).__name__}: give the name of a system, or its equations as text, such as \"x'' + sin(x) = 0\"")
+        raise TypeError(
+            f"system: got {type(system).__name__}: give the name of a system, "
+            "or its equations as text, such as \"x'' + sin(x) = 0\""
+        )
+    refuse_units(times, "times: ")
     wanted = np.atleast_1d(np.asarray(times))
     if wanted.dtype.kind in "USO":
-        raise TypeError(f"times: got {times!r}: give a number or an array of numbers, such as numpy.linspace(0, 10, 101)")
+        raise TypeError(
+            f"times: got {times!r}: give a number or an array of numbers, "
+            "such as numpy.linspace(0, 10, 101)"
+        )
     wanted = wanted.astype(np.float64, casting="same_kind")
     if wanted.ndim != 1:
-        raise SimulationError(f"the times have {wanted.ndim} dimensions: give a number or a list of them")
+        dimensions = f"the times have {wanted.ndim} dimensions"
+        raise SimulationError(f"{dimensions}: give a number or a list of them")
     values = _by_name("set", {} if set is None else set)
     start = _by_name("initial", initial)
-    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys([events] if isinstance(events, str) else events, "any")
+    formulas = [events] if isinstance(events, str) else events
+    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys(formulas, "any")
     ending = (until, "any") if isinstance(until, str) else until
     question = (system, values, start, list(looked_for.items()), ending, tolerance)
     with told(progress, "simulate") as tell:
@@ -230,7 +255,8 @@ def simulate(
 
 def _by_name(what: str, values: Mapping[str, float | str | Fraction]) -> list[tuple[str, str]]:
     if not isinstance(values, Mapping):
-        raise TypeError(f'{what}: got {values!r}: give values by name, such as {{"theta": "60deg"}}')
+        example = '{"theta": "60deg"}'
+        raise TypeError(f"{what}: got {values!r}: give values by name, such as {example}")
     return [(name, _text(value)) for name, value in values.items()]
 
 
@@ -238,15 +264,18 @@ def _text(value: float | str | Fraction) -> str:
     return value if isinstance(value, str) else str(value)
 
 
-def _simulation(motion: Any, looked_for: list[str], question: Any, stopped_by: BaseException | None) -> Simulation:
+def _simulation(
+    motion: Any, looked_for: list[str], question: Any, stopped_by: BaseException | None
+) -> Simulation:
     title, equation, names, units, steps, end = motion.words()
     t, y = motion.samples()
     happened = motion.events()
     events = {}
     for number, text in enumerate(looked_for):
-        own = [it for it in happened if it[0] == number]
-        states = np.array([it[2] for it in own]).reshape(len(own), len(names))
-        events[text] = Events(np.array([it[1] for it in own]), states, tuple(names), tuple(it[3] for it in own))
+        own = [it[1:] for it in happened if it[0] == number]
+        states = np.array([it[1] for it in own]).reshape(len(own), len(names))
+        contact = tuple(it[2] for it in own)
+        events[text] = Events(np.array([it[0] for it in own]), states, tuple(names), contact)
     return Simulation(
         t=t,
         y=y,

@@ -1,7 +1,8 @@
 """Elliptic integrals and functions for 0 ≤ m ≤ 1, as ufuncs.
 
-Names, order of arguments and results are SciPy's. Functions whose names end in ``_kp`` take the complementary modulus k' = √(1 - m) in the place
-of the parameter m: close to k = 1 it is the number that matters, and a rounded m has lost it.
+Names, order of arguments and results are SciPy's. Functions whose names end in ``_kp`` take the
+complementary modulus k' = √(1 - m) in the place of the parameter m: close to k = 1 it is the number
+that matters, and a rounded m has lost it.
 
 >>> from libration.special import ellipk, ellipk_kp
 >>> float(ellipk(0.5))

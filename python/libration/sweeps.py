@@ -4,7 +4,8 @@
 >>> import numpy as np
 >>> import libration as lb
 >>> with tempfile.TemporaryDirectory() as place:
-...     periods = lb.sweep("period", {"amplitude": np.radians([30, 60, 90])}, f"{place}/periods.zarr").load()
+...     over = {"amplitude": np.radians([30, 60, 90])}
+...     periods = lb.sweep("period", over, f"{place}/periods.zarr").load()
 >>> periods.ratio.values.round(6).tolist()
 [1.017409, 1.073182, 1.180341]
 """
@@ -19,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native, _workers, _zarr
-from ._ask import asked, catalogue
+from ._ask import asked, catalogue, refuse_units
 from ._plan import Plan, begin
 from ._progress import Tell, told
 from .errors import Interrupted, NoAnswer, UsageError
@@ -42,63 +43,82 @@ def sweep(
     progress: bool | Tell = False,
     **given: Any,
 ) -> "xarray.Dataset":
-    """Asks a question at all points of a grid, on all cores or on a cluster, and keeps numbers of the answers in a Zarr store.
+    """Asks a question at all points of a grid, and keeps numbers of the answers in a Zarr store.
 
-    The store is written chunk by chunk, each whole or not at all. Called again with the same arguments it goes on where it was, whatever has stopped it; a
+    It is asked on all cores or on a cluster. The store is written chunk by chunk, each whole or not
+    at all. Called again with the same arguments it goes on where it was, whatever has stopped it; a
     finished store is read. Its bytes are the same for any number of workers and of interruptions.
 
     Parameters
     ----------
     question : str or list of str
-        A question of the command ``libration``: with its options, ``"lyapunov driven_pendulum --set c=1/2 --intervals 30"``, or alone, ``"lyapunov"``, with
+        A question of the command ``libration``: with its options,
+        ``"lyapunov driven_pendulum --set c=1/2 --intervals 30"``, or alone, ``"lyapunov"``, with
         what it is given as keywords.
     over : dict
-        The axes: arrays, lists of numbers or texts, or a text as the command takes it, such as ``"1:1.5:0.01"`` or ``"1deg:179deg:1deg"``. The values go
-        where the question has ``{name}``, or to its option or argument of this name, or they are initial values or parameters of its system.
+        The axes: arrays, lists of numbers or texts, or a text as the command takes it, such as
+        ``"1:1.5:0.01"`` or ``"1deg:179deg:1deg"``. The values go where the question has ``{name}``,
+        or to its option or argument of this name, or they are initial values or parameters of its
+        system.
     store : path
         The directory, such as ``"sweep.zarr"``; one that holds another sweep is refused.
     keep : list of str or dict, optional
-        The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent_per_s"`` or ``"samples[-1].state[0]"``; a list has a range, such as
-        ``"points[0:100].state[1]"``, and is a further dimension. In a dict by their names. All numbers that stand alone, if nothing is given;
-        where all stand in lists, some have to be.
+        The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent_per_s"``
+        or ``"samples[-1].state[0]"``; a list has a range, such as ``"points[0:100].state[1]"``, and
+        is a further dimension. In a dict by their names. All numbers that stand alone, if nothing
+        is given; where all stand in lists, some have to be.
     chunk : int, optional
-        How many points a chunk has at most; about 256 chunks, if it is not given. What is killed is lost from the beginning of its chunk.
+        How many points a chunk has at most; about 256 chunks, if it is not given. What is killed is
+        lost from the beginning of its chunk.
     client : distributed.Client, optional
-        A cluster, whose workers must see the store under the same path: one task for each chunk. The cores of this machine, if none is given.
+        A cluster, whose workers must see the store under the same path: one task for each chunk.
+        The cores of this machine, if none is given.
     progress : bool or callable
-        True for a bar, where tqdm is installed; or a function of how many points are done and of how many.
+        True for a bar, where tqdm is installed; or a function of how many points are done and of
+        how many.
     **given
-        The parameters of the question, as its function in `libration.questions` takes them: ``system="driven_pendulum", set={"c": "1/2"}, intervals=30``.
+        The parameters of the question, as its function in `libration.questions` takes them:
+        ``system="driven_pendulum", set={"c": "1/2"}, intervals=30``.
 
     Returns
     -------
     xarray.Dataset
-        The numbers with their units and meanings, backed by the store; ``status``, 0 with an answer and otherwise 1 (no answer) or 2 (not understood); and
-        ``message``, which says why there is none. Numbers without an answer are NaN.
+        The numbers with their units and meanings, backed by the store; ``status``, 0 with an answer
+        and otherwise 1 (no answer) or 2 (not understood); and ``message``, which says why there is
+        none. Numbers without an answer are NaN.
 
     Raises
     ------
     UsageError, NoAnswer
-        A question that no point has an answer to; a store that holds something else; a disk that is full, when all whole chunks are kept.
+        A question that no point has an answer to; a store that holds something else; a disk that is
+        full, when all whole chunks are kept.
     Interrupted
-        Ctrl-C; its ``partial`` is the dataset until then, whose ``status`` is -1 where nothing is done, or None before the first answer.
+        Ctrl-C; its ``partial`` is the dataset until then, whose ``status`` is -1 where nothing is
+        done, or None before the first answer.
 
     Examples
     --------
     >>> import tempfile
     >>> import libration as lb
     >>> keep = {"omega": "points[0:3].state[1]"}
-    >>> given = {"system": "driven_pendulum", "set": {"c": "1/2"}, "initial": {"theta": 0.2}, "points": 3}
+    >>> given = {"set": {"c": "1/2"}, "initial": {"theta": 0.2}, "points": 3}
     >>> with tempfile.TemporaryDirectory() as place:
-    ...     diagram = lb.sweep("section", {"A": [1.0, 1.05]}, f"{place}/diagram.zarr", keep=keep, **given).load()
+    ...     store = f"{place}/diagram.zarr"
+    ...     over = {"A": [1.0, 1.05]}
+    ...     found = lb.sweep("section", over, store, keep=keep, system="driven_pendulum", **given)
+    ...     diagram = found.load()
     >>> diagram.omega.dims, diagram.omega.shape
     (('A', 'omega_number'), (2, 3))
     """
     if not over:
-        raise UsageError.about("over", 'there is no axis: give one by its name, such as {"amplitude": ["10deg", "20deg"]}')
+        example = '{"amplitude": ["10deg", "20deg"]}'
+        raise UsageError.about("over", f"there is no axis: give one by its name, such as {example}")
     if chunk is not None and chunk < 1:
-        raise UsageError.about("chunk", f"got {chunk}: give how many points a chunk has at most, 1 or more")
+        reason = f"got {chunk}: give how many points a chunk has at most, 1 or more"
+        raise UsageError.about("chunk", reason)
     words = _words(question, given)
+    for name, values in over.items():
+        refuse_units(values, f"over: {name}: ")
     axes = [(str(name), _values(values)) for name, values in over.items()]
     kept = _kept(keep)
     place = Path(os.path.abspath(os.fspath(store)))
@@ -108,9 +128,10 @@ def sweep(
             begin(plan, place)
             _run(plan, place, client, tell)
         except KeyboardInterrupt as stopped:
-            raise Interrupted(_opened(place) if (place / "zarr.json").exists() else None) from stopped
+            is_begun = (place / "zarr.json").exists()
+            raise Interrupted(_opened(place) if is_begun else None) from stopped
         except OSError as error:
-            raise NoAnswer(f"cannot write {place}: {error}; whole chunks are kept, and the same call goes on from there") from error
+            raise NoAnswer(f"cannot write {place}: {error}; {_workers.KEPT}") from error
     _zarr.clear(place)
     return _opened(place)
 
@@ -130,7 +151,10 @@ def _words(question: str | Sequence[str], given: Mapping[str, Any]) -> list[str]
         return words
     name = " ".join(words)
     if name not in catalogue():
-        raise UsageError(f"`{name}` is no question that takes keywords: give one such as lyapunov, or its options as text")
+        raise UsageError(
+            f"`{name}` is no question that takes keywords: "
+            "give one such as lyapunov, or its options as text"
+        )
     known = [parameter.keyword for parameter in catalogue()[name].parameters]
     for keyword in given:
         if keyword not in known:
@@ -156,7 +180,10 @@ def _run(plan: Plan, store: Path, client: Any, tell: Tell | None) -> None:
     missing = [number for number in range(plan.chunks) if not plan.is_done(store, number)]
     all_points = int(np.prod(plan["shape"]))
     done = all_points - sum(int(np.prod(plan.block(number))) for number in missing)
-    finished = _workers.on_this_machine(plan, store, missing) if client is None else _workers.on_cluster(client, plan, store, missing)
+    if client is None:
+        finished = _workers.on_this_machine(plan, store, missing)
+    else:
+        finished = _workers.on_cluster(client, plan, store, missing)
     for points in finished:
         done += points
         if tell is not None:

@@ -31,9 +31,10 @@ __all__ = ["Swing"]
 class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base, has no types
     """A pendulum that swings; `Motion.swing` makes it.
 
-    The bob is drawn at the exact angles, in real time where a period takes between half a second and ten, and else slowed down or sped up, which is said.
-    Dragging the bob, and the sliders below, set the start; the motion that follows is calculated here and drawn anew. A pale second pendulum does what the
-    formula of small swings says.
+    The bob is drawn at the exact angles, in real time where a period takes between half a second
+    and ten, and else slowed down or sped up, which is said. Dragging the bob, and the sliders
+    below, set the start; the motion that follows is calculated here and drawn anew. A pale second
+    pendulum does what the formula of small swings says.
 
     Raises
     ------
@@ -46,14 +47,15 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
 
     angle = traitlets.CFloat(help="At t = 0, in degrees.").tag(sync=True)
     velocity = traitlets.CFloat(help="At t = 0, in rad/s.").tag(sync=True)
-    caption = traitlets.Unicode(read_only=True, help="The regime of the motion, and its period.").tag(sync=True)
+    caption = traitlets.Unicode(read_only=True, help="The regime, and the period.").tag(sync=True)
     _course = traitlets.Dict().tag(sync=True)
 
     def __init__(self, motion: Motion) -> None:
         self._motion = motion
         start = motion(0.0)
         # 60° in radians and back are 60.00000000000001.
-        super().__init__(angle=round(float(np.degrees(start.angle)), 12), velocity=float(start.velocity))
+        angle = round(float(np.degrees(start.angle)), 12)
+        super().__init__(angle=angle, velocity=float(start.velocity))
         self._show(motion)
         self.observe(self._begin, ["angle", "velocity"])
 
@@ -69,8 +71,8 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
 
     @traitlets.validate("angle", "velocity")
     def _check(self, proposal: Any) -> float:
-        start = {"angle": self.angle, "velocity": self.velocity, proposal["trait"].name: proposal["value"]}
-        self._moved(**start)
+        start = {"angle": self.angle, "velocity": self.velocity}
+        self._moved(**{**start, proposal["trait"].name: proposal["value"]})
         return float(proposal["value"])
 
     def _begin(self, _: Any) -> None:
@@ -99,19 +101,23 @@ def caption(motion: Motion) -> str:
     if motion.amplitude is None:
         return motion.regime
     excess = 100 * float(_native.period_excess(motion.amplitude))
-    return f"libration of {np.degrees(motion.amplitude):.6g}°: T = {motion.period:.6g} s, {excess:.4g} % longer than small swings"
+    amplitude = f"{np.degrees(motion.amplitude):.6g}°"
+    period = f"T = {motion.period:.6g} s, {excess:.4g} % longer than small swings"
+    return f"libration of {amplitude}: {period}"
 
 
 def course(motion: Motion) -> dict[str, Any]:
-    """What is drawn of a motion: angles in radians and velocities in rad/s at equal steps over a period, or until it hardly moves.
+    """Angles in radians and velocities in rad/s at equal steps, for the drawing of a motion.
 
+    They cover a period, or the time until it hardly moves.
     A cubic between them leaves the motion by less than 1e-4 rad.
     """
     omega0 = motion.pendulum.angular_frequency
     turns = {"rotation": 1, "libration": 0}.get(motion.regime)
     span = motion.period if turns is not None else 16 / omega0
-    # |θ⁗| is at most 3·ω0⁴ in libration, so that a step h leaves 3·(ω0·h)⁴/384: 1e-6 with 0.1/ω0, and 5e-5 with the longest, of a period of 2800/ω0 next to
-    # the separatrix. A turn of a rotation has 128 steps at least, which leave 1e-7.
+    # |θ⁗| is at most 3·ω0⁴ in libration, so that a step h leaves 3·(ω0·h)⁴/384: 1e-6 with 0.1/ω0,
+    # and 5e-5 with the longest, of a period of 2800/ω0 next to the separatrix. A turn of a rotation
+    # has 128 steps at least, which leave 1e-7.
     steps = int(np.clip(span * omega0 / 0.1, 128, 10_000))
     angle, velocity = motion(np.linspace(0, span, steps + 1))
     return {

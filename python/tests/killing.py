@@ -1,6 +1,8 @@
-"""Sweeps whose processes are killed: a scheduler, two workers and a client on this machine, each a process of its own.
+"""Sweeps whose processes are killed: a scheduler, two workers and a client on this machine, each a
+process of its own.
 
-`python/tests/killing.py PLACE OVERALL` is the client itself; `scripts/kill_sweeps` does many rounds.
+`python/tests/killing.py PLACE OVERALL` is the client itself; `scripts/kill_sweeps` does many
+rounds.
 """
 
 import os
@@ -33,7 +35,10 @@ def asked(place: Path, **how: object):
 
 def tree(place: Path) -> dict[str, bytes]:
     """All files of a store."""
-    return {str(file.relative_to(place)): file.read_bytes() for file in sorted(place.rglob("*")) if file.is_file()}
+    return {
+        str(file.relative_to(place)): file.read_bytes()
+        for file in sorted(place.rglob("*")) if file.is_file()
+    }
 
 
 class Cluster:
@@ -51,10 +56,14 @@ class Cluster:
 
     def _start(self, *words: str) -> "subprocess.Popen[bytes]":
         program = [sys.executable, "-m", "dask", *words]
-        return subprocess.Popen(program, stdout=self.log, stderr=self.log, start_new_session=True, env=ENVIRONMENT)
+        return subprocess.Popen(
+            program, stdout=self.log, stderr=self.log, start_new_session=True, env=ENVIRONMENT
+        )
 
     def kill_a_worker(self) -> None:
-        """The process that answers, below its nanny, which starts another; the nanny itself where there is none yet."""
+        """The process that answers, below its nanny, which starts another; the nanny itself where
+        there is none yet.
+        """
         nanny = random.choice(self.workers).pid
         below = psutil.Process(nanny).children()
         kill(below[-1].pid if below else nanny)
@@ -86,7 +95,9 @@ def until(is_so, longest: float = LONGEST) -> None:
 
 def client(store: Path, cluster: Cluster | None) -> "subprocess.Popen[bytes]":
     scheduler = str(cluster.file) if cluster else "none"
-    return subprocess.Popen([sys.executable, __file__, str(store), scheduler], stderr=subprocess.PIPE, env=ENVIRONMENT)
+    return subprocess.Popen(
+        [sys.executable, __file__, str(store), scheduler], stderr=subprocess.PIPE, env=ENVIRONMENT
+    )
 
 
 def chunks_done(store: Path) -> int:
@@ -94,7 +105,9 @@ def chunks_done(store: Path) -> int:
 
 
 def round_of(victim: str, place: Path, seed: int) -> dict[str, bytes]:
-    """Kills a "worker", the "scheduler" or the "client" somewhere on the way, goes on to the end, and gives the files of the store."""
+    """Kills a "worker", the "scheduler" or the "client" somewhere on the way, goes on to the end,
+    and gives the files of the store.
+    """
     random.seed(seed)
     place.mkdir(parents=True, exist_ok=True)
     store, cluster = place / "sweep.zarr", Cluster(place)

@@ -21,7 +21,8 @@ def decay():
 
 def test_they_are_mappings_over_the_json(decay):
     assert isinstance(decay, Mapping) and list(decay)[:2] == ["schema", "length_m"]
-    assert dict(decay) == decay.to_dict() and json.loads(json.dumps(decay.to_dict())) == decay.to_dict()
+    assert dict(decay) == decay.to_dict()
+    assert json.loads(json.dumps(decay.to_dict())) == decay.to_dict()
     changed = decay.to_dict()
     changed["turning_points"].clear()
     assert len(decay.turning_points) == 5
@@ -38,7 +39,10 @@ def test_they_do_not_change(decay):
 
 
 def test_they_pickle_copy_and_compare(decay):
-    fit = lb.lab.fit_periods({"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}, length="1 m ± 1cm")
+    fit = lb.lab.fit_periods(
+        {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]},
+        length="1 m ± 1cm",
+    )
     paper = lb.paper("cote")
     for thing in (decay, fit, paper, decay.damping[0], decay.turning_points):
         for other in (pickle.loads(pickle.dumps(thing)), copy.copy(thing), copy.deepcopy(thing)):
@@ -48,7 +52,8 @@ def test_they_pickle_copy_and_compare(decay):
 
 
 def test_they_print_well(decay):
-    assert repr(decay).startswith("Answer(schema=2, length_m=1.0") and "turning_points=[…5]" in repr(decay)
+    assert repr(decay).startswith("Answer(schema=2, length_m=1.0")
+    assert "turning_points=[…5]" in repr(decay)
     assert repr(decay.turning_points).startswith("<5 rows of cycle, time_s")
     page = decay._repr_html_()
     assert "<td>length_m</td><td>1</td><td>m</td>" in page and "<th>amplitude_rad</th>" in page
@@ -59,7 +64,8 @@ def test_they_print_well(decay):
 
 def test_html_tables_of_many_rows_are_short():
     answer = questions.motion("60deg", times="0:100:0.1")
-    assert answer._repr_html_().count("<tr>") < 40 and "1001 rows, of which the first 12 are shown" in answer._repr_html_()
+    assert answer._repr_html_().count("<tr>") < 40
+    assert "1001 rows, of which the first 12 are shown" in answer._repr_html_()
 
 
 DRAWN = {
@@ -69,20 +75,52 @@ DRAWN = {
     "fourier": lambda: questions.fourier("170deg"),
     "plan": lambda: lb.lab.plan(g_to=1e-3, length="1.00(1) m", angle_noise="0.2deg", rate=60),
     "backbone": lambda: lb.backbone("duffing", amplitudes=[0.5, 1]),
-    "simulate": lambda: questions.simulate("double_pendulum", initial={"theta1": 1}, times="0:2:0.1"),
+    "simulate": lambda: questions.simulate(
+        "double_pendulum", initial={"theta1": 1}, times="0:2:0.1"
+    ),
     "modes": lambda: lb.modes("double_pendulum"),
-    "orbit": lambda: lb.orbit("double_pendulum", initial={"theta1": 0.1, "theta2": 0.141}, period=8),
-    "resonance": lambda: lb.resonance("x'' = -x - x*y; y'' = -4.1*y - x^2/2", order=2, initial={"x": 0.1, "y": 0.02}),
+    "orbit": lambda: lb.orbit(
+        "double_pendulum", initial={"theta1": 0.1, "theta2": 0.141}, period=8
+    ),
+    "resonance": lambda: lb.resonance(
+        "x'' = -x - x*y; y'' = -4.1*y - x^2/2", order=2, initial={"x": 0.1, "y": 0.02}
+    ),
     "melnikov": lambda: lb.melnikov("driven_pendulum", set={"A": 0.3, "c": 0.1, "omega": 1}),
-    "response": lambda: lb.response("driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95", sweeps=5),
-    "stability": lambda: lb.stability("kapitza", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0),
-    "section": lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0),
-    "bifurcation": lambda: lb.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0, sweep="both"),
+    "response": lambda: lb.response(
+        "driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95", sweeps=5
+    ),
+    "stability": lambda: lb.stability(
+        "kapitza", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0
+    ),
+    "section": lambda: lb.section(
+        "driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0
+    ),
+    "bifurcation": lambda: lb.bifurcation(
+        "driven_pendulum",
+        set={"c": 0.5},
+        over="A=1:1.1:0.1",
+        initial={"theta": 0.2},
+        points=2,
+        skip=0,
+        sweep="both",
+    ),
     "lyapunov": lambda: lb.lyapunov("pendulum", initial={"theta": 1}, intervals=30),
     "inspect": lambda: lb.lab.spectrum(Path(__file__).parents[2] / "examples/swing_synthetic.csv"),
-    "fit gates": lambda: lb.lab.fit_gates({"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)}, amplitude=0.2, signals="passages"),
-    "fit response": lambda: lb.lab.fit_response(Path(__file__).parents[2] / "examples/response_synthetic.csv", model="pendulum"),
-    "fit trace": lambda: lb.lab.fit_trace(lb.lab.recording(t=np.arange(0, 9, 0.05), angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2)), model="undamped"),
+    "fit gates": lambda: lb.lab.fit_gates(
+        {"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)},
+        amplitude=0.2,
+        signals="passages",
+    ),
+    "fit response": lambda: lb.lab.fit_response(
+        Path(__file__).parents[2] / "examples/response_synthetic.csv", model="pendulum"
+    ),
+    "fit trace": lambda: lb.lab.fit_trace(
+        lb.lab.recording(
+            t=np.arange(0, 9, 0.05),
+            angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2),
+        ),
+        model="undamped",
+    ),
 }
 
 
@@ -106,7 +144,9 @@ def test_a_followed_mode_is_drawn_with_its_stability():
     lines = {line.get_label(): line for line in answer.plot().lines}
     assert np.degrees(lines["stable"].get_xdata()).round(9).tolist() == [30, 50]
     assert np.degrees(lines["unstable"].get_xdata()).round(9).tolist() == [60]
-    np.testing.assert_array_equal(lines["ω + κa²"].get_ydata(), answer.points.series_angular_frequency_rad_per_s)
+    np.testing.assert_array_equal(
+        lines["ω + κa²"].get_ydata(), answer.points.series_angular_frequency_rad_per_s
+    )
 
 
 def test_what_a_file_holds_has_no_picture_but_its_harmonics_have():
@@ -121,13 +161,17 @@ def test_all_pictures_are_tested():
 
 
 def test_what_has_no_picture_says_so():
-    with pytest.raises(TypeError, match="no plot of an answer to `systems`: there are some of period, motion"):
+    with pytest.raises(
+        TypeError, match="no plot of an answer to `systems`: there are some of period, motion"
+    ):
         lb.systems("lorenz").plot()
 
 
 def test_the_picture_of_the_command_is_there_too(decay, tmp_path):
     picture = decay.picture(size="column")
-    assert picture.svg.startswith("<svg") and picture._repr_svg_() == picture.svg and "bytes of SVG" in repr(picture)
+    assert picture.svg.startswith("<svg")
+    assert picture._repr_svg_() == picture.svg
+    assert "bytes of SVG" in repr(picture)
     picture.save(tmp_path / "decay.svg")
     assert (tmp_path / "decay.svg").read_text() == picture.svg
 
@@ -143,7 +187,16 @@ def test_series_are_drawn():
 
 
 def test_ctrl_c_leaves_what_is_done():
-    caught = interrupted_after(0.5, lambda: lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=1_000_000, skip=1))
+    caught = interrupted_after(
+        0.5,
+        lambda: lb.section(
+            "driven_pendulum",
+            set={"A": 1.5, "c": 0.5},
+            initial={"theta": 0.2},
+            points=1_000_000,
+            skip=1,
+        ),
+    )
     assert caught.partial["complete"] is False and 0 < len(caught.partial.points) < 1_000_000
 
 
@@ -156,7 +209,14 @@ def test_progress_is_told_in_words():
             raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        lb.section("driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=10_000_000, skip=1, progress=tell)
+        lb.section(
+            "driven_pendulum",
+            set={"A": 1.5, "c": 0.5},
+            initial={"theta": 0.2},
+            points=10_000_000,
+            skip=1,
+            progress=tell,
+        )
     assert len(told) == 2 and all("point" in it for it in told)
 
 
@@ -165,7 +225,8 @@ def test_columns_of_lists_go_to_pandas_and_xarray():
     xarray = pytest.importorskip("xarray")
     modes = lb.modes("double_pendulum")
     assert modes.to_pandas()["shape"].tolist()[0].tolist() == modes["modes"][0]["shape"]
-    assert isinstance(modes.to_xarray(), xarray.Dataset) and modes.to_xarray()["shape"].dims == ("row", "shape_1")
+    assert isinstance(modes.to_xarray(), xarray.Dataset)
+    assert modes.to_xarray()["shape"].dims == ("row", "shape_1")
 
 
 def test_what_the_command_draws_is_said_to_be_there():

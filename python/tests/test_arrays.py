@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import re
 import subprocess
 import sys
 import threading
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 import libration as lb
+from libration import _ufuncs
 from ufuncs import ALL, inputs, outputs, same
 
 every = pytest.mark.parametrize("ufunc", ALL)
@@ -23,7 +25,9 @@ def test_is_a_ufunc_with_loops_for_two_types(ufunc):
 
 
 @every
-@pytest.mark.parametrize("count", [0, 1, 7, 8, 9, 63, 64, 65, 255, 256, 257, 2047, 2048, 2049, 4097])
+@pytest.mark.parametrize(
+    "count", [0, 1, 7, 8, 9, 63, 64, 65, 255, 256, 257, 2047, 2048, 2049, 4097]
+)
 def test_arrays_are_their_scalars_bit_for_bit(ufunc, count):
     arguments = inputs(ufunc, count)
     found = outputs(ufunc(*arguments))
@@ -40,7 +44,10 @@ def test_strides_order_and_bytes_do_not_matter(ufunc):
     same(ufunc(*(x[::3, ::-2] for x in arguments)), tuple(x[::3, ::-2] for x in outputs(expected)))
     same(ufunc(*map(np.asfortranarray, arguments)), expected)
     same(ufunc(*(x.astype(">f8") for x in arguments)), expected)
-    unaligned = [np.frombuffer(b"\0" + x.tobytes(), dtype=np.uint8)[1:].view(float).reshape(x.shape) for x in arguments]
+    unaligned = [
+        np.frombuffer(b"\0" + x.tobytes(), dtype=np.uint8)[1:].view(float).reshape(x.shape)
+        for x in arguments
+    ]
     same(ufunc(*unaligned), expected)
 
 
@@ -71,7 +78,10 @@ def test_single_precision_is_double_precision_rounded(ufunc):
     arguments = [x.astype(np.float32) for x in inputs(ufunc)]
     found = outputs(ufunc(*arguments))
     assert all(x.dtype == np.float32 for x in found)
-    same(tuple(found), tuple(x.astype(np.float32) for x in outputs(ufunc(*(x.astype(float) for x in arguments)))))
+    same(
+        tuple(found),
+        tuple(x.astype(np.float32) for x in outputs(ufunc(*(x.astype(float) for x in arguments)))),
+    )
 
 
 @every
@@ -194,15 +204,26 @@ def test_separatrix_and_rest_raise_no_flags():
         assert lb.special.ellipj(1.0, 0.0)[3] == 1.0
 
 
+special = lb.special
+OF_A_MODULUS = [getattr(special, f"ellip{name}") for name in ("k", "e", "k_kp", "km1", "nome")]
+OF_TWO = [special.ellipj, special.ellipj_kp, special.ellipkinc, special.ellipeinc]
 OUTSIDE = [
-    (lb.period_ratio, (3.2,)), (lb.period_excess, (np.inf,)), (lb.period_ratio_near_top, (0.0,)), (lb.nome, (-4.0,)),
-    (lb.period, (1.0, 0.0, 9.81)), (lb.period, (1.0, 1.0, -9.81)), (lb.period, (3.2, 1.0, 9.81)),
-    (lb.state, (np.inf, 1.0, 1.0)), (lb.state, (1.0, 3.2, 1.0)), (lb.state, (1.0, 1.0, 0.0)), (lb.state, (1.0, 1.0, -2.0)),
-    (lb.motion, (1.0, 1.0, 1.0, 0.0)), (lb.motion, (1.0, 1.0, np.inf, 1.0)), (lb.motion, (1.0, 1e300, 0.0, 1.0)), (lb.motion, (-np.inf, 1.0, 1.0, 1.0)),
-    *((ufunc, (x,)) for ufunc in (lb.special.ellipk, lb.special.ellipe, lb.special.ellipk_kp, lb.special.ellipkm1, lb.special.ellipnome) for x in (-1e-9, 1.1)),
-    *((ufunc, (0.5, x)) for ufunc in (lb.special.ellipj, lb.special.ellipj_kp, lb.special.ellipkinc, lb.special.ellipeinc) for x in (-1e-9, 1.1)),
-    *((ufunc, (np.inf, 0.5)) for ufunc in (lb.special.ellipj, lb.special.ellipkinc, lb.special.ellipeinc)),
-    (lb.special.inverse_nome, (0.995,)), (lb.special.inverse_nome_kp, (-0.1,)),
+    (lb.period_ratio, (3.2,)),
+    (lb.period_excess, (np.inf,)),
+    (lb.period_ratio_near_top, (0.0,)),
+    (lb.nome, (-4.0,)),
+    *((lb.period, values) for values in ((1.0, 0.0, 9.81), (1.0, 1.0, -9.81), (3.2, 1.0, 9.81))),
+    (lb.state, (np.inf, 1.0, 1.0)),
+    *((lb.state, (1.0, *values)) for values in ((3.2, 1.0), (1.0, 0.0), (1.0, -2.0))),
+    (lb.motion, (1.0, 1.0, 1.0, 0.0)),
+    (lb.motion, (1.0, 1.0, np.inf, 1.0)),
+    (lb.motion, (1.0, 1e300, 0.0, 1.0)),
+    (lb.motion, (-np.inf, 1.0, 1.0, 1.0)),
+    *((ufunc, (x,)) for ufunc in OF_A_MODULUS for x in (-1e-9, 1.1)),
+    *((ufunc, (0.5, x)) for ufunc in OF_TWO for x in (-1e-9, 1.1)),
+    *((ufunc, (np.inf, 0.5)) for ufunc in (special.ellipj, special.ellipkinc, special.ellipeinc)),
+    (special.inverse_nome, (0.995,)),
+    (special.inverse_nome_kp, (-0.1,)),
 ]
 
 
@@ -267,7 +288,11 @@ def test_two_threads_find_the_same(ufunc):
     found = [None] * 4
 
     def work(i):
-        with warnings.catch_warnings(action="error") if sys.version_info >= (3, 14) else np.errstate(all="raise"):
+        with (
+            warnings.catch_warnings(action="error")
+            if sys.version_info >= (3, 14)
+            else np.errstate(all="raise")
+        ):
             found[i] = ufunc(*arguments)
 
     threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
@@ -310,6 +335,23 @@ def test_reductions_that_mean_nothing_are_refused():
         lb.special.ellipkinc.reduce([[0.1, 0.2]], axis=None, initial=None, dtype=complex)
     with pytest.raises(ValueError, match="reduce only supported"):
         lb.period_ratio.reduce([0.1, 0.2])
+
+
+OF_TWO_ARGUMENTS = [ufunc for ufunc in ALL if ufunc.nin == 2]
+
+
+@pytest.mark.parametrize("ufunc", OF_TWO_ARGUMENTS)
+@pytest.mark.parametrize("method", ["reduce", "accumulate", "reduceat"])
+def test_reductions_of_two_arguments_are_refused_with_the_reason(ufunc, method):
+    if not hasattr(np.sin, "__dict__"):
+        pytest.skip("ufuncs of this NumPy take no attributes")
+    call = f"{ufunc.__name__}({', '.join(_ufuncs.arguments(ufunc))})"
+    reason = rf"^{ufunc.__name__}\.{method} has no meaning.*: give arrays to {re.escape(call)}$"
+    for arguments in ([[0.1, 0.2]], [[0.1, 0.2], [0]]):
+        with pytest.raises(TypeError, match=reason):
+            getattr(ufunc, method)(*arguments)
+    with pytest.raises(TypeError, match=reason):
+        getattr(ufunc, method)([[0.1, 0.2]], axis=1, dtype=float)
 
 
 def test_outer_and_at_work_as_for_every_ufunc():

@@ -15,7 +15,9 @@ from libration import _native
 
 
 def program(*arguments, **options):
-    return subprocess.run([sys.executable, "-m", "libration", *arguments], capture_output=True, text=True, **options)
+    return subprocess.run(
+        [sys.executable, "-m", "libration", *arguments], capture_output=True, text=True, **options
+    )
 
 
 QUESTIONS = [
@@ -37,14 +39,27 @@ def test_answers_are_those_of_the_command(arguments):
 
 
 def test_many_amplitudes_have_what_each_has_alone():
-    """A compiler optimised code of the batches wrongly that people get, and not that of the tests in Rust, which has other options."""
-    amplitudes = [f"{degrees}deg" for degrees in range(0, 180, 5)] + ["pi-1e-6", "pi-1e-300", "1e-9"]
+    """A compiler optimised code of the batches wrongly that people get, and not that of the tests
+    in Rust, which has other options.
+    """
+    amplitudes = [f"{degrees}deg" for degrees in range(0, 180, 5)] + [
+        "pi-1e-6", "pi-1e-300", "1e-9"
+    ]
     many = json.loads(_native.ask(["period", *amplitudes, "--json"])[0])["results"]
-    each = [json.loads(_native.ask(["period", amplitude, "--json"])[0])["results"] for amplitude in amplitudes]
+    each = [
+        json.loads(_native.ask(["period", amplitude, "--json"])[0])["results"]
+        for amplitude in amplitudes
+    ]
     assert [[found] for found in many] == each
 
 
-@pytest.mark.parametrize("arguments, kind, status", [(["period", "60degg"], lb.errors.UsageError, 2), (["period", "200deg"], lb.errors.NoAnswer, 1)])
+@pytest.mark.parametrize(
+    "arguments, kind, status",
+    [
+        (["period", "60degg"], lb.errors.UsageError, 2),
+        (["period", "200deg"], lb.errors.NoAnswer, 1),
+    ],
+)
 def test_errors_have_the_message_of_the_command(arguments, kind, status):
     answer, _, error = _native.ask(arguments)
     told = program(*arguments)
@@ -54,8 +69,12 @@ def test_errors_have_the_message_of_the_command(arguments, kind, status):
 
 
 def test_notes_come_beside_the_answer():
-    _, notes, _ = _native.ask(["simulate", "pendulum", "--initial", "theta=30", "--times", "0:1:1", "--json"])
-    told = program("simulate", "pendulum", "--initial", "theta=30", "--times", "0:1:1", "--json").stderr
+    _, notes, _ = _native.ask(
+        ["simulate", "pendulum", "--initial", "theta=30", "--times", "0:1:1", "--json"]
+    )
+    told = program(
+        "simulate", "pendulum", "--initial", "theta=30", "--times", "0:1:1", "--json"
+    ).stderr
     assert [f"note: {note}\n" for note in notes] == [told] and "degrees" in told
 
 
@@ -67,7 +86,9 @@ def test_the_input_stands_for_a_file():
 
 
 def test_ctrl_c_ends_an_answer_and_keeps_what_is_done():
-    answer, _, error = alarmed(0.3, lambda: _native.ask(["expand", "pendulum", "--order", "999", "--json"]))
+    answer, _, error = alarmed(
+        0.3, lambda: _native.ask(["expand", "pendulum", "--order", "999", "--json"])
+    )
     assert isinstance(error, KeyboardInterrupt)
     if answer:
         assert json.loads(answer)["interrupted"] is True
@@ -83,7 +104,9 @@ def test_what_the_function_of_the_progress_raises_ends_the_answer():
 
 
 def test_threads_ask_at_the_same_time_and_others_go_on():
-    questions = [["section", "driven_pendulum", "--set=A=1.5,c=1/2", f"--initial=theta=0.{n}", "--points=20", "--skip=1", "--json"] for n in range(1, 7)]
+    options = ["--set=A=1.5,c=1/2", "--points=20", "--skip=1", "--json"]
+    starts = [f"--initial=theta=0.{n}" for n in range(1, 7)]
+    questions = [["section", "driven_pendulum", start, *options] for start in starts]
     alone = [_native.ask(question)[0] for question in questions]
     together = [""] * len(questions)
 
@@ -104,7 +127,9 @@ def test_threads_ask_at_the_same_time_and_others_go_on():
 
 def test_the_command_ends_at_ctrl_c():
     running = subprocess.Popen(
-        [sys.executable, "-m", "libration", "expand", "pendulum", "--order", "999", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        [sys.executable, "-m", "libration", "expand", "pendulum", "--order", "999", "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
     )
     time.sleep(1)
     running.send_signal(signal.SIGINT)

@@ -23,7 +23,10 @@ def test_ufuncs_are_documented_and_their_examples_run(ufunc):
     assert found.attempted >= 2 and found.failed == 0
 
 
-MODULES = ["libration"] + [it.name for it in pkgutil.walk_packages(lb.__path__, "libration.") if it.name != "libration._native"]
+MODULES = ["libration"] + [
+    it.name
+    for it in pkgutil.walk_packages(lb.__path__, "libration.") if it.name != "libration._native"
+]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -36,7 +39,10 @@ def test_examples_of_modules_run(name):
 
 def test_all_names_are_there():
     for module in (lb, lb.special, lb.figure, lb.questions):
-        assert module.__all__ == sorted(module.__all__, key=str.swapcase) or module.__all__ == sorted(module.__all__)
+        assert (
+            module.__all__ == sorted(module.__all__, key=str.swapcase)
+            or module.__all__ == sorted(module.__all__)
+        )
         assert all(hasattr(module, name) for name in module.__all__)
 
 

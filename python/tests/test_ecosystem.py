@@ -24,7 +24,12 @@ def test_several_results_go_through_apply_gufunc(ufunc):
     dask = pytest.importorskip("dask.array")
     arguments = inputs(ufunc)
     signature = ",".join(["()"] * ufunc.nin) + "->" + ",".join(["()"] * ufunc.nout)
-    found = dask.apply_gufunc(ufunc, signature, *(dask.from_array(x, chunks=300) for x in arguments), output_dtypes=[float] * ufunc.nout)
+    found = dask.apply_gufunc(
+        ufunc,
+        signature,
+        *(dask.from_array(x, chunks=300) for x in arguments),
+        output_dtypes=[float] * ufunc.nout,
+    )
     same(tuple(x.compute() for x in found), ufunc(*arguments))
 
 
@@ -61,7 +66,9 @@ def test_pint_goes_through_a_wrapper():
     pint = pytest.importorskip("pint")
     units = pint.UnitRegistry()
     period = units.wraps("s", ("radian", "m", "m/s^2"))(lambda a, l, g: lb.period(a, l, g))
-    found = period(units.Quantity([60.0], "degree"), units.Quantity(99.4, "cm"), units.Quantity(9.81, "m/s^2"))
+    found = period(
+        units.Quantity([60.0], "degree"), units.Quantity(99.4, "cm"), units.Quantity(9.81, "m/s^2")
+    )
     assert found.units == units.second
     same(found.magnitude, lb.period(np.radians([60.0]), 0.994, 9.81))
     with pytest.raises(TypeError):

@@ -40,12 +40,15 @@ def test_amplitudes_are_numbers_texts_or_arrays():
 
 
 def test_the_catalogue_is_a_mapping():
-    assert len(lb.formulas) == len(list(lb.formulas)) >= 30 and "bernoulli" in lb.formulas and "x" not in lb.formulas
+    assert len(lb.formulas) == len(list(lb.formulas)) >= 30
+    assert "bernoulli" in lb.formulas
+    assert "x" not in lb.formulas
     for key, formula in lb.formulas.items():
         assert formula.key == key and formula.latex in formula._repr_latex_() and formula.source
         assert pickle.loads(pickle.dumps(formula)) == formula
     assert lb.formulas["power_series_40"].error(1.0) == pytest.approx(0, abs=1e-15)
-    assert "bernoulli" in repr(lb.formulas) and len({lb.formulas["molina"], lb.formulas["molina"]}) == 1
+    assert "bernoulli" in repr(lb.formulas)
+    assert len({lb.formulas["molina"], lb.formulas["molina"]}) == 1
 
 
 def test_the_best_formula_is_the_simplest_that_keeps_the_tolerance():
@@ -57,7 +60,10 @@ def test_the_best_formula_is_the_simplest_that_keeps_the_tolerance():
     assert simpler and all(abs(it.worst_error("90deg")[0]) > 1e-3 for it in simpler)
     with pytest.raises(lb.errors.FormulaError, match="give a larger tolerance"):
         lb.formulas.best("179deg", 1e-30)
-    with pytest.raises(lb.errors.FormulaError, match='the amplitude is 60 rad, and swings stay below pi: for degrees write "60deg"'):
+    with pytest.raises(
+        lb.errors.FormulaError,
+        match='the amplitude is 60 rad, and swings stay below pi: for degrees write "60deg"',
+    ):
         lb.formulas.best(60, 1e-3)
 
 
@@ -71,5 +77,7 @@ def test_where_a_tolerance_is_kept():
 
 def test_unknown_keys_are_refused_with_the_nearest():
     for kind in (KeyError, ValueError, lb.LibrationError):
-        with pytest.raises(kind, match="no formula has the key `bernouli`; the nearest are bernoulli"):
+        with pytest.raises(
+            kind, match="no formula has the key `bernouli`; the nearest are bernoulli"
+        ):
             lb.formulas["bernouli"]

@@ -22,14 +22,17 @@ def test_what_is_read_is_what_the_file_holds(swing):
     lines = [line.split(",") for line in SWING.read_text().splitlines() if line[0].isdigit()]
     t, theta = np.array(lines, dtype=float).T
     assert list(swing.columns) == ["t (s)", "theta (deg)"]
-    assert np.array_equal(swing.columns["t (s)"], t) and np.array_equal(swing.columns["theta (deg)"], theta)
+    assert np.array_equal(swing.columns["t (s)"], t)
+    assert np.array_equal(swing.columns["theta (deg)"], theta)
     trace = swing.trace_values[0]
     assert trace.unit == "rad" and np.allclose(trace["values"], np.radians(theta), rtol=1e-15)
     assert isinstance(swing, lb.lab.Recording) and pickle.loads(pickle.dumps(swing)) == swing
 
 
 def test_cells_that_are_no_numbers_are_missing():
-    columns = lb.lab.read({"t (s)": [0, 0.1, 0.2, 0.3], "angle (deg)": [61, np.nan, 38, 20]}).columns
+    columns = lb.lab.read(
+        {"t (s)": [0, 0.1, 0.2, 0.3], "angle (deg)": [61, np.nan, 38, 20]}
+    ).columns
     assert np.isnan(columns["angle (deg)"][1]) and columns["angle (deg)"][2] == 38
 
 
@@ -38,7 +41,9 @@ def test_fits_take_recordings_as_they_take_files(swing):
     by_file, by_recording = lb.lab.fit_trace(SWING, **options), lb.lab.fit_trace(swing, **options)
     assert by_recording == by_file
     trace = swing.trace_values[0]
-    by_arrays = lb.lab.fit_trace(lb.lab.recording(t=trace.times_s, angle=trace["values"]), **options)
+    by_arrays = lb.lab.fit_trace(
+        lb.lab.recording(t=trace.times_s, angle=trace["values"]), **options
+    )
     assert by_arrays["gravity_m_per_s2"] == pytest.approx(by_file["gravity_m_per_s2"], rel=1e-9)
 
 
@@ -52,18 +57,25 @@ def test_what_was_chosen_in_reading_is_chosen_in_the_fit():
     fit = lb.lab.fit_trace(rec, model="undamped", length="0.57(1)m")
     assert fit.g.nominal_value == pytest.approx(9.80665, rel=2e-3)
     assert "--angle=2" in fit.question and "--unit=deg" in fit.question
-    part = lb.lab.fit_trace(lb.lab.read(table, time=1, time_unit="s", angle=2, unit="deg", to=6), model="undamped", to=9)
+    part = lb.lab.fit_trace(
+        lb.lab.read(table, time=1, time_unit="s", angle=2, unit="deg", to=6), model="undamped", to=9
+    )
     assert part["rows"] == np.count_nonzero(t <= 9)
 
 
 def test_recordings_from_arrays_know_their_units_and_uncertainties():
     t = np.arange(0, 6, 0.05)
     rec = lb.lab.recording(t=t, angle=0.4 * np.cos(3 * t), uncertainty=0.01)
-    assert rec.trace_values[0]["values"] == (0.4 * np.cos(3 * t)).tolist() and set(rec.trace_values[0]["uncertainties"]) == {0.01}
+    assert rec.trace_values[0]["values"] == (0.4 * np.cos(3 * t)).tolist()
+    assert set(rec.trace_values[0]["uncertainties"]) == {0.01}
     rate = lb.lab.recording(t=t, angular_velocity=-1.2 * np.sin(3 * t))
     assert rate.traces.seen.tolist() == ["angular velocity"]
-    video = lb.lab.recording(t=t, x=0.5 * np.sin(0.4 * np.cos(3 * t)), y=-0.5 * np.cos(0.4 * np.cos(3 * t)))
-    assert np.allclose(np.abs(video.trace_values[0]["values"]), np.abs(0.4 * np.cos(3 * t)), atol=1e-9)
+    video = lb.lab.recording(
+        t=t, x=0.5 * np.sin(0.4 * np.cos(3 * t)), y=-0.5 * np.cos(0.4 * np.cos(3 * t))
+    )
+    assert np.allclose(
+        np.abs(video.trace_values[0]["values"]), np.abs(0.4 * np.cos(3 * t)), atol=1e-9
+    )
 
 
 def test_arrays_need_names_of_columns():
@@ -75,7 +87,9 @@ def test_arrays_need_names_of_columns():
 
 
 def test_arrays_that_do_not_fit_together_are_refused():
-    with pytest.raises(ValueError, match=r"the columns differ in shape \(t \(s\): \(3,\), angle \(rad\): \(2,\)\)"):
+    with pytest.raises(
+        ValueError, match=r"the columns differ in shape \(t \(s\): \(3,\), angle \(rad\): \(2,\)\)"
+    ):
         lb.lab.recording(t=[0, 1, 2], angle=[1, 2])
     with pytest.raises(ValueError, match="one dimension"):
         lb.lab.recording(t=[[0, 1]], angle=[[1, 2]])
@@ -87,30 +101,43 @@ def test_arrays_that_do_not_fit_together_are_refused():
 
 def test_results_are_values_with_uncertainties(swing, monkeypatch):
     fit = lb.lab.fit_trace(swing, length="0.56m±0.002m", model="linear")
-    assert fit.g.nominal_value == fit["gravity_m_per_s2"] and fit.g.std_dev == fit["gravity_uncertainty_m_per_s2"]
+    assert fit.g.nominal_value == fit["gravity_m_per_s2"]
+    assert fit.g.std_dev == fit["gravity_uncertainty_m_per_s2"]
     assert fit.t0.nominal_value == fit["small_angle_period_s"]
     assert fit.parameters["omega0"].nominal_value == fit["parameters"][0]["value"]
     rows = fit.residuals()
-    assert len(rows) == fit["rows"] and np.allclose(rows.value - rows.fitted, rows.residual, atol=1e-15)
+    assert len(rows) == fit["rows"]
+    assert np.allclose(rows.value - rows.fitted, rows.residual, atol=1e-15)
     with pytest.raises(lb.errors.NoAnswer, match="give length"):
         lb.lab.fit_trace(swing, model="linear").g
     monkeypatch.setitem(__import__("sys").modules, "uncertainties", None)
-    assert isinstance(fit.g, lb.lab.Measured) and fit.g.n == fit["gravity_m_per_s2"] and float(fit.g) == fit.g.n
+    assert isinstance(fit.g, lb.lab.Measured)
+    assert fit.g.n == fit["gravity_m_per_s2"]
+    assert float(fit.g) == fit.g.n
     assert str(fit.g) == "9.809+/-0.035"
 
 
 def test_the_package_uncertainties_writes_the_same():
     uncertainties = pytest.importorskip("uncertainties")
     for value, uncertainty in [(9.80938, 0.035038), (9.84, 0.1), (123.4, 12.0), (1.0, 0.0012)]:
-        assert str(fits.Measured(value, uncertainty)) == f"{uncertainties.ufloat(value, uncertainty):.2u}"
+        assert (
+            str(fits.Measured(value, uncertainty))
+            == f"{uncertainties.ufloat(value, uncertainty):.2u}"
+        )
     length = uncertainties.ufloat(0.56, 0.002)
     table = {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}
-    assert lb.lab.fit_periods(table, length=length).g.nominal_value == lb.lab.fit_periods(table, length="0.56±0.002").g.nominal_value
+    assert (
+        lb.lab.fit_periods(table, length=length).g.nominal_value
+        == lb.lab.fit_periods(table, length="0.56±0.002").g.nominal_value
+    )
 
 
 def test_periods_lengths_and_gates():
     lengths = np.array([0.3, 0.5, 0.7, 0.9, 1.1])
-    table = {"length (m)": lengths, "period (s)": lb.period(np.radians(10), lengths, 9.81) + 1e-4 * np.array([1, -1, 0, 1, -1])}
+    table = {
+        "length (m)": lengths,
+        "period (s)": lb.period(np.radians(10), lengths, 9.81) + 1e-4 * np.array([1, -1, 0, 1, -1]),
+    }
     fit = lb.lab.fit_lengths(table, amplitude="10deg")
     assert abs(fit.g.nominal_value - 9.81) < 5 * fit.g.std_dev
     gates = lb.lab.fit_gates({"t (s)": np.arange(1, 30) * 1.01}, signals="passages", amplitude=0.2)
@@ -118,8 +145,17 @@ def test_periods_lengths_and_gates():
 
 
 def test_a_plan_keeps_its_promise():
-    """A recording as it was planned, with normal noise: the fit is about as uncertain as was wanted."""
-    plan = lb.lab.plan(g_to=1e-3, length="1.0000(1)m", angle_noise="0.2deg", rate=60, amplitudes="5deg,10deg", angle_scale=0)
+    """A recording as it was planned, with normal noise: the fit is about as uncertain as was
+    wanted.
+    """
+    plan = lb.lab.plan(
+        g_to=1e-3,
+        length="1.0000(1)m",
+        angle_noise="0.2deg",
+        rate=60,
+        amplitudes="5deg,10deg",
+        angle_scale=0,
+    )
     motion = lb.Pendulum(1.0).release(plan.amplitude_rad)
     t = np.arange(0, plan.duration_s, 1 / 60)
     angle = motion(t).angle + np.random.default_rng(1).normal(0, np.radians(0.2), len(t))
@@ -154,7 +190,9 @@ def test_power_is_that_of_scipy(swing):
     hz = np.asarray(found["spectrum_hz"])
     if "floating_mean" not in signal.lombscargle.__doc__:
         pytest.skip("this SciPy has no floating mean")
-    powers = signal.lombscargle(t, y, 2 * np.pi * hz, weights=weights, floating_mean=True, normalize=True)
+    powers = signal.lombscargle(
+        t, y, 2 * np.pi * hz, weights=weights, floating_mean=True, normalize=True
+    )
     np.testing.assert_allclose(found["spectrum_powers"], powers, atol=1e-9)
 
 
@@ -165,7 +203,9 @@ def test_names_of_columns_are_no_rows_even_where_they_are_numbers():
     named = lb.lab.fit_periods({"amplitude (rad)": amplitude, "T (s)": period}, length="99.4(1)cm")
     numbered = lb.lab.fit_periods(pandas.DataFrame(np.c_[amplitude, period]), length="99.4(1)cm")
     assert numbered["rows"] == 30 and numbered.g.nominal_value == named.g.nominal_value
-    read = lb.lab.read(pandas.DataFrame(np.c_[[0.0, 0.1, 0.2], [61.0, 55.0, 38.0]]), time=1, angle=2, unit="deg")
+    read = lb.lab.read(
+        pandas.DataFrame(np.c_[[0.0, 0.1, 0.2], [61.0, 55.0, 38.0]]), time=1, angle=2, unit="deg"
+    )
     assert read.columns["0"].tolist() == [0.0, 0.1, 0.2]
 
 
@@ -189,7 +229,9 @@ def test_a_decay_that_is_no_straight_line_is_no_centre_that_wanders():
     deviations = []
     for seed in range(8):
         noise = 0.03 * np.random.default_rng(seed).normal(size=t.size)
-        fit = lb.lab.fit_trace({"t (s)": t, "angle (deg)": angle + noise}, length="0.800(1)m", model="linear")
+        fit = lb.lab.fit_trace(
+            {"t (s)": t, "angle (deg)": angle + noise}, length="0.800(1)m", model="linear"
+        )
         assert not any("wanders" in warning for warning in fit["warnings"])
         assert fit["beta_uncertainty"] < 1.5e-3
         deviations.append((fit["beta"] - 1) / fit["beta_uncertainty"])

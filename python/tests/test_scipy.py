@@ -1,4 +1,6 @@
-"""In the place of SciPy's functions, for 0 ≤ m ≤ 1: the same arguments and results, and SciPy's own tests."""
+"""In the place of SciPy's functions, for 0 ≤ m ≤ 1: the same arguments and results, and SciPy's own
+tests.
+"""
 
 import mpmath as mp
 import numpy as np
@@ -17,22 +19,59 @@ def test_same_arguments_and_results(name):
     assert (ours.nin, ours.nout) == (theirs.nin, theirs.nout)
     random = np.random.default_rng(3)
     arguments = [random.uniform(-3, 3, 500)][: ours.nin - 1] + [random.uniform(0, 0.9, 500)]
-    for one, other in zip(np.atleast_2d(ours(*arguments)), np.atleast_2d(theirs(*arguments)), strict=True):
+    for one, other in zip(
+        np.atleast_2d(ours(*arguments)), np.atleast_2d(theirs(*arguments)), strict=True
+    ):
         np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-14)
 
 
-# What SciPy's own tests ask of these functions (scipy/special/tests/test_basic.py), the values by mpmath.
+# What SciPy's own tests ask of these functions (scipy/special/tests/test_basic.py), the values by
+# mpmath.
 M = 0.68359375000000011
 AROUND = [np.nextafter(M, 0), M, np.nextafter(M, 1)]
 FACTS = [
     *((special.ellipk, mp.ellipk, (m,)) for m in (0.0, 0.2, 0.5, 1.0)),
     *((special.ellipe, mp.ellipe, (m,)) for m in (0.0, 0.2, 1.0)),
-    *((special.ellipkm1, lambda p: mp.pi / 2 / mp.agm(1, mp.sqrt(p)) if p else mp.inf, (p,)) for p in (0.0, 1e-300, 1e-10, 0.5, 1.0)),
-    *((special.ellipkinc, mp.ellipf, (phi, m)) for phi, m in [(np.pi / 2, 0.2), (np.radians(38), np.sin(np.radians(20)) ** 2), (np.pi / 2, 0.0), (0.0, 0.5), (0.38974112035318718, 1.0)]),
-    *((special.ellipkinc, mp.ellipf, (0.9272952180016123 + shift, m)) for m in AROUND for shift in (0.0, np.pi)),
-    *((special.ellipkinc, mp.ellipf, (sign * phi, 1.0)) for phi in (1e-300, 1e-9, 0.1, 1.0, 1.57, 1.5707963267948) for sign in (1, -1)),
-    *((special.ellipeinc, mp.ellipe, (phi, m)) for phi, m in [(np.pi / 2, 0.2), (np.radians(35), np.sin(np.radians(52)) ** 2), (np.pi / 2, 0.0), (np.pi / 2, 1.0), (0.0, 0.5), (0.0, 1.0)]),
-    *((special.ellipeinc, mp.ellipe, (0.9272952180016123 + shift, m)) for m in AROUND for shift in (0.0, np.pi)),
+    *(
+        (special.ellipkm1, lambda p: mp.pi / 2 / mp.agm(1, mp.sqrt(p)) if p else mp.inf, (p,))
+        for p in (0.0, 1e-300, 1e-10, 0.5, 1.0)
+    ),
+    *(
+        (special.ellipkinc, mp.ellipf, (phi, m))
+        for phi, m in [
+            (np.pi / 2, 0.2),
+            (np.radians(38), np.sin(np.radians(20)) ** 2),
+            (np.pi / 2, 0.0),
+            (0.0, 0.5),
+            (0.38974112035318718, 1.0),
+        ]
+    ),
+    *(
+        (special.ellipkinc, mp.ellipf, (0.9272952180016123 + shift, m))
+        for m in AROUND
+        for shift in (0.0, np.pi)
+    ),
+    *(
+        (special.ellipkinc, mp.ellipf, (sign * phi, 1.0))
+        for phi in (1e-300, 1e-9, 0.1, 1.0, 1.57, 1.5707963267948)
+        for sign in (1, -1)
+    ),
+    *(
+        (special.ellipeinc, mp.ellipe, (phi, m))
+        for phi, m in [
+            (np.pi / 2, 0.2),
+            (np.radians(35), np.sin(np.radians(52)) ** 2),
+            (np.pi / 2, 0.0),
+            (np.pi / 2, 1.0),
+            (0.0, 0.5),
+            (0.0, 1.0),
+        ]
+    ),
+    *(
+        (special.ellipeinc, mp.ellipe, (0.9272952180016123 + shift, m))
+        for m in AROUND
+        for shift in (0.0, np.pi)
+    ),
 ]
 
 
@@ -42,7 +81,9 @@ def test_facts_of_scipys_own_tests(ufunc, true, arguments):
     assert ulps(found, expected) <= 4
 
 
-@pytest.mark.parametrize("u, m", [(0.2, 0.0), (0.0, 1.0), (0.2, 1.0), (0.2, 1 - 1e-9), (5.0, 1 - 1e-12), (0.1, 0.5)])
+@pytest.mark.parametrize(
+    "u, m", [(0.2, 0.0), (0.0, 1.0), (0.2, 1.0), (0.2, 1 - 1e-9), (5.0, 1 - 1e-12), (0.1, 0.5)]
+)
 def test_facts_of_scipys_own_tests_of_jacobi_functions(u, m):
     for found, true in zip(special.ellipj(u, m), jacobi(u, m), strict=True):
         assert ulps(found, true) <= 4

@@ -15,7 +15,9 @@ from truth import motion
 
 matplotlib.use("agg")
 TIMES = np.linspace(0, 20, 41)
-PENDULUM = lb.simulate("theta'' + 9*sin(theta) = 0", {"theta": "60deg", "theta'": 2.5}, TIMES, tolerance=1e-15)
+PENDULUM = lb.simulate(
+    "theta'' + 9*sin(theta) = 0", {"theta": "60deg", "theta'": 2.5}, TIMES, tolerance=1e-15
+)
 
 
 def test_the_pendulum_has_its_exact_motion():
@@ -36,12 +38,16 @@ def test_a_damped_and_driven_system_as_scipy_has_it():
     assert names == {"theta": 0.2, "theta'": 0.0} and found.units == ("rad", "rad/s")
     # θ'' = -θ'/2 - sin θ + 1.5 cos(2t/3), as `found.equation` says.
     right = lambda t, y: [y[1], -0.5 * y[1] - np.sin(y[0]) + 1.5 * np.cos(2 / 3 * t)]
-    theirs = scipy.integrate.solve_ivp(right, (0, 20), [0.2, 0], "DOP853", TIMES, rtol=1e-12, atol=1e-12)
+    theirs = scipy.integrate.solve_ivp(
+        right, (0, 20), [0.2, 0], "DOP853", TIMES, rtol=1e-12, atol=1e-12
+    )
     np.testing.assert_allclose(found["theta"], theirs.y[0], atol=1e-6)
 
 
 def test_the_energy_of_coupled_systems_is_kept():
-    found = lb.simulate("x'' = -x - 2*x*y; y'' = -y - x^2 + y^2", {"x": 0.1, "y": 0.2, "x'": "1/5"}, TIMES)
+    found = lb.simulate(
+        "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2", {"x": 0.1, "y": 0.2, "x'": "1/5"}, TIMES
+    )
     x, y, u, v = found.y.T
     energy = (u**2 + v**2 + x**2 + y**2) / 2 + x**2 * y - y**3 / 3
     np.testing.assert_allclose(energy, energy[0], rtol=1e-13)
@@ -51,7 +57,9 @@ def test_times_on_both_sides_of_the_start():
     found = lb.simulate("x'' = -9.81", {"x": 1, "x'": 2}, [-1, -0.5, 0, 0.5, 1], events=["x"])
     t = np.array([-1, -0.5, 0, 0.5, 1])
     np.testing.assert_allclose(found["x"], 1 + 2 * t - 9.81 / 2 * t**2, rtol=1e-15)
-    np.testing.assert_allclose(found([[-0.9, 0.9]])["x'"], [[2 + 9.81 * 0.9, 2 - 9.81 * 0.9]], rtol=1e-14)
+    np.testing.assert_allclose(
+        found([[-0.9, 0.9]])["x'"], [[2 + 9.81 * 0.9, 2 - 9.81 * 0.9]], rtol=1e-14
+    )
     roots = np.roots([-9.81 / 2, 2, 1])
     np.testing.assert_allclose(found.events["x"].t, np.sort(roots), rtol=1e-14)
     assert found.events["x"].contact == ("rising", "falling") and found.end == 1
@@ -61,13 +69,20 @@ def test_times_on_both_sides_of_the_start():
 
 def test_events_and_the_end_at_one():
     # sin t: zeros at multiples of π.
-    found = lb.simulate("x'' + x = 0", {"x'": 1}, 10.0, events={"x": "falling", "x' = 0": "any", "x = 2": "any"})
+    found = lb.simulate(
+        "x'' + x = 0", {"x'": 1}, 10.0, events={"x": "falling", "x' = 0": "any", "x = 2": "any"}
+    )
     np.testing.assert_allclose(found.events["x"].t, [np.pi, 3 * np.pi], rtol=1e-14)
-    np.testing.assert_allclose(found.events["x' = 0"].t, np.pi * np.array([0.5, 1.5, 2.5]), rtol=1e-14)
+    np.testing.assert_allclose(
+        found.events["x' = 0"].t, np.pi * np.array([0.5, 1.5, 2.5]), rtol=1e-14
+    )
     assert len(found.events["x = 2"]) == 0 and found.events["x = 2"].y.shape == (0, 2)
-    for until, end in (("x = 1/2", np.pi / 6), (("x", "falling"), np.pi), (("x", "rising"), 2 * np.pi)):
+    for until, end in (
+        ("x = 1/2", np.pi / 6), (("x", "falling"), np.pi), (("x", "rising"), 2 * np.pi)
+    ):
         ended = lb.simulate("x'' + x = 0", {"x'": 1}, np.arange(1, 10), until=until)
-        assert ended.end == pytest.approx(end, rel=1e-14) and ended.t.tolist() == list(range(1, int(end) + 1))
+        assert ended.end == pytest.approx(end, rel=1e-14)
+        assert ended.t.tolist() == list(range(1, int(end) + 1))
 
 
 def test_a_text_is_one_event():
@@ -77,7 +92,9 @@ def test_a_text_is_one_event():
 
 def test_a_number_is_one_time():
     found = lb.simulate("x' = x", {"x": 1}, 1)
-    assert found.t.tolist() == [1.0] and found["x"][0] == pytest.approx(np.e, rel=1e-14) and found.names == ("x",)
+    assert found.t.tolist() == [1.0]
+    assert found["x"][0] == pytest.approx(np.e, rel=1e-14)
+    assert found.names == ("x",)
     assert lb.simulate("x' = x", {"x": 1}, 0)(0)["x"] == 1
     assert len(lb.simulate("x' = x", {"x": 1}, [])) == 0
 
@@ -85,10 +102,15 @@ def test_a_number_is_one_time():
 def test_values_are_numbers_fractions_or_formulas():
     from fractions import Fraction
 
-    each = [lb.simulate("x'' = -k*x", {"x": x}, [1.0], set={"k": k})["x"][0] for x, k in (
-        (0.5, 2), ("1/2", "sqrt(4)"), (Fraction(1, 2), Fraction(2)), (np.float64(0.5), np.int64(2)))]
+    given = [(0.5, 2), ("1/2", "sqrt(4)"), (Fraction(1, 2), Fraction(2))]
+    given += [(np.float64(0.5), np.int64(2))]
+    each = [lb.simulate("x'' = -k*x", {"x": x}, [1.0], set={"k": k})["x"][0] for x, k in given]
     assert set(each) == {each[0]} and each[0] == pytest.approx(np.cos(np.sqrt(2)) / 2, rel=1e-14)
-    chain = lb.simulate("x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..3; x[0] = 0; x[4] = 0", {"x[i]": "sin(pi*i/4)"}, [0.0])
+    chain = lb.simulate(
+        "x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..3; x[0] = 0; x[4] = 0",
+        {"x[i]": "sin(pi*i/4)"},
+        [0.0],
+    )
     np.testing.assert_allclose(chain.y[0, :3], np.sin(np.pi * np.arange(1, 4) / 4), rtol=1e-15)
 
 
@@ -97,9 +119,11 @@ def test_results_pickle_copy_compare_and_go_elsewhere():
         assert other == PENDULUM and other(3.3) == PENDULUM(3.3)
     pytest.importorskip("xarray")
     table = PENDULUM.to_xarray()
-    assert table["theta"].attrs == {"units": "rad"} and np.array_equal(table["theta'"], PENDULUM["theta'"])
+    assert table["theta"].attrs == {"units": "rad"}
+    assert np.array_equal(table["theta'"], PENDULUM["theta'"])
     ax = PENDULUM.plot()
-    assert np.array_equal(ax.lines[0].get_ydata(), PENDULUM["theta"]) and ax.get_ylabel() == "theta / rad"
+    assert np.array_equal(ax.lines[0].get_ydata(), PENDULUM["theta"])
+    assert ax.get_ylabel() == "theta / rad"
     assert PENDULUM.plot("theta", "theta'", ax=ax) is ax
     matplotlib.pyplot.close()
 
@@ -121,7 +145,12 @@ def test_ctrl_c_ends_a_long_motion_and_keeps_what_is_done():
 
 def test_progress_is_told_and_may_end_the_call():
     told = []
-    lb.simulate("double_pendulum", {"theta1": 2.0}, 4000.0, progress=lambda done, of: told.append((done, of)))
+    lb.simulate(
+        "double_pendulum",
+        {"theta1": 2.0},
+        4000.0,
+        progress=lambda done, of: told.append((done, of)),
+    )
     assert told == sorted(told) and {of for _, of in told} == {1000}
 
     def refuse(done, of):
@@ -184,7 +213,9 @@ def test_a_simulation_says_how_it_ended():
     whole = lb.simulate("pendulum", {"theta": 1}, [0, 1])
     assert whole.success and whole.message == "it reached t = 1.0"
     frame = whole.to_pandas()
-    assert list(frame.columns) == ["theta", "theta'"] and frame.index.name == "t" and frame["theta"][0.0] == 1.0
+    assert list(frame.columns) == ["theta", "theta'"]
+    assert frame.index.name == "t"
+    assert frame["theta"][0.0] == 1.0
     with pytest.raises(lb.errors.SimulationError) as stopped:
         lb.simulate("x' = x^2", {"x": 1}, [0, 2])
     assert not stopped.value.partial.success and "singularity" in stopped.value.partial.message

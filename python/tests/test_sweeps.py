@@ -30,13 +30,18 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 
 def test_a_sweep_gives_what_each_question_gives(tmp_path: Path) -> None:
     amplitudes = np.radians([10.0, 60.0, 179.0])
-    periods = lb.sweep("period", {"amplitude": amplitudes, "length": [0.5, 2.0]}, tmp_path / "periods.zarr")
+    periods = lb.sweep(
+        "period", {"amplitude": amplitudes, "length": [0.5, 2.0]}, tmp_path / "periods.zarr"
+    )
     assert periods.sizes == {"amplitude": 3, "length": 2}
     np.testing.assert_array_equal(periods.amplitude, amplitudes)
     np.testing.assert_array_equal(periods.ratio, np.transpose([lb.period_ratio(amplitudes)] * 2))
-    np.testing.assert_array_equal(periods.period_s[:, 1], lb.period(amplitudes, 2.0, lb.STANDARD_GRAVITY))
+    np.testing.assert_array_equal(
+        periods.period_s[:, 1], lb.period(amplitudes, 2.0, lb.STANDARD_GRAVITY)
+    )
     assert (periods.status == 0).all() and (periods.message == "").all()
-    assert periods.period_s.attrs["units"] == "s" and periods.period_s.attrs["long_name"].startswith("exact period")
+    assert periods.period_s.attrs["units"] == "s"
+    assert periods.period_s.attrs["long_name"].startswith("exact period")
     assert periods.attrs["question"] == "libration period '{amplitude}' --length '{length}'"
     assert periods.attrs["version"] == lb.__version__
 
@@ -44,23 +49,33 @@ def test_a_sweep_gives_what_each_question_gives(tmp_path: Path) -> None:
 def test_lists_are_a_further_dimension(tmp_path: Path) -> None:
     question = "section driven_pendulum --set c=1/2 --points 4 --skip 1"
     keep = {"omega": "points[0:6].state[1]", "first": "points[0].state[0]"}
-    found = lb.sweep(question, {"A": "1:1.2:0.1", "theta": [0.1, 0.2]}, tmp_path / "a.zarr", keep=keep, chunk=2)
+    found = lb.sweep(
+        question, {"A": "1:1.2:0.1", "theta": [0.1, 0.2]}, tmp_path / "a.zarr", keep=keep, chunk=2
+    )
     assert found.omega.dims == ("A", "theta", "omega_number") and found.omega.shape == (3, 2, 6)
     assert np.isfinite(found.omega[..., :4]).all() and np.isnan(found.omega[..., 4:]).all()
-    answer = lb._native.ask([*question.split(), "--json", "--set", "A=1.1", "--initial", "theta=0.2"])[0]
+    answer = lb._native.ask(
+        [*question.split(), "--json", "--set", "A=1.1", "--initial", "theta=0.2"]
+    )[0]
     points = json.loads(answer)["points"]
     np.testing.assert_array_equal(found.omega[1, 1, :4], [point["state"][1] for point in points])
     assert found["first"].dims == ("A", "theta")
 
 
 def test_points_without_an_answer_say_why(tmp_path: Path) -> None:
-    found = lb.sweep("period", {"amplitude": ["60deg", "190deg", "0x"]}, tmp_path / "a.zarr", keep=["results[0].ratio"])
+    found = lb.sweep(
+        "period",
+        {"amplitude": ["60deg", "190deg", "0x"]},
+        tmp_path / "a.zarr",
+        keep=["results[0].ratio"],
+    )
     assert found.status.values.tolist() == [0, 1, 2]
     assert np.isnan(found["ratio"].values).tolist() == [False, True, True]
     assert "below pi" in str(found.message.values[1]) and str(found.message.values[0]) == ""
     assert [str(it) for it in found.amplitude.values] == ["60deg", "190deg", "0x"]
     degrees = lb.sweep("period", {"amplitude": "10deg:30deg:10deg"}, tmp_path / "b.zarr")
-    assert degrees.amplitude.values.tolist() == [10.0, 20.0, 30.0] and degrees.amplitude.attrs["units"] == "deg"
+    assert degrees.amplitude.values.tolist() == [10.0, 20.0, 30.0]
+    assert degrees.amplitude.attrs["units"] == "deg"
 
 
 def test_any_chunks_and_any_number_of_threads_give_the_same_numbers(
@@ -70,7 +85,9 @@ def test_any_chunks_and_any_number_of_threads_give_the_same_numbers(
         monkeypatch.setattr(lb._workers, "cores", lambda: threads)
         again = killing.asked(tmp_path / f"{threads}.zarr")
         assert killing.tree(tmp_path / f"{threads}.zarr") == undisturbed
-    other = lb.sweep(killing.QUESTION, killing.OVER, tmp_path / "c.zarr", keep=killing.KEEP, chunk=50)
+    other = lb.sweep(
+        killing.QUESTION, killing.OVER, tmp_path / "c.zarr", keep=killing.KEEP, chunk=50
+    )
     np.testing.assert_array_equal(other.omega, again.omega)
 
 
@@ -79,9 +96,22 @@ def test_questions_take_keywords(tmp_path: Path) -> None:
     over = {"A": [1.0, 1.1], "theta": [0.1]}
     keep = {"omega": "points[0:2].state[1]"}
     found = lb.sweep("section", over, tmp_path / "a.zarr", keep=keep, **given)
-    text = lb.sweep("section driven_pendulum --set c=1/2 --skip 1 --points 2", over, tmp_path / "b.zarr", keep=keep)
+    text = lb.sweep(
+        "section driven_pendulum --set c=1/2 --skip 1 --points 2",
+        over,
+        tmp_path / "b.zarr",
+        keep=keep,
+    )
     np.testing.assert_array_equal(found.omega, text.omega)
-    initial = lb.sweep("section", {"theta'": [1.0]}, tmp_path / "c.zarr", keep=keep, **given, initial={"theta": 0.1}, period=6.0)
+    initial = lb.sweep(
+        "section",
+        {"theta'": [1.0]},
+        tmp_path / "c.zarr",
+        keep=keep,
+        **given,
+        initial={"theta": 0.1},
+        period=6.0,
+    )
     assert initial.sizes["theta'"] == 1 and np.isfinite(initial.omega).all()
     with pytest.raises(TypeError, match="takes no `speed`"):
         lb.sweep("section", over, tmp_path / "d.zarr", speed=1, **given)
@@ -106,7 +136,10 @@ def test_a_finished_store_is_read_and_another_sweep_refused(tmp_path: Path) -> N
     assert killing.tree(place) == before
     root = place / "zarr.json"
     text = root.read_text()
-    for old, new, reason in [('"format": 1', '"format": 2', "its format is 2"), ('"version": "', '"version": "9.', "its version")]:
+    for old, new, reason in [
+        ('"format": 1', '"format": 2', "its format is 2"),
+        ('"version": "', '"version": "9.', "its version"),
+    ]:
         root.write_text(text.replace(old, new))
         with pytest.raises(lb.errors.NoAnswer, match=reason):
             lb.sweep("period", {"amplitude": [0.5, 1.0]}, place)
@@ -119,7 +152,9 @@ def test_a_finished_store_is_read_and_another_sweep_refused(tmp_path: Path) -> N
 
 def test_questions_that_cannot_be_are_refused_before_anything_is_written(tmp_path: Path) -> None:
     place = tmp_path / "a.zarr"
-    for question, over in [("nonsense", {"a": [1]}), ("period", {"amplitude": ["190deg"]}), ("period 1", {"b": [1]})]:
+    for question, over in [
+        ("nonsense", {"a": [1]}), ("period", {"amplitude": ["190deg"]}), ("period 1", {"b": [1]})
+    ]:
         with pytest.raises(lb.LibrationError):
             lb.sweep(question, over, place)
     with pytest.raises(ValueError, match="2 dimensions"):
@@ -131,7 +166,12 @@ def test_questions_that_cannot_be_are_refused_before_anything_is_written(tmp_pat
 
 def test_progress_is_told_to_the_last_point(tmp_path: Path) -> None:
     seen: list[tuple[int, int | None]] = []
-    lb.sweep("period", {"amplitude": [0.5, 1.0, 1.5]}, tmp_path / "a.zarr", progress=lambda done, of: seen.append((done, of)))
+    lb.sweep(
+        "period",
+        {"amplitude": [0.5, 1.0, 1.5]},
+        tmp_path / "a.zarr",
+        progress=lambda done, of: seen.append((done, of)),
+    )
     assert seen == [(1, 3), (2, 3), (3, 3)]
 
 
@@ -152,7 +192,8 @@ def test_a_killed_process_is_gone_on_from(tmp_path: Path, undisturbed: dict[str,
         assert all(undisturbed[path] == content for path, content in done.items())
     killing.asked(place)
     assert killing.tree(place) == undisturbed
-    assert [file.name for file in tmp_path.iterdir()] == ["sweep.zarr"], "nothing unfinished is left beside"
+    left = [file.name for file in tmp_path.iterdir()]
+    assert left == ["sweep.zarr"], "something unfinished is left next to the store"
 
 
 def test_ctrl_c_keeps_what_is_done(tmp_path: Path, undisturbed: dict[str, bytes]) -> None:
@@ -170,14 +211,20 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path, undisturbed: dict[str, bytes]
     assert killing.tree(place) == undisturbed
 
 
-def test_a_file_is_on_the_disk_before_it_is_in_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_is_on_the_disk_before_it_is_in_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     seen: list[bool] = []
-    monkeypatch.setattr(lb._zarr.os, "fsync", lambda file: seen.append((tmp_path / "store/a/b").exists()))
+    monkeypatch.setattr(
+        lb._zarr.os, "fsync", lambda file: seen.append((tmp_path / "store/a/b").exists())
+    )
     lb._zarr.write(tmp_path / "store", "a/b", b"content")
     assert seen == [False] and (tmp_path / "store/a/b").read_bytes() == b"content"
 
 
-def test_a_sweep_that_ends_before_any_of_its_files_is_gone_on_with(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_sweep_that_ends_before_any_of_its_files_is_gone_on_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def small(name: str) -> "dict[str, bytes]":
         lb.sweep("period", {"amplitude": [0.5, 1.0]}, tmp_path / name, keep=["results[0].ratio"])
         return killing.tree(tmp_path / name)
@@ -200,7 +247,9 @@ def test_a_sweep_that_ends_before_any_of_its_files_is_gone_on_with(tmp_path: Pat
 
 def test_ctrl_c_before_the_first_answer(tmp_path: Path) -> None:
     question = "lyapunov double_pendulum --intervals 100000000"
-    caught = interrupted_after(0.5, lambda: lb.sweep(question, {"theta1": [2.0]}, tmp_path / "a.zarr"))
+    caught = interrupted_after(
+        0.5, lambda: lb.sweep(question, {"theta1": [2.0]}, tmp_path / "a.zarr")
+    )
     assert caught.partial is None and not (tmp_path / "a.zarr").exists()
 
 
@@ -208,30 +257,39 @@ FULL = """
 import resource, sys
 import libration as lb
 resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
-lb.sweep("section driven_pendulum --initial theta=0.2 --set c=1/2 --points 3 --skip 1", {"A": [1.0, 1.1, 1.2]}, sys.argv[1],
-    keep={"omega": "points[0:600].state[1]", "first": "points[0].state[1]"}, chunk=1)
+question = "section driven_pendulum --initial theta=0.2 --set c=1/2 --points 3 --skip 1"
+keep = {"omega": "points[0:600].state[1]", "first": "points[0].state[1]"}
+lb.sweep(question, {"A": [1.0, 1.1, 1.2]}, sys.argv[1], keep=keep, chunk=1)
 """
 
 
 def test_a_full_disk_is_told(tmp_path: Path) -> None:
     place = tmp_path / "sweep.zarr"
-    output = subprocess.run([sys.executable, "-c", FULL, str(place)], capture_output=True, text=True)
-    assert "NoAnswer: cannot write" in output.stderr and "goes on from there" in output.stderr, output.stderr
+    output = subprocess.run(
+        [sys.executable, "-c", FULL, str(place)], capture_output=True, text=True
+    )
+    assert "NoAnswer: cannot write" in output.stderr
+    assert "goes on from there" in output.stderr, output.stderr
     assert killing.chunks_done(place) == 0
     drafts = [file for file in tmp_path.rglob("*.part")]
     assert drafts == []
-    found = lb.sweep("section driven_pendulum --initial theta=0.2 --set c=1/2 --points 3 --skip 1", {"A": [1.0, 1.1, 1.2]}, place,
-        keep={"omega": "points[0:600].state[1]", "first": "points[0].state[1]"}, chunk=1)  # fmt: skip
+    question = "section driven_pendulum --initial theta=0.2 --set c=1/2 --points 3 --skip 1"
+    keep = {"omega": "points[0:600].state[1]", "first": "points[0].state[1]"}
+    found = lb.sweep(question, {"A": [1.0, 1.1, 1.2]}, place, keep=keep, chunk=1)
     assert (found.status == 0).all()
 
 
 @pytest.mark.parametrize("victim", ["worker", "scheduler", "client"])
-def test_a_cluster_that_is_killed_leaves_the_same_store(victim: str, tmp_path: Path, undisturbed: dict[str, bytes]) -> None:
+def test_a_cluster_that_is_killed_leaves_the_same_store(
+    victim: str, tmp_path: Path, undisturbed: dict[str, bytes]
+) -> None:
     assert killing.round_of(victim, tmp_path, seed=len(victim)) == undisturbed
 
 
 def test_plans_go_to_workers() -> None:
-    plan = lb._plan.Plan(lb._native.sweep_plan(["period"], [("amplitude", ["0.5", "1.0"])], [], None))
+    plan = lb._plan.Plan(
+        lb._native.sweep_plan(["period"], [("amplitude", ["0.5", "1.0"])], [], None)
+    )
     assert pickle.loads(pickle.dumps(plan)) == plan
 
 
@@ -246,4 +304,5 @@ def test_what_is_kept_and_where_is_checked(tmp_path: Path) -> None:
     ]:
         with pytest.raises(lb.errors.UsageError, match=told):
             lb.sweep(question, store=tmp_path / "s.zarr", **keywords)
-    assert lb.sweep(question, over, tmp_path / "s.zarr", keep="omega=modes[0].angular_frequency_rad_per_s").omega.shape == (2,)
+    keep = "omega=modes[0].angular_frequency_rad_per_s"
+    assert lb.sweep(question, over, tmp_path / "s.zarr", keep=keep).omega.shape == (2,)

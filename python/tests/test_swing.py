@@ -1,4 +1,6 @@
-"""The pendulum in a notebook: what is drawn is the exact motion, and a start that cannot be is refused."""
+"""The pendulum in a notebook: what is drawn is the exact motion, and a start that cannot be is
+refused.
+"""
 
 import numpy as np
 import pytest
@@ -55,7 +57,9 @@ def test_another_start_is_another_motion():
     assert swing.motion.regime == "rest (upright)"
 
 
-@pytest.mark.parametrize("name, value", [("angle", np.nan), ("angle", np.inf), ("velocity", np.nan), ("velocity", 1e200)])
+@pytest.mark.parametrize(
+    "name, value", [("angle", np.nan), ("angle", np.inf), ("velocity", np.nan), ("velocity", 1e200)]
+)
 def test_a_start_that_cannot_be_is_refused(name, value):
     swing = PENDULUM.release("60deg").swing()
     before = swing.motion, swing.caption, swing.angle, swing.velocity

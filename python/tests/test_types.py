@@ -18,5 +18,9 @@ def test_mypy():
 
 def test_pyright():
     pytest.importorskip("pyright")
-    found = subprocess.run([sys.executable, "-m", "pyright", "--pythonpath", sys.executable, FILE], capture_output=True, text=True)
+    found = subprocess.run(
+        [sys.executable, "-m", "pyright", "--pythonpath", sys.executable, FILE],
+        capture_output=True,
+        text=True,
+    )
     assert found.returncode == 0, found.stdout

@@ -26,7 +26,9 @@ motion = lb.Pendulum("99.4cm", 9.81).release("60deg")
 assert_type(motion.period, float)
 assert_type(motion.harmonics().angle, NDArray[np.float64])
 assert_type(lb.formulas["bernoulli"].error("60deg"), float)
-assert_type(lb.sweep("period", {"amplitude": array, "length": ["1m", "2m"]}, "periods.zarr"), xarray.Dataset)
+assert_type(
+    lb.sweep("period", {"amplitude": array, "length": ["1m", "2m"]}, "periods.zarr"), xarray.Dataset
+)
 
 lb.period(1.0, 1.0)  # type: ignore[call-overload]  # pyright: ignore
 lb.state(array, 1.0, 3.0, out=array)  # type: ignore[call-overload]  # pyright: ignore
@@ -36,7 +38,16 @@ assert_type(decay, lb.Answer)
 assert_type(decay.rows, lb.Rows)
 assert_type(decay.to_dict(), dict[str, Any])
 assert_type(decay.rows[0], lb.Fields)
-assert_type(lb.section("driven_pendulum", set={"A": 1.5, "c": "1/2"}, initial=[{"theta": 0.2}], direction="rising", points=3), lb.Answer)
+assert_type(
+    lb.section(
+        "driven_pendulum",
+        set={"A": 1.5, "c": "1/2"},
+        initial=[{"theta": 0.2}],
+        direction="rising",
+        points=3,
+    ),
+    lb.Answer,
+)
 assert_type(lb.backbone("duffing", amplitudes=np.linspace(0.1, 1, 3)), lb.Answer)
 assert_type(lb.figure.errors(formulas=["bernoulli"]), lb.Picture)
 assert_type(lb.derive("elliptic"), lb.Derivation)
@@ -45,5 +56,7 @@ recording = lb.lab.read("swing.csv", angle=2, unit="deg")
 assert_type(recording, lb.lab.Recording)
 assert_type(lb.lab.fit_trace(recording, length="0.57m±0.004m"), lb.lab.Fit)
 assert_type(lb.expand("pendulum").code("rust"), str)
+lb.nothing  # type: ignore[attr-defined]  # pyright: ignore
+lb.questions.nothing  # type: ignore[attr-defined]  # pyright: ignore
 lb.decay("60deg", lineer=0.1)  # type: ignore[call-arg]
 lb.section("lorenz", direction="up")  # type: ignore[arg-type]

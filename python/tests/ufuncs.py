@@ -4,7 +4,15 @@ import numpy as np
 
 import libration as lb
 
-PENDULUM = [lb.period_ratio, lb.period_excess, lb.period_ratio_near_top, lb.period, lb.nome, lb.state, lb.motion]
+PENDULUM = [
+    lb.period_ratio,
+    lb.period_excess,
+    lb.period_ratio_near_top,
+    lb.period,
+    lb.nome,
+    lb.state,
+    lb.motion,
+]
 SPECIAL = [getattr(lb.special, name) for name in lb.special.__all__]
 ALL = PENDULUM + SPECIAL
 
@@ -25,7 +33,10 @@ _OTHERS = {1: [(0, 1)], 2: [(-20, 20), (0, 1)]}
 def inputs(ufunc, shape=1000, seed=0):
     """Random arrays within the domain."""
     random = np.random.default_rng(seed)
-    return [random.uniform(*limits, shape) for limits in _RANGES.get(ufunc.__name__) or _OTHERS[ufunc.nin]]
+    return [
+        random.uniform(*limits, shape)
+        for limits in _RANGES.get(ufunc.__name__) or _OTHERS[ufunc.nin]
+    ]
 
 
 def outputs(found):

@@ -22,16 +22,18 @@ def backbone(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The frequency of an oscillator against its amplitude: from orbits, from the perturbation series, and exactly for the pendulum.
+    """The frequency of an oscillator against its amplitude: from orbits, from the perturbation
+    series, and exactly for the pendulum.
 
-    Each orbit is a motion released from rest and integrated until it returns; its frequency comes with a bound on its error. Amplitudes are measured
-    from the equilibrium; frequencies are in radians per unit of time.
+    Each orbit is a motion released from rest and integrated until it returns; its frequency comes
+    with a bound on its error. Amplitudes are measured from the equilibrium; frequencies are in
+    radians per unit of time.
 
     Parameters
     ----------
     oscillator : number or text, optional
-        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
-        [default: pendulum].
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
+        "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     amplitudes : number or text, or several
         Amplitudes START:STOP:STEP or a,b,…; with a unit where the variable is an angle.
     set : dict, optional
@@ -43,13 +45,15 @@ def backbone(
     figure : str or path, optional
         Draw the curves to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

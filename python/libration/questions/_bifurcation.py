@@ -36,14 +36,15 @@ def bifurcation(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     over : dict
         The parameter and its values, from A to B in steps, such as A=1:1.5:0.01.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     sweep : {"up", "down", "both"}, optional
         Start each motion where the previous one ended, taking the values in this order.
     period : number or text, optional
@@ -63,17 +64,20 @@ def bifurcation(
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
     axis : number or text, optional
-        The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle].
+        The state variable that the picture shows [default: the first coordinate, or its velocity if
+        it is an angle].
     figure : str or path, optional
         Draw the diagram to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -91,7 +95,8 @@ def bifurcation(
     Examples
     --------
     >>> from libration import questions
-    >>> diagram = questions.bifurcation("driven_pendulum", set={"c": 0.5}, over="A=1:1.1:0.1", initial={"theta": 0.2}, points=2, skip=0)
+    >>> given = {"set": {"c": 0.5}, "initial": {"theta": 0.2}, "points": 2, "skip": 0}
+    >>> diagram = questions.bifurcation("driven_pendulum", over="A=1:1.1:0.1", **given)
     >>> diagram.points.value.tolist()
     [1.0, 1.0, 1.1, 1.1]
     """

@@ -31,9 +31,10 @@ def decay(
 ) -> Answer:
     """How the swings of a damped pendulum die down, cycle by cycle.
 
-    The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared with the averaged law, in which the energy falls at
-    its mean rate over an undamped cycle (exact at any amplitude), and with the small-amplitude law. The duration of each cycle is compared with the
-    exact period at the amplitude in its middle.
+    The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared
+    with the averaged law, in which the energy falls at its mean rate over an undamped cycle (exact
+    at any amplitude), and with the small-amplitude law. The duration of each cycle is compared with
+    the exact period at the amplitude in its middle.
 
     Parameters
     ----------
@@ -48,31 +49,37 @@ def decay(
     cubic : number or text, optional
         Damping proportional to the cube of the velocity, in s/rad².
     power : number or text, or several, optional
-        Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several times.
+        Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several
+        times.
     cycles : number or text, optional
         Number of cycles to follow, if the motion lasts that long [default: 20].
     until : number or text, optional
         Follow the cycles completed by this time, such as 60s; plain numbers are seconds.
     order : number or text, optional
-        Compare with the slow flow too, its amplitude law to this power of the amplitude (whole powers of the velocity).
+        Compare with the slow flow too, its amplitude law to this power of the amplitude (whole
+        powers of the velocity).
     damping_order : number or text, optional
         Power of the damping to which the slow flow is expanded [default: 2].
     figure : str or path, optional
-        Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the cycles.
+        Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the
+        cycles.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : number or text, optional
-        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
+        9.80665m/s^2].
     omega0 : number or text, optional
         The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -90,7 +97,8 @@ def decay(
     Examples
     --------
     >>> from libration import questions
-    >>> questions.decay("60deg", linear=0.1, cycles=1).turning_points.amplitude_rad.round(6).tolist()
+    >>> decay = questions.decay("60deg", linear=0.1, cycles=1)
+    >>> decay.turning_points.amplitude_rad.round(6).tolist()
     [1.047198, 0.989369, 0.935463]
     """
     return answer(Answer, "decay", locals())

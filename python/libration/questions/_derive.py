@@ -28,24 +28,26 @@ def derive(
 ) -> str:
     """A worked derivation, step by step, with each formula checked by computing it.
 
-    Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several amplitudes. With ``amplitude`` each step also
-    shows its numbers for that pendulum.
+    Each formula is followed by how it was checked: exactly in fractions, or to 77 digits at several
+    amplitudes. With ``amplitude`` each step also shows its numbers for that pendulum.
 
     Parameters
     ----------
     oscillator : number or text, optional
-        Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging ``damped_pendulum``, for limit-cycle
-        ``van_der_pol``].
+        Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for
+        averaging ``damped_pendulum``, for limit-cycle ``van_der_pol``].
     method : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
         Which derivation.
     order : number or text, optional
-        Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4].
+        Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a
+        limit cycle 4].
     damping_order : number or text, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
     small : number or text, optional
         Averaging, limit-cycle: which letter is small, where several have no value.
     gauge : number or text, optional
-        Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental].
+        Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default:
+        fundamental].
     set : dict, optional
         Series: the value of a parameter; may be given several times.
     about : number or text, optional
@@ -55,7 +57,8 @@ def derive(
     length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : number or text, optional
-        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
+        9.80665m/s^2].
     exercises : bool
         Leave out the results, as exercises, and give them as answers at the end.
     format : {"markdown", "latex", "html", "ipynb"}, optional
@@ -63,7 +66,7 @@ def derive(
     output : str or path, optional
         Write to this file instead of standard output.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -24,22 +24,27 @@ def expand(
 ) -> Answer:
     """Exact series for an oscillator's frequency, harmonics and period, to any order.
 
-    Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be chosen; frequency, period and
-    harmonics are also given as functions of the amplitude, which is the same in every gauge. Self-excited oscillators with an open parameter, such as
-    ``van_der_pol``, are expanded in that parameter. Other parameters without a value stay letters: the coefficients are then polynomials in them.
+    Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning,
+    the gauge, can be chosen; frequency, period and harmonics are also given as functions of the
+    amplitude, which is the same in every gauge. Self-excited oscillators with an open parameter,
+    such as ``van_der_pol``, are expanded in that parameter. Other parameters without a value stay
+    letters: the coefficients are then polynomials in them.
 
-    A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the answer is then its
-    scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
+    A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small
+    oscillations to expand about; the answer is then its scaling law, Ω = C·√k·A^((p−1)/2) with the
+    exact C, and its harmonics, which are the same at all amplitudes.
 
-    Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′, how the phase
-    runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero, sign(x').
-    Where a limit cycle has no expansion in an open strength, the slow flow is the answer without being asked for.
+    Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow:
+    A′, how the amplitude changes, and ψ′, how the phase runs, as polynomials in the amplitude and
+    the letter, with the motion x(A, ψ). Powers of the velocity may be even, x'*abs(x'), and zero,
+    sign(x'). Where a limit cycle has no expansion in an open strength, the slow flow is the answer
+    without being asked for.
 
     Parameters
     ----------
     oscillator : number or text, optional
-        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
-        [default: pendulum].
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
+        "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
@@ -47,20 +52,25 @@ def expand(
     letters : number or text, or several, optional
         Parameters of a built-in oscillator that stay letters, with commas between.
     order : number or text, optional
-        The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no powers vanish].
+        The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no
+        powers vanish].
     gauge : number or text, optional
         What the expansion parameter means [default: fundamental, of a slow flow ``x_max``].
     damping_order : number or text, optional
-        Give the slow flow under weak damping or excitation to this power of its strength [default: 2].
+        Give the slow flow under weak damping or excitation to this power of its strength [default:
+        2].
     small : number or text, optional
-        The letter that is this strength, where several have no value; the strength left open of a named system.
+        The letter that is this strength, where several have no value; the strength left open of a
+        named system.
     evaluate : number or text, optional
-        Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5, or 40deg where the variable is
-        an angle; for a limit cycle, at this value of its parameter.
+        Evaluate the series term by term at this amplitude, the largest displacement from the
+        equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at
+        this value of its parameter.
     quantity : number or text, optional
-        What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the coefficient of cos 3Ωt or sin 3Ωt [default: period].
+        What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the
+        coefficient of cos 3Ωt or sin 3Ωt [default: period].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -13,16 +13,17 @@ def fields(
 ) -> Answer:
     """What the fields of JSON and CSV answers mean: names, units, meanings.
 
-    In names, [] stands for each entry of a list, and capitals for a name that depends on the question: KEY is the key of a formula, NAME the name of
-    a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is
-    none, or where it depends on the question.
+    In names, [] stands for each entry of a list, and capitals for a name that depends on the
+    question: KEY is the key of a formula, NAME the name of a parameter, a coordinate or a velocity,
+    K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where
+    there is none, or where it depends on the question.
 
     Parameters
     ----------
     command : number or text, or several, optional
         The command, such as period or fit trace [default: all commands].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -24,35 +24,41 @@ def figure_series(
     height: Given | None = None,
     progress: Say = False,
 ) -> Picture:
-    """The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms.
+    """The error of a perturbation series against the amplitude, with its radius of convergence, or
+    against the number of terms.
 
     Parameters
     ----------
     oscillator : number or text, optional
-        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0"
-        [default: pendulum].
+        A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
+        "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
         Which equilibrium, where there are several [default: the stable one nearest to zero].
     order : number or text, optional
-        The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it [default: 33].
+        The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
+        [default: 33].
     quantity : number or text, optional
-        What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3 [default: period].
+        What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3 [default:
+        period].
     amplitudes : number or text, or several, optional
-        Plot the error against the highest power of the partial sum instead, at these amplitudes, such as 30deg,90deg,150deg.
+        Plot the error against the highest power of the partial sum instead, at these amplitudes,
+        such as 30deg,90deg,150deg.
     to : number or text, optional
         The largest amplitude shown [default: a fifth beyond the radius of convergence].
     lowest : number or text, optional
         The smallest error shown [default: 1e-14].
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

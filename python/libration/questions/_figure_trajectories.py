@@ -27,22 +27,24 @@ def figure_trajectories(
     height: Given | None = None,
     progress: Say = False,
 ) -> Picture:
-    """Motions of any system in one picture: against time, in the plane of two state variables, or their spectra.
+    """Motions of any system in one picture: against time, in the plane of two state variables, or
+    their spectra.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : number or text, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration systems> says].
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration
+        systems> says].
     gravity : number or text, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, or several, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
-        motions.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
+        at rest; give it several times for several motions.
     over : dict, optional
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
     from_ : number or text, optional
@@ -56,13 +58,15 @@ def figure_trajectories(
     spectrum : number or text, optional
         Draw the spectrum of a state variable, such as theta.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -55,18 +55,22 @@ def fit_gates(
     header: Given | None = None,
     progress: Say = False,
 ) -> Fit:
-    """Times of a photogate: periods, T0 and gravity; double triggers and missed passages are detected.
+    """Times of a photogate: periods, T0 and gravity; double triggers and missed passages are
+    detected.
 
     Parameters
     ----------
     file : str or path or columns
         Times of one photogate, optionally with its state (blocked or not); - for standard input.
     signals : {"edges", "passages"}, optional
-        What the times are: edges (blocked, free, …) or whole passages [default: detected from their pattern].
+        What the times are: edges (blocked, free, …) or whole passages [default: detected from their
+        pattern].
     diameter : number or text, optional
-        Diameter of what passes the gate with its middle [default: the bob is what passes it, by its radius, cut where the gate is].
+        Diameter of what passes the gate with its middle [default: the bob is what passes it, by its
+        radius, cut where the gate is].
     shape : {"ball", "flag"}, optional
-        Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod [default: ball].
+        Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod
+        [default: ball].
     gate_distance : number or text, optional
         Distance of the gate from the pivot [default: the length of the pendulum].
     amplitude : number or text, optional
@@ -74,13 +78,16 @@ def fit_gates(
     figure : str or path, optional
         Draw the periods against time to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     length : number or text, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
+        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
+        gravity.
     bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : number or text, optional
@@ -98,11 +105,13 @@ def fit_gates(
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
+        been taken for 30.
     correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     linear_damping : number or text, optional
-        Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected].
+        Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
+        [default: not corrected].
     time : number or text, optional
         Column of times, by number or name.
     time_unit : number or text, optional
@@ -120,7 +129,8 @@ def fit_gates(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
+        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
     gate : number or text, optional
@@ -144,7 +154,7 @@ def fit_gates(
     header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -35,8 +35,9 @@ def fit_lengths(
     file : str or path or columns
         A table of lengths and periods, optionally with uncertainties; - for standard input.
     columns : number or text, or several, optional
-        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of
-        values, with the uncertainties that the header names].
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or
+        name; - for none [default: the first two of values, with the uncertainties that the header
+        names].
     length_unit : {"m", "cm", "mm", "in"}, optional
         Unit of the lengths and of their uncertainties [default: that of the header, else m].
     amplitude : number or text, optional
@@ -46,25 +47,30 @@ def fit_lengths(
     half_periods : bool
         The times are half periods, from one side to the other.
     periods_per_row : number or text, optional
-        Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
+        Each time spans this many periods [default: as the header says, such as 10T or half period,
+        else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
     bob_radius : number or text, optional
-        Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a radius of gyration is fitted.
+        Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a
+        radius of gyration is fitted.
     clock : number or text, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
+        been taken for 30.
     figure : str or path, optional
         Draw the data, the line and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -38,21 +38,24 @@ def fit_periods(
     linear_damping: Given | None = None,
     progress: Say = False,
 ) -> Fit:
-    """Measured periods against amplitude: T0 under the exact law and every other, a test of the exact law, gravity.
+    """Measured periods against amplitude: T0 under the exact law and every other, a test of the
+    exact law, gravity.
 
     Parameters
     ----------
     file : str or path or columns
         A table of amplitudes and periods, optionally with uncertainties; - for standard input.
     columns : number or text, or several, optional
-        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of
-        values, with the uncertainties that the header names].
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or
+        name; - for none [default: the first two of values, with the uncertainties that the header
+        names].
     amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
     periods_per_row : number or text, optional
-        Each time spans this many periods [default: as the header says, such as 10T or half period, else 1].
+        Each time spans this many periods [default: as the header says, such as 10T or half period,
+        else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
@@ -64,13 +67,16 @@ def fit_periods(
     figure : str or path, optional
         Draw the data, the laws and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     length : number or text, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
+        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
+        gravity.
     bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : number or text, optional
@@ -88,13 +94,15 @@ def fit_periods(
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
+        been taken for 30.
     correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     linear_damping : number or text, optional
-        Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected].
+        Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
+        [default: not corrected].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

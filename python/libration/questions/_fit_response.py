@@ -27,15 +27,18 @@ def fit_response(
     height: Given | None = None,
     progress: Say = False,
 ) -> Fit:
-    """Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping and drive, through its jumps.
+    """Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping
+    and drive, through its jumps.
 
     Parameters
     ----------
     file : str or path or columns
-        A table of drive frequencies and amplitudes, optionally with phases and with uncertainties; - for standard input.
+        A table of drive frequencies and amplitudes, optionally with phases and with uncertainties;
+        - for standard input.
     columns : number or text, or several, optional
-        Columns of both quantities, of the uncertainties of both, and of further ones, by number or name; - for none [default: the first two of
-        values, with the uncertainties that the header names].
+        Columns of both quantities, of the uncertainties of both, and of further ones, by number or
+        name; - for none [default: the first two of values, with the uncertainties that the header
+        names].
     frequency_unit : {"Hz", "kHz", "rad/s", "deg/s"}, optional
         Unit of the frequencies and of their uncertainties [default: that of the header].
     amplitude_unit : {"rad", "deg", "m", "cm", "mm", "in", "counts"}, optional
@@ -43,25 +46,29 @@ def fit_response(
     phase_unit : {"rad", "deg"}, optional
         Unit of the phases and of their uncertainties [default: that of the header, else rad].
     errors : {"absolute", "relative"}, optional
-        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the same part of each amplitude [default: absolute].
+        Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
+        same part of each amplitude [default: absolute].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         What separates the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
     model : {"linear", "pendulum", "duffing"}, optional
-        The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes are angles].
+        The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes
+        are angles].
     measured : {"peak", "fundamental"}, optional
         What was measured as the amplitude [default: peak].
     figure : str or path, optional
         Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -54,18 +54,22 @@ def fit_trace(
     header: Given | None = None,
     progress: Say = False,
 ) -> Fit:
-    """Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any amplitude.
+    """Measured swings: ω0, damping and gravity from angles or angular velocities in time, at any
+    amplitude.
 
-    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to all rows of all traces, which share ω0 and the
-    damping; each has its own zero of the angle and its own start. Every cycle is also measured by itself, which tests the exact law of the period: T
-    = T0·[1 + β(R − 1)] with β = 1.
+    The equation of motion θ″ = −ω0² sin θ − d·sign θ′ − b·θ′ − c·θ′|θ′| is integrated and fitted to
+    all rows of all traces, which share ω0 and the damping; each has its own zero of the angle and
+    its own start. Every cycle is also measured by itself, which tests the exact law of the period:
+    T = T0·[1 + β(R − 1)] with β = 1.
 
     Parameters
     ----------
     files : str or path or columns, or several
-        Recordings of the same pendulum: angle, angular velocity or position against time; - for standard input.
+        Recordings of the same pendulum: angle, angular velocity or position against time; - for
+        standard input.
     model : number or text, optional
-        Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as dry+linear [default: auto].
+        Damping: auto to compare all kinds, or undamped, dry, linear, quadratic, or sums such as
+        dry+linear [default: auto].
     robust : bool
         Give less weight to rows far from the fitted motion (robust fit).
     free_scale : bool
@@ -75,13 +79,16 @@ def fit_trace(
     figure : str or path, optional
         Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     length : number or text, optional
-        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity.
+        From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
+        gravity.
     bob_radius : number or text, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
     bob_mass : number or text, optional
@@ -99,7 +106,8 @@ def fit_trace(
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional
-        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have been taken for 30.
+        Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
+        been taken for 30.
     correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
     time : number or text, optional
@@ -119,7 +127,8 @@ def fit_trace(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
+        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
     gate : number or text, optional
@@ -143,7 +152,7 @@ def fit_trace(
     header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -14,7 +14,8 @@ def formulas(
     formulas: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The catalogue of formulas for the period: which one is good enough, how far each holds, where one overtakes another.
+    """The catalogue of formulas for the period: which one is good enough, how far each holds, where
+    one overtakes another.
 
     Parameters
     ----------
@@ -27,7 +28,7 @@ def formulas(
     formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

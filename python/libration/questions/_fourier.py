@@ -18,15 +18,16 @@ def fourier(
 ) -> Answer:
     """The Fourier coefficients of the angle and of the velocity.
 
-    In libration θ(t) = Σ aₙ cos(nΩτ), where τ is the time since the positive turning point. In rotation θ(t) = mean velocity · τ + Σ aₙ sin(nΩτ),
-    where τ is the time since the bottom.
+    In libration θ(t) = Σ aₙ cos(nΩτ), where τ is the time since the positive turning point. In
+    rotation θ(t) = mean velocity · τ + Σ aₙ sin(nΩτ), where τ is the time since the bottom.
 
     Parameters
     ----------
     angle : number or text
         The starting angle, such as 60deg, 1.2rad or pi-1e-6.
     velocity : number or text, optional
-        The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default: 0rad/s].
+        The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default:
+        0rad/s].
     harmonics : number or text, optional
         How many harmonics to list.
     tolerance : number or text, optional
@@ -34,9 +35,10 @@ def fourier(
     length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : number or text, optional
-        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
+        9.80665m/s^2].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

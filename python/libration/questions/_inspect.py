@@ -41,17 +41,20 @@ def inspect(
     header: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """What a file of measurements holds: its columns with quantities and units, its faults, and what would be fitted.
+    """What a file of measurements holds: its columns with quantities and units, its faults, and
+    what would be fitted.
 
-    Everything is detected in the file; each finding names the option that overrides it, and the fits take the same options. Where a file leaves
-    something open, it is described together with the options that would settle it.
+    Everything is detected in the file; each finding names the option that overrides it, and the
+    fits take the same options. Where a file leaves something open, it is described together with
+    the options that would settle it.
 
     Parameters
     ----------
     file : str or path or columns
         What the instrument wrote: text, Excel, or an archive of text files; - for standard input.
     values : bool
-        In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and radians.
+        In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and
+        radians.
     spectrum : bool
         Measure the harmonics of the swings, each beside that of the pendulum.
     harmonics : number or text, optional
@@ -61,9 +64,11 @@ def inspect(
     figure : str or path, optional
         Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     time : number or text, optional
@@ -83,7 +88,8 @@ def inspect(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is fitted.
+        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
     gate : number or text, optional
@@ -107,7 +113,7 @@ def inspect(
     header : number or text, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -125,7 +131,8 @@ def inspect(
     Examples
     --------
     >>> from libration import questions
-    >>> questions.inspect({"t (s)": [0, 0.1, 0.2], "angle (deg)": [61, 55, 38]}).traces.rows.tolist()
+    >>> columns = {"t (s)": [0, 0.1, 0.2], "angle (deg)": [61, 55, 38]}
+    >>> questions.inspect(columns).traces.rows.tolist()
     [3]
     """
     return answer(Answer, "inspect", locals())

@@ -21,16 +21,18 @@ def melnikov(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap.
+    """When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros
+    and thresholds, resonances, their widths and overlap.
 
-    Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first order. Where the Melnikov function has simple
-    zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.
+    Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first
+    order. Where the Melnikov function has simple zeros, the motions that leave the upright position
+    and those that return to it cross, and there is chaos next to them.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     over : dict, optional
@@ -38,15 +40,18 @@ def melnikov(
     orders : number or text, optional
         The largest number of periods of the drive, q, of a resonance p:q [default: 5].
     figure : str or path, optional
-        Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png instead of listing them.
+        Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png
+        instead of listing them.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -23,21 +23,25 @@ def modes(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The normal modes of a system about an equilibrium: frequencies and shapes, exact where possible, and how they change with the amplitude.
+    """The normal modes of a system about an equilibrium: frequencies and shapes, exact where
+    possible, and how they change with the amplitude.
 
-    Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the frequency is Ω = ω + κa² as long as a is small.
+    Shapes are scaled so that their largest part is 1. With a the amplitude of that coordinate, the
+    frequency is Ω = ω + κa² as long as a is small.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
-        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
+        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken
+        at rest.
     follow : number or text, optional
-        Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their stability.
+        Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their
+        stability.
     amplitudes : number or text, or several, optional
         Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5.
     coordinate : number or text, optional
@@ -45,13 +49,15 @@ def modes(
     figure : str or path, optional
         Draw the shapes to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -29,11 +29,14 @@ def motion(
     Parameters
     ----------
     angle : number or text
-        The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are counted.
+        The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are
+        counted.
     velocity : number or text, optional
-        The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default: 0rad/s].
+        The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default:
+        0rad/s].
     times : number or text, or several, optional
-        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24 steps].
+        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit [default: one period in 24
+        steps].
     times_from : str or path, optional
         Read the times from a file, one per line; - for standard input.
     compare : number or text, or several, optional
@@ -43,17 +46,20 @@ def motion(
     animate : bool
         Animate the pendulum beside its curve (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : number or text, optional
-        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
+        9.80665m/s^2].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -25,34 +25,38 @@ def orbit(
 ) -> Answer:
     """A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors.
 
-    Of a driven system the periodic answer near the start, or to which the start leads; without a drive a motion released from rest, a limit cycle, or
-    the orbit near a guess of its period.
+    Of a driven system the periodic answer near the start, or to which the start leads; without a
+    drive a motion released from rest, a limit cycle, or the orbit near a guess of its period.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     period : number or text, optional
         A guess of the period, in seconds; of a driven system the period of the answer.
     drive_periods : number or text, optional
         How many periods of the drive the orbit takes, for subharmonic answers [default: 1].
     hold : number or text, optional
-        The coordinate whose value at the start is kept, of a family of orbits near a guess [default: the farthest from zero].
+        The coordinate whose value at the start is kept, of a family of orbits near a guess
+        [default: the farthest from zero].
     figure : str or path, optional
         Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

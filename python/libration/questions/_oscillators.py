@@ -18,7 +18,7 @@ def oscillators(
     keys : number or text, or several, optional
         List only these.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

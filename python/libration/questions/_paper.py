@@ -13,10 +13,12 @@ def paper(
     label: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Every equation of two published derivations, checked by computation and corrected where it is wrong.
+    """Every equation of two published derivations, checked by computation and corrected where it is
+    wrong.
 
-    The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What they print is compared with what the
-    program computes, exactly where possible. Where they state something in words, ``paraphrase`` marks the formula as ours.
+    The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a
+    Pendulum. What they print is compared with what the program computes, exactly where possible.
+    Where they state something in words, ``paraphrase`` marks the formula as ours.
 
     Parameters
     ----------
@@ -27,7 +29,7 @@ def paper(
     label : number or text, optional
         Show only labels that contain this number or these words, such as 25, C2 or "Fig. 1".
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -33,9 +33,10 @@ def period(
     length : number or text, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : number or text, optional
-        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2].
+        Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
+        9.80665m/s^2].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

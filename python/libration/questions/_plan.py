@@ -19,11 +19,14 @@ def plan(
     gravity: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Plan a measurement of g: from which amplitude, how many swings, how well the length must be known.
+    """Plan a measurement of g: from which amplitude, how many swings, how well the length must be
+    known.
 
-    The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace ``model`` linear` does;
-    without a model the fit does not know the law of damping either, and of few swings states about half as much more. What they leave open of ω0 is
-    the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+    The rows have independent errors of the angle, and a fit finds ω0, damping and start from them,
+    as `libration fit trace ``model`` linear` does; without a model the fit does not know the law of
+    damping either, and of few swings states about half as much more. What they leave open of ω0 is
+    the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the
+    budget of the measurement.
 
     Parameters
     ----------
@@ -36,9 +39,11 @@ def plan(
     rate : number or text
         Rows per second, such as 60.
     amplitudes : number or text, or several, optional
-        Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default: 5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
+        Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default:
+        5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
     linear_damping : number or text, optional
-        Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default: none].
+        Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default:
+        none].
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles [default: 1%].
     clock : number or text, optional
@@ -46,7 +51,7 @@ def plan(
     gravity : number or text, optional
         Acceleration of free fall, about [default: 9.80665m/s^2].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -23,36 +23,43 @@ def resonance(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """How the modes of a system near rest change slowly: the normal form with its resonances, and the exchange of energy between modes.
+    """How the modes of a system near rest change slowly: the normal form with its resonances, and
+    the exchange of energy between modes.
 
-    With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order. Terms that turn as fast as aⱼ stay in aⱼ′, exactly
-    where the modes are exact; all others are taken out, each divided by its divisor.
+    With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order.
+    Terms that turn as fast as aⱼ stay in aⱼ′, exactly where the modes are exact; all others are
+    taken out, each divided by its divisor.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
-        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest.
+        Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken
+        at rest.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     order : number or text, optional
         Up to which order in the amplitudes [default: 3].
     detuning : number or text, optional
         Divisors below this part of the least frequency are taken for resonances [default: 0.1].
     figure : str or path, optional
-        Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs ``initial``.
+        Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs
+        ``initial``.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -29,48 +29,58 @@ def response(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The periodic answers of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings.
+    """The periodic answers of a driven system, or limit cycles, over a parameter: amplitude,
+    stability, folds and jumps, losses of symmetry, period doublings.
 
-    Branches begin with the answers that are found at both ends of the range, and are followed through their folds; those that branch off are followed
-    too. Every point has an error, special points are exact to their last digits.
+    Branches begin with the answers that are found at both ends of the range, and are followed
+    through their folds; those that branch off are followed too. Every point has an error, special
+    points are exact to their last digits.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     over : dict
         The parameter and its range, such as omega=0.3:1.4.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
         How many periods of the drive an answer takes, for subharmonic answers [default: 1].
     turns : number or text, optional
-        How many turns the angle of ``coordinate`` makes in an answer, for rotating answers; backwards where negative.
+        How many turns the angle of ``coordinate`` makes in an answer, for rotating answers;
+        backwards where negative.
     orders : number or text, or several, optional
-        Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2.
+        Look for sub- and superharmonic answers too: how many oscillations in how many periods of
+        the drive, such as 1/3,1/2.
     at : number or text, optional
-        The value at which answers are looked for, for curves that close within the range [default: the ends of the range].
+        The value at which answers are looked for, for curves that close within the range [default:
+        the ends of the range].
     generations : number or text, optional
-        How many times one after the other answers may lose their symmetry or double their period and be followed [default: 2].
+        How many times one after the other answers may lose their symmetry or double their period
+        and be followed [default: 2].
     coordinate : number or text, optional
         The coordinate whose amplitude is meant [default: the first].
     digits : number or text, optional
         Compute the parameter at special points to so many digits, up to 100.
     sweeps : number or text, optional
-        Sweep the parameter slowly up and down through N values by integration, too [default: 48 where a picture is drawn, else none].
+        Sweep the parameter slowly up and down through N values by integration, too [default: 48
+        where a picture is drawn, else none].
     figure : str or path, optional
         Draw amplitude against parameter to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -88,7 +98,8 @@ def response(
     Examples
     --------
     >>> from libration import questions
-    >>> response = questions.response("driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:1")
+    >>> drive = {"A": 0.15, "c": 0.1}
+    >>> response = questions.response("driven_pendulum", set=drive, over="omega=0.7:1")
     >>> response.branches[0].special.parameter.round(12).tolist()
     [0.872157569138, 0.780632653519]
     """

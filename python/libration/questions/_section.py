@@ -34,13 +34,13 @@ def section(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, or several, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start at rest; give it several times for several
-        motions.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
+        at rest; give it several times for several motions.
     period : number or text, optional
         Take a point once per period of this length, in seconds [default: the period of the drive].
     phase : number or text, optional
@@ -62,13 +62,15 @@ def section(
     figure : str or path, optional
         Draw the section to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -86,8 +88,9 @@ def section(
     Examples
     --------
     >>> from libration import questions
-    >>> drive = {"A": 1.5, "c": "1/2"}
-    >>> questions.section("driven_pendulum", set=drive, initial={"theta": 0.2}, points=3, skip=0).points.state.shape
+    >>> given = {"set": {"A": 1.5, "c": "1/2"}, "initial": {"theta": 0.2}}
+    >>> section = questions.section("driven_pendulum", **given, points=3, skip=0)
+    >>> section.points.state.shape
     (3, 2)
     """
     return answer(Answer, "section", locals())

@@ -41,56 +41,69 @@ def simulate(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     times : number or text, or several
-        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or ascending through it; negative ones run backward.
+        Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or
+        ascending through it; negative ones run backward.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : number or text, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration systems> says].
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration
+        systems> says].
     gravity : number or text, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     each : str or path or columns, optional
-        One motion for each line of a CSV file (- for standard input) whose first line names parameters and initial values, and may have a column
-        ``name``.
+        One motion for each line of a CSV file (- for standard input) whose first line names
+        parameters and initial values, and may have a column ``name``.
     tolerance : number or text, optional
-        The relative error allowed in each step, for all coordinates or each by its name: 1e-12, "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
+        The relative error allowed in each step, for all coordinates or each by its name: 1e-12,
+        "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
     events : number or text, or several, optional
-        Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5.
+        Find turning points (turning), passages through rest (crossing), or zeros of a formula, such
+        as theta-0.5.
     until : number or text, optional
-        End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; ``times`` says how long it is waited for.
+        End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5;
+        ``times`` says how long it is waited for.
     direction : {"any", "rising", "falling"}, optional
         Which passages count for ``until``: rising, falling, or any [default: any].
     count : number or text, optional
         End the motion at the n-th passage that counts for ``until`` [default: 1].
     columns : dict, optional
-        Formulas of the state, the time t and the parameters as further columns, such as "energy = x'^2/2 - cos(x), p = 2*x'".
+        Formulas of the state, the time t and the parameters as further columns, such as "energy =
+        x'^2/2 - cos(x), p = 2*x'".
     sensitivity : number or text, or several, optional
-        How the motion changes with parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0).
+        How the motion changes with parameters and initial values, as further columns, such as "c,
+        theta": dtheta/dc, dtheta/dtheta(0).
     no_errors : bool
         Estimate no errors of the states: saves the time for that.
     figure : str or path, optional
-        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png instead of listing the samples.
+        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg or FILE.png
+        instead of listing the samples.
     axes : number or text, or several, optional
-        Draw one state variable against another instead of the coordinates against time, such as theta,theta'.
+        Draw one state variable against another instead of the coordinates against time, such as
+        theta,theta'.
     animate : bool
         Animate the bodies beside the curves (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     output : str or path, optional
-        Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the format, - is
-        standard output.
+        Write the answer to a file, which is replaced only when complete, or to a stream; the
+        extensions .json and .csv choose the format, - is standard output.
     resume : str or path, optional
-        Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one.
+        Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new
+        answer includes the earlier one.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

@@ -24,22 +24,25 @@ def stability(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings and period doublings, cusps.
+    """Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings
+    and period doublings, cusps.
 
-    A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges where a Floquet multiplier leaves the unit circle.
-    Driven motions are followed on some lines of the map, and their singular points from there in both parameters.
+    A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges
+    where a Floquet multiplier leaves the unit circle. Driven motions are followed on some lines of
+    the map, and their singular points from there in both parameters.
 
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first
-        order, such as "x' = x - x*y; y' = x*y - y".
+        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
+        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
     map : number or text, or several
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
-        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33) for all of a chain; those not given start at rest.
+        Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
+        for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
         How many periods of the drive an answer takes [default: 1].
     generations : number or text, optional
@@ -49,13 +52,15 @@ def stability(
     figure : str or path, optional
         Draw the map to FILE.svg or FILE.png instead of listing the curves.
     size : {"page", "column", "slide"}, optional
-        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with larger type [default: page].
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
     width : number or text, optional
-        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by ``size``].
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
     height : number or text, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
@@ -73,7 +78,8 @@ def stability(
     Examples
     --------
     >>> from libration import questions
-    >>> edges = questions.stability("vertically_driven_pendulum", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0)
+    >>> given = {"set": {"c": 0.1}, "initial": {"theta": "180deg"}, "lines": 0}
+    >>> edges = questions.stability("kapitza", map="omega=5:6,a=0.1:0.4", **given)
     >>> edges.curves.kind.tolist(), round(float(edges.curves[0].points.parameters[0, 1]), 12)
     (['branch_point'], 0.28778617467)
     """

@@ -25,7 +25,7 @@ def sweep_join(
     output : str or path, optional
         The file, whose ending says its form: .csv or .json [default: CSV on the standard output].
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------

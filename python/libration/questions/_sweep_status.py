@@ -20,7 +20,7 @@ def sweep_status(
     directories : {Path | Sequence[Path}
         The directories of the shards; one where all write to the same.
     progress : bool or callable
-        True for a line that tells how far it is, where tqdm is installed; or a function of a text.
+        True for a line of progress, where tqdm is installed; or a function of a text.
 
     Returns
     -------
