@@ -134,11 +134,14 @@ def catalogue() -> dict[str, Question]:
 
 def _parameter(words: str, given: Sequence[Any]) -> Parameter:
     parameter = Parameter(*given)
-    is_of_measurements = words.split()[0] in ("fit", "plan")
-    is_measured = is_of_measurements and parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
-    return parameter._replace(
-        is_measured=is_measured and parameter.name not in ("width", "height")
-    )
+    if words == "period":
+        is_measured = parameter.name in ("period", "ratio", "excess")
+    else:
+        is_of_measurements = words.split()[0] in ("fit", "plan")
+        has_dimension = parameter.value in ("LENGTH", "MASS", "DENSITY", "RATE")
+        is_width = parameter.name in ("width", "height")
+        is_measured = is_of_measurements and has_dimension and not is_width
+    return parameter._replace(is_measured=is_measured)
 
 
 class Asked(NamedTuple):

@@ -149,13 +149,14 @@ def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     kinds = list(dict.fromkeys(branch["kind"] for branch in answer.branches))
     for branch in answer.branches:
         colour = _plot.COLOURS[kinds.index(branch["kind"]) % len(_plot.COLOURS)]
-        value, amplitude, stable = (
+        value, amplitude, stability = (
             np.array([point[name] for point in branch["points"]])
-            for name in ("parameter", "amplitude_max", "stable")
+            for name in ("parameter", "amplitude_max", "stability")
         )
         ax.plot(value, amplitude, linestyle="--", linewidth=0.8, color=colour)
         label = branch["kind"].replace("_", " ")
-        ax.plot(np.where(stable, value, np.nan), amplitude, color=colour, label=label)
+        stable = np.where(stability != "unstable", value, np.nan)
+        ax.plot(stable, amplitude, color=colour, label=label)
         for special in branch["special"]:
             place = [special["parameter"]], [special["amplitude_max"]]
             ax.plot(*place, linestyle="", marker="o", markersize=4, color=colour)
@@ -230,7 +231,7 @@ def _followed_mode(answer: "Answer", ax: "Axes | None") -> "Axes":
     series = np.asarray(points.series_angular_frequency_rad_per_s, dtype=float)
     ax = _plot.axes(ax, (f"amplitude of {answer['coordinate']}", "ω / (rad/s)"))
     for stable, marker, label in [(True, "o", "stable"), (False, "x", "unstable")]:
-        here = points.stable == stable
+        here = (points.stability != "unstable") == stable
         if here.any():
             places = points.amplitude[here], omega[here]
             ax.plot(*places, linestyle="", marker=marker, markersize=4, label=label)
@@ -285,7 +286,7 @@ def _fit_response(answer: Any, ax: "Axes | None") -> "Axes":
     for stable, dashes, label in [(True, "-", "stable"), (False, "--", "unstable")]:
         for branch in dict.fromkeys(curve.branch):
             own = curve.branch == branch
-            here = curve.stable[own] == stable
+            here = (curve.stability[own] != "unstable") == stable
             amplitude = np.where(here, scale * curve.amplitude[own], np.nan)
             name = label if here.any() else "_"
             places = curve.angular_frequency_rad_per_s[own], amplitude

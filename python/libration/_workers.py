@@ -45,7 +45,7 @@ def on_this_machine(plan: Plan, store: Path, missing: list[int]) -> Iterator[int
 
 
 def on_cluster(client: Any, plan: Plan, store: Path, missing: list[int]) -> Iterator[int]:
-    """The same on a cluster. A worker that dies is no loss: its chunks are given to others."""
+    """The same on a cluster. The chunks of a worker that dies are given to others."""
     from distributed import CancelledError, KilledWorker
     from distributed import as_completed as completed
     from distributed.comm.core import CommClosedError

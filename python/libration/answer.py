@@ -314,7 +314,7 @@ def _short(value: Any) -> str:
 
 
 def _table(names: Iterable[str], rows: Iterable[Iterable[Any]], count: int) -> str:
-    """A table of at most so many rows as can be seen at once."""
+    """A table of at most as many rows as can be seen at once."""
     shown = 12
     body = [_line("td", map(_cell, row)) for row, _ in zip(rows, range(shown))]
     more = f"<p>{count} rows, of which the first {shown} are shown</p>" if count > shown else ""

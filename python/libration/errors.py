@@ -39,7 +39,7 @@ class LibrationError(ValueError):
 
 
 class ExpansionError(LibrationError):
-    """An equation that is no oscillator, or an expansion that it does not have."""
+    """An equation that does not describe an oscillator, or an expansion that it does not have."""
 
 
 class FormulaError(LibrationError):
@@ -59,7 +59,7 @@ class PendulumError(LibrationError):
 
 
 class QuantityError(LibrationError):
-    """A text or a number that is no such angle, length or acceleration."""
+    """A text or a number that is not the angle, length or acceleration asked for."""
 
 
 class SimulationError(LibrationError):

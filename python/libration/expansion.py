@@ -172,7 +172,7 @@ class Expansion(Record):
     constants: dict[str, str]
     """Names in the coefficients that stand for other constants."""
     digits: int | None
-    """None where coefficients are exact; else so many digits of each are right."""
+    """Number of right digits of each coefficient; None where coefficients are exact."""
     is_proven: bool
     """True if a second, exact computation proves at least the frequency by the amplitude."""
     _question: Any = field(repr=False, compare=False)
@@ -326,7 +326,7 @@ def expand(
     Raises
     ------
     ExpansionError
-        Text that is no equation, an equation without a stable equilibrium, an order or a gauge that
+        Text that is not an equation, an equation without a stable equilibrium, an order or a gauge that
         cannot be.
     Interrupted
         Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.

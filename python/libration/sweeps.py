@@ -152,7 +152,7 @@ def _words(question: str | Sequence[str], given: Mapping[str, Any]) -> list[str]
     name = " ".join(words)
     if name not in catalogue():
         raise UsageError(
-            f"`{name}` is no question that takes keywords: "
+            f"`{name}` is not a query that takes keywords: "
             "give one such as lyapunov, or its options as text"
         )
     known = [parameter.keyword for parameter in catalogue()[name].parameters]

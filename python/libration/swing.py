@@ -2,9 +2,11 @@
 
 It needs anywidget: ``pip install 'libration[notebook]'``.
 
-Python calculates a period of the exact motion, and the script draws it, with a cubic between the states; the only motion that is calculated in JavaScript
-is the cosine of small swings. A start that is dragged goes back to Python, which sends another course. As an anywidget it runs in Jupyter, VS Code,
-Colab and marimo without a build of its own; ``web/tests/swing.test.mjs`` runs the script in a browser with a replacement for their model.
+Python calculates a period of the exact motion, and the script draws it, with a cubic between the
+states; the only motion that is calculated in JavaScript is the cosine of small swings. A start
+that is dragged goes back to Python, which sends another course. As an anywidget it runs in
+Jupyter, VS Code, Colab and marimo without a build of its own; ``web/tests/swing.test.mjs`` runs
+the script in a browser with a replacement for their model.
 
 >>> import libration as lb
 >>> swing = lb.Pendulum(length=0.994).release("150deg").swing()

@@ -72,6 +72,7 @@ MEASURED = {
     "fit lengths": {"bob-radius"},
     "plan": {"length", "linear-damping"},
 }
+MEASURED["period"] = {"period", "ratio", "excess"}
 MEASURED["fit trace"] = MEASURED["fit periods"] - {"linear-damping"}
 MEASURED["fit gates"] = MEASURED["fit periods"] | {"diameter", "gate-distance"}
 
@@ -133,3 +134,10 @@ def test_what_is_no_number_is_refused_with_the_name_of_its_parameter():
     for value in (None, 1j, object(), b"1"):
         with pytest.raises(TypeError, match="^linear: got .*: give a number or a text"):
             lb.decay("60deg", linear=[value])
+
+
+def test_the_amplitude_of_an_uncertain_period_is_uncertain():
+    uncertainties = pytest.importorskip("uncertainties")
+    found = lb.questions.period(period=uncertainties.ufloat(2.1, 0.01))["results"][0]
+    assert found["amplitude_rad"] == pytest.approx(0.8459, abs=1e-4)
+    assert found["amplitude_uncertainty_rad"] == pytest.approx(0.0447, abs=1e-4)

@@ -176,7 +176,7 @@ def test_progress_is_told_to_the_last_point(tmp_path: Path) -> None:
 
 
 def started(place: Path, before: int) -> "subprocess.Popen[bytes]":
-    """A process with a sweep of which more chunks than so many are done."""
+    """A process with a sweep of which more than this number of chunks are done."""
     running = killing.client(place, None)
     killing.until(lambda: killing.chunks_done(place) > before or running.poll() is not None)
     return running

@@ -39,7 +39,7 @@ def backbone(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        Which equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, where there are several [default: the stable one nearest to zero].
     order : number or text, optional
         The order of the perturbation series [default: 9].
     figure : str or path, optional

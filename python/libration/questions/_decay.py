@@ -29,7 +29,7 @@ def decay(
     omega0: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """How the swings of a damped pendulum die down, cycle by cycle.
+    """The decay of a damped pendulum, cycle by cycle.
 
     The amplitudes are found by integrating θ″ + Σ cₙ θ′|θ′|ⁿ⁻¹ + ω0² sin θ = 0. They are compared
     with the averaged law, in which the energy falls at its mean rate over an undamped cycle (exact

@@ -37,7 +37,7 @@ def derive(
         Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for
         averaging ``damped_pendulum``, for limit-cycle ``van_der_pol``].
     method : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
-        Which derivation.
+        The derivation.
     order : number or text, optional
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a
         limit cycle 4].
@@ -62,7 +62,7 @@ def derive(
     exercises : bool
         Leave out the results, as exercises, and give them as answers at the end.
     format : {"markdown", "latex", "html", "ipynb"}, optional
-        How the derivation is written [default: markdown].
+        Format of the derivation [default: markdown].
     output : str or path, optional
         Write to this file instead of standard output.
     progress : bool or callable

@@ -48,14 +48,14 @@ def expand(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        Which equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, where there are several [default: the stable one nearest to zero].
     letters : number or text, or several, optional
         Parameters of a built-in oscillator that stay letters, with commas between.
     order : number or text, optional
         The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no
         powers vanish].
     gauge : number or text, optional
-        What the expansion parameter means [default: fundamental, of a slow flow ``x_max``].
+        Meaning of the expansion parameter [default: fundamental, of a slow flow ``x_max``].
     damping_order : number or text, optional
         Give the slow flow under weak damping or excitation to this power of its strength [default:
         2].
@@ -67,7 +67,7 @@ def expand(
         equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at
         this value of its parameter.
     quantity : number or text, optional
-        What to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the
+        The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the
         coefficient of cos 3Ωt or sin 3Ωt [default: period].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

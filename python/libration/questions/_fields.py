@@ -11,7 +11,7 @@ def fields(
     *,
     progress: Say = False,
 ) -> Answer:
-    """What the fields of JSON and CSV answers mean: names, units, meanings.
+    """The fields of JSON and CSV results: names, units, meanings.
 
     In names, [] stands for each entry of a list, and capitals for a name that depends on the
     question: KEY is the key of a formula, NAME the name of a parameter, a coordinate or a velocity,

@@ -24,7 +24,7 @@ def figure_motion(
     amplitudes : number or text, or several, optional
         Angles of release [default: 30deg,90deg,150deg,179deg].
     periods : number or text, optional
-        How many small-angle periods to show [default: 2].
+        Number of small-angle periods to show [default: 2].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -35,13 +35,13 @@ def figure_series(
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
-        Which equilibrium, where there are several [default: the stable one nearest to zero].
+        The equilibrium, where there are several [default: the stable one nearest to zero].
     order : number or text, optional
         The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
         [default: 33].
     quantity : number or text, optional
-        What the series is of: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3 [default:
-        period].
+        The quantity that is expanded: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
+        [default: period].
     amplitudes : number or text, or several, optional
         Plot the error against the highest power of the partial sum instead, at these amplitudes,
         such as 30deg,90deg,150deg.

@@ -63,8 +63,8 @@ def fit_gates(
     file : str or path or columns
         Times of one photogate, optionally with its state (blocked or not); - for standard input.
     signals : {"edges", "passages"}, optional
-        What the times are: edges (blocked, free, …) or whole passages [default: detected from their
-        pattern].
+        Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from
+        their pattern].
     diameter : number or text, optional
         Diameter of what passes the gate with its middle [default: the bob is what passes it, by its
         radius, cut where the gate is].
@@ -101,7 +101,7 @@ def fit_gates(
     air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : number or text, optional
-        How much the string is stretched by the hanging bob.
+        Stretch of the string under the hanging bob.
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional
@@ -129,7 +129,7 @@ def fit_gates(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
         fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
@@ -148,7 +148,7 @@ def fit_gates(
     sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the cells.
+        Separator of the cells.
     decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
     header : number or text, optional

@@ -50,7 +50,7 @@ def fit_lengths(
         Each time spans this many periods [default: as the header says, such as 10T or half period,
         else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the columns [default: detected].
+        Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
     bob_radius : number or text, optional

@@ -57,7 +57,7 @@ def fit_periods(
         Each time spans this many periods [default: as the header says, such as 10T or half period,
         else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the columns [default: detected].
+        Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
     reject_outliers : number or text, optional
@@ -90,7 +90,7 @@ def fit_periods(
     air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : number or text, optional
-        How much the string is stretched by the hanging bob.
+        Stretch of the string under the hanging bob.
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional

@@ -49,14 +49,14 @@ def fit_response(
         Errors of all amplitudes where no uncertainties are stated: the same absolute error, or the
         same part of each amplitude [default: absolute].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the columns [default: detected].
+        Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
     model : {"linear", "pendulum", "duffing"}, optional
         The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes
         are angles].
     measured : {"peak", "fundamental"}, optional
-        What was measured as the amplitude [default: peak].
+        The quantity measured as the amplitude [default: peak].
     figure : str or path, optional
         Draw the data and the curve, its unstable part dashed, to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional

@@ -102,7 +102,7 @@ def fit_trace(
     air_density : number or text, optional
         Density of the air [default: 1.20(2)kg/m^3].
     stretch : number or text, optional
-        How much the string is stretched by the hanging bob.
+        Stretch of the string under the hanging bob.
     angle_scale : number or text, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
     clock : number or text, optional
@@ -127,7 +127,7 @@ def fit_trace(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
         fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
@@ -146,7 +146,7 @@ def fit_trace(
     sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the cells.
+        Separator of the cells.
     decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
     header : number or text, optional

@@ -29,7 +29,7 @@ def fourier(
         The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default:
         0rad/s].
     harmonics : number or text, optional
-        How many harmonics to list.
+        Number of harmonics to list.
     tolerance : number or text, optional
         List all harmonics of the angle that are at least this large, in radians [default: 1e-16].
     length : number or text, optional

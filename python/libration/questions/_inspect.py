@@ -41,8 +41,8 @@ def inspect(
     header: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """What a file of measurements holds: its columns with quantities and units, its faults, and
-    what would be fitted.
+    """The contents of a file of measurements: its columns with quantities and units, its faults,
+    and what would be fitted.
 
     Everything is detected in the file; each finding names the option that overrides it, and the
     fits take the same options. Where a file leaves something open, it is described together with
@@ -51,7 +51,7 @@ def inspect(
     Parameters
     ----------
     file : str or path or columns
-        What the instrument wrote: text, Excel, or an archive of text files; - for standard input.
+        File of the instrument: text, Excel, or an archive of text files; - for standard input.
     values : bool
         In JSON, list the numbers of all columns, and the rows that would be fitted in seconds and
         radians.
@@ -60,7 +60,7 @@ def inspect(
     harmonics : number or text, optional
         The highest harmonic [default: 7].
     swings : number or text, optional
-        How many swings are taken together as a window, three at least [default: 5].
+        Number of swings in a window, three at least [default: 5].
     figure : str or path, optional
         Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
@@ -88,7 +88,7 @@ def inspect(
     y : number or text, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
-        Where the pivot is, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
+        Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
         fitted.
     uncertainty : number or text, optional
         Column of uncertainties of the angles or angular velocities.
@@ -107,7 +107,7 @@ def inspect(
     sheet : number or text, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
-        What separates the cells.
+        Separator of the cells.
     decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
     header : number or text, optional

@@ -40,9 +40,9 @@ def lyapunov(
     intervals : number or text, optional
         Number of intervals to measure, each about one period of the motion [default: 1000].
     time : number or text, optional
-        How long to measure, in seconds, instead of a number of intervals.
+        Duration of the measurement in seconds, instead of a number of intervals.
     transient : number or text, optional
-        How long to wait before measuring, in seconds [default: 100 intervals].
+        Time before the measurement, in seconds [default: 100 intervals].
     tolerance : number or text, optional
         The relative error allowed in each step [default: 1e-13].
     figure : str or path, optional

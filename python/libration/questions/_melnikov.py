@@ -21,8 +21,8 @@ def melnikov(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """When a weakly perturbed pendulum has chaotic motions: the Melnikov function with its zeros
-    and thresholds, resonances, their widths and overlap.
+    """Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its
+    zeros and thresholds, resonances, their widths and overlap.
 
     Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first
     order. Where the Melnikov function has simple zeros, the motions that leave the upright position

@@ -41,7 +41,8 @@ def orbit(
     period : number or text, optional
         A guess of the period, in seconds; of a driven system the period of the answer.
     drive_periods : number or text, optional
-        How many periods of the drive the orbit takes, for subharmonic answers [default: 1].
+        Number of periods of the drive in one period of the orbit, for subharmonic orbits [default:
+        1].
     hold : number or text, optional
         The coordinate whose value at the start is kept, of a family of orbits near a guess
         [default: the farthest from zero].

@@ -12,13 +12,17 @@ def period(
     amplitudes: Given | None = None,
     *,
     from_file: Path | None = None,
+    period: Given | None = None,
+    ratio: Given | None = None,
+    excess: Given | None = None,
     formulas: Given | None = None,
     sort: Literal["error", "catalogue"] | None = None,
     length: Given | None = None,
     gravity: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """The exact period at one or more amplitudes, and every published formula with its error.
+    """The exact period at one or more amplitudes, or the amplitude of a period, and every published
+    formula with its error.
 
     Parameters
     ----------
@@ -26,6 +30,14 @@ def period(
         Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg.
     from_file : str or path, optional
         Read the amplitudes from a file, one per line; - for standard input.
+    period : number or text, or several, optional
+        The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the
+        amplitude has one too.
+    ratio : number or text, or several, optional
+        The amplitude whose period is this multiple of that of small swings, T/T₀.
+    excess : number or text, or several, optional
+        The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps
+        all digits of small amplitudes.
     formulas : number or text, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     sort : {"error", "catalogue"}, optional

@@ -23,8 +23,8 @@ def resonance(
     height: Given | None = None,
     progress: Say = False,
 ) -> Answer:
-    """How the modes of a system near rest change slowly: the normal form with its resonances, and
-    the exchange of energy between modes.
+    """Slow changes of the modes of a system near rest: the normal form with its resonances, and the
+    exchange of energy between modes.
 
     With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order.
     Terms that turn as fast as aⱼ stay in aⱼ′, exactly where the modes are exact; all others are

@@ -49,9 +49,10 @@ def response(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
-        How many periods of the drive an answer takes, for subharmonic answers [default: 1].
+        Number of periods of the drive in one period of the response, for subharmonic responses
+        [default: 1].
     turns : number or text, optional
-        How many turns the angle of ``coordinate`` makes in an answer, for rotating answers;
+        Number of turns of the angle of ``coordinate`` in one period, for rotating responses;
         backwards where negative.
     orders : number or text, or several, optional
         Look for sub- and superharmonic answers too: how many oscillations in how many periods of
@@ -60,12 +61,11 @@ def response(
         The value at which answers are looked for, for curves that close within the range [default:
         the ends of the range].
     generations : number or text, optional
-        How many times one after the other answers may lose their symmetry or double their period
-        and be followed [default: 2].
+        Number of successive losses of symmetry and period doublings that are followed [default: 2].
     coordinate : number or text, optional
         The coordinate whose amplitude is meant [default: the first].
     digits : number or text, optional
-        Compute the parameter at special points to so many digits, up to 100.
+        Compute the parameter at special points to this number of digits, up to 100.
     sweeps : number or text, optional
         Sweep the parameter slowly up and down through N values by integration, too [default: 48
         where a picture is drawn, else none].

@@ -69,15 +69,15 @@ def simulate(
         End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5;
         ``times`` says how long it is waited for.
     direction : {"any", "rising", "falling"}, optional
-        Which passages count for ``until``: rising, falling, or any [default: any].
+        Direction of the passages that count for ``until``: rising, falling, or any [default: any].
     count : number or text, optional
         End the motion at the n-th passage that counts for ``until`` [default: 1].
     columns : dict, optional
         Formulas of the state, the time t and the parameters as further columns, such as "energy =
         x'^2/2 - cos(x), p = 2*x'".
     sensitivity : number or text, or several, optional
-        How the motion changes with parameters and initial values, as further columns, such as "c,
-        theta": dtheta/dc, dtheta/dtheta(0).
+        Derivatives of the motion with respect to parameters and initial values, as further columns,
+        such as "c, theta": dtheta/dc, dtheta/dtheta(0).
     no_errors : bool
         Estimate no errors of the states: saves the time for that.
     figure : str or path, optional

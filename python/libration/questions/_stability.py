@@ -44,11 +44,12 @@ def stability(
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
     drive_periods : number or text, optional
-        How many periods of the drive an answer takes [default: 1].
+        Number of periods of the drive in one period of the response [default: 1].
     generations : number or text, optional
-        How many times answers may lose their symmetry or double their period [default: 1].
+        Number of successive losses of symmetry and period doublings that are followed [default: 1].
     lines : number or text, optional
-        On so many lines each way driven motions are followed; 0 for rest alone [default: 3].
+        Number of lines each way on which driven motions are followed; 0 for rest alone [default:
+        3].
     figure : str or path, optional
         Draw the map to FILE.svg or FILE.png instead of listing the curves.
     size : {"page", "column", "slide"}, optional

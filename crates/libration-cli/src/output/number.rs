@@ -32,8 +32,14 @@ pub(crate) fn seconds(value: f64, digits: usize) -> String {
 
 /// An uncertainty or a bound to one digit, which is not below it: `5e-13` for 4.1e-13.
 pub fn at_most(value: f64) -> String {
-    let text = rounded(value, 1);
-    if text.parse().is_ok_and(|shown: f64| shown < value) { rounded(1.5 * value, 1) } else { text }
+    let nearest = format!("{value:.0e}");
+    match (nearest.parse::<f64>(), nearest.split_once('e')) {
+        (Ok(shown), Some((_, exponent))) if shown < value => {
+            let place = format!("1e{exponent}").parse().unwrap_or(0.0);
+            rounded(shown + place, 1)
+        }
+        _ => rounded(value, 1),
+    }
 }
 
 /// A value to the digit that its error begins with, and to no more digits than these: `24.4` for 24.40126 with an error of 0.3; `0` where

@@ -67,7 +67,8 @@ pub(super) fn of_swing(is_of_period: bool) -> Fields<Swing> {
     .rounded("u(θ₀) / rad", 2)
     .line_of("uncertainty of θ₀", |it| {
         let uncertainty = it.uncertainty.unwrap_or(0.0);
-        format!("{} rad = {}°", number::at_most(uncertainty), number::at_most(uncertainty.to_degrees()))
+        let [radians, degrees] = [uncertainty, uncertainty.to_degrees()].map(|it| number::rounded(it, 2));
+        format!("{radians} rad = {degrees}°")
     });
     let amplitude = Fields::from([
         Of::number("amplitude_rad", "rad", "amplitude", |it| it.amplitude.radians())

@@ -5,7 +5,7 @@ use libration_cli::internals::number::{at_most, exact, to_its_error, write_exact
 #[test]
 fn bounds_are_rounded_up() {
     let shown = [4.8e-13, 4.1e-13, 9.6e-16, 9.4e-16, 1e-3, 0.0, 1.01e-9].map(at_most);
-    assert_eq!(shown, ["5e-13", "6e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
+    assert_eq!(shown, ["5e-13", "5e-13", "1e-15", "1e-15", "0.001", "0", "2e-9"]);
 }
 
 #[test]
