@@ -326,8 +326,8 @@ def expand(
     Raises
     ------
     ExpansionError
-        Text that is not an equation, an equation without a stable equilibrium, an order or a gauge that
-        cannot be.
+        Text that is not an equation, an equation without a stable equilibrium, an order or a gauge
+        that cannot be.
     Interrupted
         Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.
 

@@ -57,11 +57,12 @@ fn deviations(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> [Deviation
     [Deviations(fits.iter().map(of_t0).collect()), Deviations(of_beta)]
 }
 
-/// Standard deviations are as large as said, and two of them contain the truth.
+/// Standard deviations are as large as said, and two of them contain the truth. A part of the uncertainty of T0, 2.5e-6 of it, is of what speeds
+/// leave out and does not scatter, as large as two thirds of the rest from 1.5 rad: hence the lower limit.
 fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
     for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, 1..seeds + 1)) {
         let (rms, within, mean) = (found.rms(), found.within(2.0), found.mean());
-        assert!((0.7..1.3).contains(&rms) && within >= 0.88, "{name} {of}: {rms} {within} {mean}");
+        assert!((0.6..1.3).contains(&rms) && within >= 0.88, "{name} {of}: {rms} {within} {mean}");
     }
 }
 

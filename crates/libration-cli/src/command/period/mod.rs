@@ -18,11 +18,13 @@ pub(crate) use fields::answers;
 
 /// The exact period at one or more amplitudes, or the amplitude of a period, and every published formula with its error
 #[derive(Debug, clap::Args)]
+#[command(override_usage = "libration period [OPTIONS] <AMPLITUDE>...
+       libration period [OPTIONS] --from-file|--period|--ratio|--excess <VALUE>")]
 #[command(after_help = "Examples:
   libration period 60deg
   libration period 179.999999deg --length 57cm --gravity 9.81m/s^2
   libration period pi-1e-300 --json
-  libration period --period 2.10(1)s    # the amplitude that has it
+  libration period --period '2.10(1)s'    # the amplitude that has it
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
   printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")]
