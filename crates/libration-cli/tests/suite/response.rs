@@ -247,9 +247,9 @@ fn only_a_drive_sets_the_period_and_digits_end_where_the_error_begins() {
     }
     let driven = text("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82");
     assert!(driven.contains("set by the drive"), "{driven}");
-    // The error of a small swing's period is that of its place beside rest: 7e-12.
+    // The error of a small swing's period is that of its place beside rest: 5e-12.
     let small = text("orbit lotka_volterra --initial x=1.0001,y=1");
-    assert!(small.contains(" 6.283185312416 s, to 7e-12"), "{small}");
+    assert!(small.contains(" 6.283185312416 s, to 5e-12"), "{small}");
 }
 
 #[test]
