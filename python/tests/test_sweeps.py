@@ -115,7 +115,7 @@ def test_questions_take_keywords(tmp_path: Path) -> None:
     assert initial.sizes["theta'"] == 1 and np.isfinite(initial.omega).all()
     with pytest.raises(TypeError, match="takes no `speed`"):
         lb.sweep("section", over, tmp_path / "d.zarr", speed=1, **given)
-    with pytest.raises(lb.errors.UsageError, match="no question that takes keywords"):
+    with pytest.raises(lb.errors.UsageError, match="not a query that takes keywords"):
         lb.sweep("section --points 2", over, tmp_path / "d.zarr", **given)
 
 

@@ -311,7 +311,8 @@ fn sentence(remedy: Remedy) -> &'static str {
     }
 }
 
-/// The message of clap; what it repeats of long arguments is shortened.
+/// The message of clap, for a terminal; what it repeats of long arguments is shortened.
+#[cfg(not(target_family = "wasm"))]
 pub(crate) fn refusal(error: &clap::Error) -> String {
     let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
     match command_for(error) {
