@@ -2,7 +2,7 @@
 
 use super::{bare, lines, text};
 use crate::query_error::{QueryError, argument, option};
-use libration::pendulum::{Amplitude, Pendulum, PendulumError};
+use libration::pendulum::{Amplitude, InferredAmplitude, Pendulum, PendulumError};
 use libration::quantity::{Angle, AngleRange, BareRadians, Quantity, RangeError, angles};
 use std::path::{Path, PathBuf};
 
@@ -43,9 +43,10 @@ pub(crate) struct Amplitudes {
 }
 
 impl AmplitudeOptions {
-    pub(crate) fn read(&self, pendulum: &Pendulum) -> Result<Amplitudes, QueryError> {
+    /// Reads the amplitudes, or infers them from periods of a pendulum whose period of small swings has a relative uncertainty.
+    pub(crate) fn read(&self, pendulum: &Pendulum, of_small_swings: f64) -> Result<Amplitudes, QueryError> {
         if self.are_of_periods() {
-            return self.of_periods(pendulum);
+            return self.of_periods(pendulum, of_small_swings);
         }
         let sets = match &self.from_file {
             Some(path) => vec![AngleSet::List(angles_in_file(path)?)],
@@ -62,55 +63,28 @@ impl AmplitudeOptions {
         [&self.period, &self.ratio, &self.excess].into_iter().any(|given| !given.is_empty())
     }
 
-    fn of_periods(&self, pendulum: &Pendulum) -> Result<Amplitudes, QueryError> {
-        let period = |given: &Quantity| with_period(given, pendulum);
-        let of = |given: &[Quantity], name, found: &dyn Fn(&Quantity) -> Result<Found, PendulumError>| {
-            let found = given.iter().map(found).collect::<Result<Vec<Found>, _>>();
-            found.map_err(|error| QueryError::no_result(option(name), error))
+    /// Returns whether the amplitudes depend on the pendulum.
+    pub(crate) fn depend_on_the_pendulum(&self) -> bool {
+        !self.period.is_empty()
+    }
+
+    fn of_periods(&self, pendulum: &Pendulum, of_small_swings: f64) -> Result<Amplitudes, QueryError> {
+        type Inferred = Result<InferredAmplitude, PendulumError>;
+        let with_period =
+            |period: &Quantity| InferredAmplitude::from_period(period, pendulum, of_small_swings);
+        let of = |given: &[Quantity], name, inferred: &dyn Fn(&Quantity) -> Inferred| {
+            let inferred = given.iter().map(inferred).collect::<Result<Vec<InferredAmplitude>, _>>();
+            inferred.map_err(|error| QueryError::no_result(option(name), error))
         };
-        let found = [
-            of(&self.period, "period", &period)?,
-            of(&self.ratio, "ratio", &with_ratio)?,
-            of(&self.excess, "excess", &with_excess)?,
+        let inferred = [
+            of(&self.period, "period", &with_period)?,
+            of(&self.ratio, "ratio", &InferredAmplitude::from_ratio)?,
+            of(&self.excess, "excess", &InferredAmplitude::from_excess)?,
         ];
-        let (angles, uncertainties) = found.concat().into_iter().unzip();
+        let both = |it: InferredAmplitude| (it.amplitude.angle(), it.uncertainty);
+        let (angles, uncertainties) = inferred.concat().into_iter().map(both).unzip();
         Ok(Amplitudes { sets: vec![AngleSet::List(angles)], uncertainties })
     }
-}
-
-/// An amplitude and its uncertainty in radians.
-type Found = (Angle, f64);
-
-/// The part of itself that a number loses when it is rounded.
-const HALF_ULP: f64 = f64::EPSILON / 2.0;
-
-fn with_period(period: &Quantity, pendulum: &Pendulum) -> Result<Found, PendulumError> {
-    let small = pendulum.small_angle_period();
-    // Two roundings besides that of the text: of the period of small swings, and of the quotient.
-    let fraction = period.uncertainty.map_or(HALF_ULP, |it| it / period.value) + 2.0 * HALF_ULP;
-    with(period.value / small, fraction).map_err(|error| match error {
-        PendulumError::NoSuchPeriod(_) => {
-            PendulumError::ShorterThanSmallSwings { period: period.value, small }
-        }
-        error => error,
-    })
-}
-
-fn with_ratio(ratio: &Quantity) -> Result<Found, PendulumError> {
-    with(ratio.value, ratio.uncertainty.map_or(HALF_ULP, |it| it / ratio.value))
-}
-
-/// The amplitude of a ratio with an uncertainty, as a part of it, within which a ratio below 1 is taken for 1.
-fn with(ratio: f64, fraction: f64) -> Result<Found, PendulumError> {
-    let nearest = if ratio < 1.0 && ratio >= 1.0 - fraction { 1.0 } else { ratio };
-    let amplitude = Amplitude::from_period_ratio(nearest)?;
-    Ok((amplitude.angle(), amplitude.change_with_period(fraction)))
-}
-
-fn with_excess(excess: &Quantity) -> Result<Found, PendulumError> {
-    let amplitude = Amplitude::from_period_excess(excess.value)?;
-    let uncertainty = excess.uncertainty.unwrap_or(HALF_ULP * excess.value);
-    Ok((amplitude.angle(), amplitude.change_with_period(uncertainty / amplitude.period_ratio())))
 }
 
 impl Amplitudes {

@@ -1,11 +1,12 @@
 //! The pendulum: its length and gravity, with their defaults.
 
 use super::text;
+use crate::call;
 use crate::output::field::{Field, Fields};
 use crate::output::{json::Record, number};
 use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Pendulum};
-use libration::quantity::{Angle, STANDARD_GRAVITY};
+use libration::quantity::{Angle, Quantity, STANDARD_GRAVITY};
 
 const DEFAULT_LENGTH: f64 = 1.0;
 
@@ -13,20 +14,20 @@ const DEFAULT_LENGTH: f64 = 1.0;
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct PendulumOptions {
     /// Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m]
-    #[arg(long, value_parser = text::length)]
-    length: Option<f64>,
+    #[arg(long, value_parser = text::length_with_uncertainty)]
+    length: Option<Quantity>,
     /// Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default: 9.80665m/s^2]
-    #[arg(long, value_parser = text::gravity)]
-    gravity: Option<f64>,
+    #[arg(long, value_parser = text::gravity_with_uncertainty)]
+    gravity: Option<Quantity>,
 }
 
 impl PendulumOptions {
     pub(crate) fn length(self) -> f64 {
-        self.length.unwrap_or(DEFAULT_LENGTH)
+        self.length.map_or(DEFAULT_LENGTH, |it| it.value)
     }
 
     pub(crate) fn gravity(self) -> f64 {
-        self.gravity.unwrap_or(STANDARD_GRAVITY)
+        self.gravity.map_or(STANDARD_GRAVITY, |it| it.value)
     }
 
     /// Returns `true` if neither was given.
@@ -34,7 +35,25 @@ impl PendulumOptions {
         self.length.is_none() && self.gravity.is_none()
     }
 
+    /// The pendulum, with a note on uncertainties, which are not used.
     pub(crate) fn pendulum(self) -> Result<Pendulum, QueryError> {
+        for (name, given) in [("length", self.length), ("gravity", self.gravity)] {
+            if given.is_some_and(|it| it.uncertainty.is_some()) {
+                call::current()
+                    .note(&format!("the uncertainty of the {name} is not used here, only its value"));
+            }
+        }
+        self.exact()
+    }
+
+    /// The pendulum, and the relative uncertainty of its period of small swings.
+    pub(crate) fn with_uncertainty(self) -> Result<(Pendulum, f64), QueryError> {
+        let relative =
+            |given: Option<Quantity>| given.map_or(0.0, |it| it.uncertainty.unwrap_or(0.0) / it.value);
+        Ok((self.exact()?, 0.5 * relative(self.length).hypot(relative(self.gravity))))
+    }
+
+    fn exact(self) -> Result<Pendulum, QueryError> {
         Pendulum::new(self.length(), self.gravity()).map_err(|error| QueryError::no_result("pendulum", error))
     }
 
@@ -60,7 +79,7 @@ impl PendulumOptions {
     }
 }
 
-fn said(given: Option<f64>) -> &'static str {
+fn said(given: Option<Quantity>) -> &'static str {
     if given.is_some() { "" } else { " (default)" }
 }
 

@@ -1,6 +1,7 @@
 //! Quantities from the command line, each checked where it stands.
 
 use super::bare;
+use crate::call;
 use libration::quantity::{Angle, Dimension, Displacement, Quantity, QuantityError, parse};
 
 pub(crate) fn angle(text: &str) -> Result<Angle, QuantityError> {
@@ -16,20 +17,24 @@ pub(crate) fn displacement(text: &str) -> Result<Displacement, QuantityError> {
     Ok(displacement)
 }
 
+/// A length above zero.
 pub(crate) fn length(text: &str) -> Result<f64, String> {
     above_zero(text, Dimension::Length)
 }
 
+/// An acceleration above zero.
+pub(crate) fn gravity(text: &str) -> Result<f64, String> {
+    above_zero(text, Dimension::Acceleration)
+}
+
 /// A length above zero with the uncertainty it was given.
 pub(crate) fn length_with_uncertainty(text: &str) -> Result<Quantity, String> {
-    length(text)?;
-    parse(text, Dimension::Length).map_err(|error| error.to_string())
+    quantity_above_zero(text, Dimension::Length)
 }
 
 /// A period above zero with the uncertainty it was given.
 pub(super) fn period_with_uncertainty(text: &str) -> Result<Quantity, String> {
-    above_zero(text, Dimension::Time)?;
-    parse(text, Dimension::Time).map_err(|error| error.to_string())
+    quantity_above_zero(text, Dimension::Time)
 }
 
 /// A number with the uncertainty it was given.
@@ -39,20 +44,17 @@ pub(super) fn number_with_uncertainty(text: &str) -> Result<Quantity, QuantityEr
 
 /// A mass above zero with the uncertainty it was given.
 pub(super) fn mass_with_uncertainty(text: &str) -> Result<Quantity, String> {
-    above_zero(text, Dimension::Mass)?;
-    parse(text, Dimension::Mass).map_err(|error| error.to_string())
+    quantity_above_zero(text, Dimension::Mass)
 }
 
 /// A density above zero with the uncertainty it was given.
 pub(super) fn density_with_uncertainty(text: &str) -> Result<Quantity, String> {
-    above_zero(text, Dimension::Density)?;
-    parse(text, Dimension::Density).map_err(|error| error.to_string())
+    quantity_above_zero(text, Dimension::Density)
 }
 
 /// A rate above zero with the uncertainty it was given.
 pub(crate) fn rate_with_uncertainty(text: &str) -> Result<Quantity, String> {
-    above_zero(text, Dimension::Rate)?;
-    parse(text, Dimension::Rate).map_err(|error| error.to_string())
+    quantity_above_zero(text, Dimension::Rate)
 }
 
 /// A part of one, such as 0.01 or 1%.
@@ -63,17 +65,18 @@ pub(crate) fn part(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "give a fraction of 1, such as 0.01 or 1%".to_owned())
 }
 
-pub(crate) fn gravity(text: &str) -> Result<f64, String> {
-    above_zero(text, Dimension::Acceleration)
+/// An acceleration above zero with the uncertainty it was given.
+pub(super) fn gravity_with_uncertainty(text: &str) -> Result<Quantity, String> {
+    quantity_above_zero(text, Dimension::Acceleration)
 }
 
 pub(crate) fn angular_velocity(text: &str) -> Result<f64, QuantityError> {
-    Ok(parse(text, Dimension::AngularVelocity)?.value)
+    Ok(value_alone(text, parse(text, Dimension::AngularVelocity)?))
 }
 
 /// A time in seconds, negative ones included.
 pub(crate) fn finite_time(text: &str) -> Result<f64, QuantityError> {
-    Ok(parse(text, Dimension::Time)?.value)
+    Ok(value_alone(text, parse(text, Dimension::Time)?))
 }
 
 /// A plain number above zero.
@@ -109,10 +112,22 @@ pub(crate) fn count<const MOST: usize>(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| format!("give a whole number from 1 to {MOST}"))
 }
 
+/// The value of a quantity, with a note if an uncertainty was given.
+fn value_alone(text: &str, quantity: Quantity) -> f64 {
+    if quantity.uncertainty.is_some() {
+        call::current().note(&format!("the uncertainty of `{text}` is not used here, only its value"));
+    }
+    quantity.value
+}
+
 fn above_zero(text: &str, dimension: Dimension) -> Result<f64, String> {
-    let value = parse(text, dimension).map_err(|error| error.to_string())?.value;
-    if value > 0.0 {
-        Ok(value)
+    Ok(value_alone(text, quantity_above_zero(text, dimension)?))
+}
+
+fn quantity_above_zero(text: &str, dimension: Dimension) -> Result<Quantity, String> {
+    let quantity = parse(text, dimension).map_err(|error| error.to_string())?;
+    if quantity.value > 0.0 {
+        Ok(quantity)
     } else {
         Err(format!("{dimension} must be above zero: write {}", dimension.examples()))
     }

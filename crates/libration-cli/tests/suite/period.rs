@@ -236,6 +236,7 @@ fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
         "--period=2.0064092925890402s",
         "--period=2.00(1)s",
         "--ratio=0.99±0.02",
+        "--excess=-0.001±0.01",
     ] {
         let rest = &json(&format!("period {accepted}"))["results"][0];
         assert!(
@@ -247,4 +248,22 @@ fn periods_that_no_amplitude_has_are_refused_with_that_of_small_swings() {
     assert!(refused("period --excess=500").contains("give at most 441.08"));
     assert!(refused("period --period=2,1s").contains("decimal point, 2.1s"));
     assert!(refused("period --period=3s 60deg").contains("cannot be used with"));
+}
+
+/// A length or a gravity that is uncertain by 1 % counts as a period that is uncertain by half of that.
+#[test]
+fn the_uncertainty_of_the_pendulum_goes_into_amplitudes_of_periods_and_elsewhere_is_named() {
+    let uncertainty =
+        |arguments: &str| json(arguments)["results"][0]["amplitude_uncertainty_rad"].as_f64().unwrap();
+    let [of_length, of_gravity] = ["--length=1.00(1)m", "--gravity=9.80665±0.0980665"]
+        .map(|given| uncertainty(&format!("period --period=2.10s {given}")));
+    let of_period = uncertainty("period --period=2.10±0.0105s");
+    assert!((of_length / of_period - 1.0).abs() < 1e-9 && (of_gravity / of_period - 1.0).abs() < 1e-9);
+    for unused in [
+        "period 60deg --length=1.00(1)m",
+        "simulate pendulum --length=1.00(1)m --initial theta=1 --times 0,1",
+    ] {
+        assert!(message(&libration(unused)).contains("is not used here, only its value"), "{unused}");
+    }
+    assert!(!message(&libration("period --period=2.10s --length=1.00(1)m")).contains("not used"));
 }

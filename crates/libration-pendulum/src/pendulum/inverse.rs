@@ -3,7 +3,7 @@
 use super::{Amplitude, Pendulum, PendulumError, USABLE, positive};
 use libration_kernels::double_double::{DoubleDouble, two_prod};
 use libration_kernels::elementary::two_word;
-use libration_numbers::quantity::Angle;
+use libration_numbers::quantity::{Angle, Quantity};
 
 /// Newton's iteration doubles the digits; from three digits, four steps and a margin.
 const STEPS: usize = 8;
@@ -93,6 +93,82 @@ fn near_top(excess: f64) -> Amplitude {
         log = log - (amplitude.period_excess() - excess) / slope;
     }
     of(log)
+}
+
+/// Part of itself that a number loses when it is rounded.
+const HALF_ULP: f64 = f64::EPSILON / 2.0;
+
+/// An amplitude that follows from a period, with its uncertainty: from that of the period, and at least from its rounding.
+///
+/// # Examples
+/// ```
+/// # extern crate libration_pendulum as libration;
+/// use libration::pendulum::{InferredAmplitude, Pendulum};
+/// use libration::quantity::{Dimension, parse};
+/// let period = parse("2.10(1) s", Dimension::Time)?;
+/// let inferred = InferredAmplitude::from_period(&period, &Pendulum::new(1.0, 9.80665)?, 0.0)?;
+/// assert!((inferred.amplitude.radians() - 0.846).abs() < 1e-3 && (inferred.uncertainty - 0.045).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InferredAmplitude {
+    /// The amplitude.
+    pub amplitude: Amplitude,
+    /// Its standard uncertainty, in radians.
+    pub uncertainty: f64,
+}
+
+impl InferredAmplitude {
+    /// The amplitude with this period, in seconds, of a pendulum whose period of small swings has a relative uncertainty.
+    ///
+    /// # Errors
+    /// A period shorter than that of small swings by more than the uncertainty, or as [`Amplitude::from_period_ratio`].
+    pub fn from_period(
+        period: &Quantity,
+        pendulum: &Pendulum,
+        of_small_swings: f64,
+    ) -> Result<Self, PendulumError> {
+        let small = pendulum.small_angle_period();
+        // Two roundings besides that of the text: of the period of small swings, and of the quotient.
+        let relative = libm::hypot(of_number(period) / period.value, of_small_swings) + 2.0 * HALF_ULP;
+        let ratio = period.value / small;
+        Self::within(ratio - 1.0, ratio * relative).map_err(|error| match error {
+            PendulumError::NoSuchPeriod(_) => {
+                PendulumError::ShorterThanSmallSwings { period: period.value, small }
+            }
+            error => error,
+        })
+    }
+
+    /// The amplitude with this ratio T/T0.
+    ///
+    /// # Errors
+    /// A ratio below 1 by more than its uncertainty, or as [`Amplitude::from_period_ratio`].
+    pub fn from_ratio(ratio: &Quantity) -> Result<Self, PendulumError> {
+        // Exact below 2, and above it the excess is not small.
+        Self::within(ratio.value - 1.0, of_number(ratio))
+    }
+
+    /// The amplitude with this excess T/T0 − 1.
+    ///
+    /// # Errors
+    /// An excess below 0 by more than its uncertainty, or as [`Amplitude::from_period_excess`].
+    pub fn from_excess(excess: &Quantity) -> Result<Self, PendulumError> {
+        Self::within(excess.value, of_number(excess))
+    }
+
+    /// The amplitude of an excess, which is taken for 0 if it is below by no more than its uncertainty.
+    fn within(excess: f64, uncertainty: f64) -> Result<Self, PendulumError> {
+        let nearest = if excess < 0.0 && excess >= -uncertainty { 0.0 } else { excess };
+        let amplitude = Amplitude::from_period_excess(nearest)?;
+        let uncertainty = amplitude.change_with_period(uncertainty / amplitude.period_ratio());
+        Ok(Self { amplitude, uncertainty })
+    }
+}
+
+/// The uncertainty of a number as it was written: at least that of its rounding.
+fn of_number(number: &Quantity) -> f64 {
+    number.uncertainty.unwrap_or(0.0).max(HALF_ULP * number.value.abs())
 }
 
 impl Pendulum {

@@ -51,6 +51,7 @@ mod fourier;
 pub use amplitude::Amplitude;
 pub use approximate_motion::{ApproximateMotion, ApproximateMotionError};
 pub use fourier::{FourierSeries, FourierTerm};
+pub use inverse::InferredAmplitude;
 pub use libration::Libration;
 pub use motion::{Motion, Regime, Rest};
 pub use period::{period_excess, period_ratio, period_ratio_near_top};

@@ -186,7 +186,9 @@ fn of_point() -> Fields<ModePoint> {
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers)",
             |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
         )
-        .words("stable", |it| if it.is_stable() { "yes" } else { "no" }.to_owned()),
+        .words("stability", |it| {
+            it.orbit.floquet().map_or("", |floquet| floquet.stability.name()).to_owned()
+        }),
         Of::value("multipliers[][]", "1", "Floquet multipliers, real and imaginary part", |it| {
             let multipliers =
                 it.orbit.floquet().map(|floquet| floquet.multipliers.clone()).unwrap_or_default();

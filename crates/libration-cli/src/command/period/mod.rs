@@ -52,8 +52,11 @@ enum Order {
 
 impl Period {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
-        let pendulum = self.pendulum.pendulum()?;
-        let amplitudes = self.amplitudes.read(&pendulum)?;
+        let (pendulum, of_small_swings) = match self.amplitudes.depend_on_the_pendulum() {
+            true => self.pendulum.with_uncertainty()?,
+            false => (self.pendulum.pendulum()?, 0.0),
+        };
+        let amplitudes = self.amplitudes.read(&pendulum, of_small_swings)?;
         interrupt::listen()?;
         let swings = Swings { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
         match self.form.form() {

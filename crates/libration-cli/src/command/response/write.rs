@@ -7,7 +7,7 @@ use super::sweep_fields::{Jumping, of_swept};
 use crate::output::number::at_most;
 use crate::output::table::{Table, paragraph, write_text};
 use crate::output::{Form, csv, json};
-use libration::continuation::{Ending, OrderAnswers, OrderFinding, Origin};
+use libration::continuation::{BranchPoint, Ending, OrderAnswers, OrderFinding, Origin};
 use libration::orbit::Stability;
 use std::f64::consts::PI;
 use std::io::{self, Write};
@@ -150,10 +150,8 @@ fn rotating(turns: i32, periods: u32) -> String {
     }
 }
 
-/// The ends of a branch, and the number of its points that are stable.
-fn summary(branch: &Numbered<'_>) -> String {
-    let (answer, points) = (branch.answer, &branch.branch.points);
-    let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
+/// `12 points, 11 of them stable, 1 undetermined`.
+fn counts(points: &[BranchPoint]) -> String {
     let number =
         |wanted: &[Stability]| points.iter().filter(|point| wanted.contains(&point.stability)).count();
     let stable = number(&[Stability::Attracting, Stability::Neutral]);
@@ -161,6 +159,13 @@ fn summary(branch: &Numbered<'_>) -> String {
         0 => String::new(),
         open => format!(", {open} undetermined"),
     };
+    format!("{} points, {stable} of them stable{open}", points.len())
+}
+
+/// The ends of a branch, and the number of its points that are stable.
+fn summary(branch: &Numbered<'_>) -> String {
+    let (answer, points) = (branch.answer, &branch.branch.points);
+    let largest = points.iter().map(|point| answer.amplitude(point)).fold(0.0, f64::max);
     let periods = match (answer.response.driven, branch.branch.space.drive_periods()) {
         (true, periods) => match (answer.turns(branch.branch), periods) {
             (0, 1) => "period of the drive".to_owned(),
@@ -208,9 +213,9 @@ fn summary(branch: &Numbered<'_>) -> String {
         }
     };
     format!(
-        "{}, {symmetric}{periods}: {} points, {stable} of them stable{open}, up to {}{over_the_top}{even}; {}{at}{before}{unresolved}",
+        "{}, {symmetric}{periods}: {}, up to {}{over_the_top}{even}; {}{at}{before}{unresolved}",
         origin(branch.branch.origin)[1],
-        points.len(),
+        counts(points),
         answer.amplitude_text(largest),
         ending(branch.branch.ending)[1],
     )
