@@ -4,7 +4,7 @@ use crate::corpus;
 use crate::runner::Target;
 use libration::expression::{Equation, EquationError, Expression, Fault, ParseError};
 use libration::quantity::{Angle, Dimension, parse};
-use libration_cli::{Host, InputFile, ask};
+use libration_queries::{Host, InputFile, ask};
 use libration_testing::zip_archive::{Packed, archive as archive_of};
 use std::ffi::OsString;
 use std::io::{self, Read};

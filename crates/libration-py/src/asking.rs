@@ -1,7 +1,7 @@
 //! Every question of the command, for `_ask.py`, and the command itself.
 //!
 //! # Method
-//! `libration.questions` has a function for each command, which `scripts/questions` writes from clap's description (`libration_cli::questions`):
+//! `libration.questions` has a function for each command, which `scripts/questions` writes from clap's description (`libration_queries::questions`):
 //! names, choices and meanings are stated in the command alone, and a test fails where Python lacks one. Arguments are passed as the words of a
 //! command line (`_ask.py`). The JSON comes back as an `Answer` (`answer.py`), a mapping whose lists are arrays; `Fit`, `Recording` and `Paper` are
 //! derived from it and have methods of their own.
@@ -10,7 +10,7 @@ use std::ffi::OsString;
 use std::io::{self, Read};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use libration_cli::{Host, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
+use libration_queries::{Host, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
@@ -68,7 +68,7 @@ pub(crate) fn ask(
         answer: Mutex::default(),
         notes: Mutex::default(),
     });
-    let answered = py.detach(|| libration_cli::ask(arguments, conversation.clone()));
+    let answered = py.detach(|| libration_queries::ask(arguments, conversation.clone()));
     let take =
         |text: &Mutex<Vec<u8>>| std::mem::take(&mut *text.lock().unwrap_or_else(PoisonError::into_inner));
     let answer = String::from_utf8(take(&conversation.answer));
@@ -132,6 +132,6 @@ pub(crate) fn questions() -> Vec<(String, String, String, Vec<Given>)> {
         };
         (it.name, kind, it.value, it.is_required, it.is_repeated, it.choices, it.meaning)
     };
-    let asked = libration_cli::questions().into_iter();
+    let asked = libration_queries::questions().into_iter();
     asked.map(|it| (it.words, it.about, it.remarks, it.parameters.into_iter().map(given).collect())).collect()
 }

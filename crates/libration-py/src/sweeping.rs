@@ -4,7 +4,7 @@ use std::io;
 use std::sync::Arc;
 
 use libration::watch::{Progress, Stage};
-use libration_cli::{AxisValues, Host, SweepPlan};
+use libration_queries::{AxisValues, Host, SweepPlan};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 

@@ -38,7 +38,7 @@ fn followed() -> MutexGuard<'static, Option<Followed>> {
 pub extern "C" fn ensemble() -> u8 {
     tell_of_panics();
     let Given { words, files } = take_given();
-    match libration_cli::ensemble(words, Arc::new(PageHost::new(files))) {
+    match libration_queries::ensemble(words, Arc::new(PageHost::new(files))) {
         Ok((model, ensemble)) => {
             begin(&model, ensemble);
             0

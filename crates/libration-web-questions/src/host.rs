@@ -1,7 +1,7 @@
 //! The page as the one who asks: its files are in memory, its clock is the browser's.
 
 use crate::page;
-use libration_cli::{Host, InputFile};
+use libration_queries::{Host, InputFile};
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

@@ -51,7 +51,7 @@ pub extern "C" fn file(name_length: usize) {
 pub extern "C" fn ask() -> u8 {
     tell_of_panics();
     let Given { words, files } = take_given();
-    match libration_cli::ask(words, Arc::new(PageHost::new(files))) {
+    match libration_queries::ask(words, Arc::new(PageHost::new(files))) {
         Ok(()) => 0,
         Err(error) => {
             page::error(&error.to_json());

@@ -3,8 +3,8 @@
 use crate::command::{message, run};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
-use libration_cli::internals::query_error::CommandWords;
-use libration_cli::{AxisValues, Host, QueryError, SweepPlan, ask};
+use libration_queries::internals::query_error::CommandWords;
+use libration_queries::{AxisValues, Host, QueryError, SweepPlan, ask};
 use serde_json::Value;
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -262,7 +262,7 @@ fn a_host_may_ask_while_it_is_told_how_an_argument_was_read() {
 
 fn ensemble(arguments: &[&str], starts: &'static [u8]) -> Result<(Model, Ensemble), QueryError> {
     let host = Memory { input: starts, ..Memory::default() };
-    libration_cli::ensemble(arguments.iter().map(OsString::from), Arc::new(host))
+    libration_queries::ensemble(arguments.iter().map(OsString::from), Arc::new(host))
 }
 
 #[test]

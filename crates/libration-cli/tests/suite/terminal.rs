@@ -1,0 +1,65 @@
+//! The commands and options of the terminal, and the help.
+
+use crate::command::{libration, message, text};
+use libration_queries::questions;
+
+#[test]
+fn a_first_word_that_is_an_angle_gets_a_hint() {
+    let output = libration("60deg");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message(&output).contains("hint: libration period 60deg"));
+}
+
+#[test]
+fn every_command_stands_in_one_group_of_the_help() {
+    let help = text("--help");
+    for query in questions() {
+        let name = query.words.split(' ').next().unwrap();
+        let lines = help
+            .lines()
+            .filter(|line| line.strip_prefix("  ").is_some_and(|it| it.split(' ').next() == Some(name)));
+        assert_eq!(lines.count(), 1, "{name}");
+    }
+    assert!(help.lines().count() <= 66 && help.lines().all(|line| line.chars().count() <= 80), "{help}");
+}
+
+#[test]
+fn quiet_runs_write_results_and_errors_only() {
+    let noted = "motion 1 --times 1s±0.1s";
+    let quiet = [format!("-q {noted}"), format!("{noted} --quiet"), format!("{noted} -q --color never")];
+    let expected = libration(noted);
+    assert!(message(&expected).starts_with("note: "));
+    for arguments in quiet {
+        let output = libration(&arguments);
+        assert_eq!((message(&output).as_str(), &output.stdout), ("", &expected.stdout), "{arguments}");
+    }
+    let sweep = libration("sweep period --over amplitude=1,2 -q --csv");
+    assert!(!message(&sweep).contains("unexpected argument"), "{}", message(&sweep));
+    assert!(message(&libration("-q period 4rad")).starts_with("error: "));
+}
+
+#[test]
+fn colours_are_those_of_the_option() {
+    let is_coloured = |arguments: &str| message(&libration(arguments)).contains("\x1b[");
+    assert!(is_coloured("period up --color always") && is_coloured("--color=always period up"));
+    assert!(!is_coloured("period up --color never") && !is_coloured("period up"));
+    let refused = libration("period 1 --color green");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(message(&refused).contains("[possible values: auto, always, never]"), "{}", message(&refused));
+}
+
+#[test]
+fn manual_pages_name_every_option_and_example() {
+    let page = text("man fit trace");
+    let escaped = |option: &str| option.replace('-', "\\-");
+    let query = questions().into_iter().find(|it| it.words == "fit trace").unwrap();
+    for parameter in &query.parameters {
+        assert!(page.contains(&escaped(&parameter.name)), "{}", parameter.name);
+    }
+    assert!(page.contains("libration fit trace examples/swing_synthetic.csv"));
+    assert!(text("man").contains("libration\\-period"));
+    let refused = libration("man fit swing");
+    assert_eq!(refused.status.code(), Some(2));
+    let words = message(&refused);
+    assert!(words.contains("no command `fit swing`") && words.contains("periods, lengths, gates"), "{words}");
+}

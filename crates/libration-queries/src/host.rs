@@ -1,0 +1,116 @@
+//! Environment of a run.
+//!
+//! # Method
+//! `libration_queries::ask` takes the words of a command line and a host: a program on a terminal (`program.rs`), Python, the page or a test. Streams,
+//! signals and the width of the output belong to the host; a run touches nothing else of the process but the files that it is told to read and
+//! write.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+/// The environment of a run: receives its result, provides its standard input and files, and may cancel it.
+///
+/// Its methods are called on the thread that starts the run and on those that work for it. The default methods do nothing: no input, no
+/// notes, no progress, and no cancellation; files and the time are those of the system.
+///
+/// # Examples
+/// ```
+/// use libration_queries::Host;
+/// use std::io;
+/// use std::sync::{Arc, Mutex};
+///
+/// #[derive(Default)]
+/// struct Memory(Mutex<Vec<u8>>);
+///
+/// impl Host for Memory {
+///     fn write(&self, bytes: &[u8]) -> io::Result<()> {
+///         self.0.lock().map_err(|_| io::ErrorKind::Other)?.extend_from_slice(bytes);
+///         Ok(())
+///     }
+/// }
+///
+/// let memory = Arc::new(Memory::default());
+/// libration_queries::ask(["period", "60deg", "--json"].map(Into::into), memory.clone())?;
+/// let answer = memory.0.lock().map_err(|_| "a thread has failed")?;
+/// assert!(answer.starts_with(b"{"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Host: Send + Sync {
+    /// Takes the next part of the answer, or of the file that stands in its place.
+    ///
+    /// # Errors
+    /// Where no more can be taken, which ends the answer.
+    fn write(&self, bytes: &[u8]) -> io::Result<()>;
+
+    /// The content of a file called `-`.
+    fn read(&self) -> Box<dyn Read + '_> {
+        Box::new(io::empty())
+    }
+
+    /// The file at a path.
+    ///
+    /// # Errors
+    /// Where there is none, or it cannot be read.
+    fn open(&self, path: &Path) -> io::Result<InputFile<'_>> {
+        let file = File::open(path)?;
+        Ok(InputFile { size: file.metadata()?.len(), bytes: Box::new(file) })
+    }
+
+    /// Returns `true` if files go to [`keep`](Self::keep) and not to the disk.
+    fn keeps_files(&self) -> bool {
+        false
+    }
+
+    /// Takes a file that the question has written, as a whole.
+    ///
+    /// # Errors
+    /// Where it cannot be taken, which is then why there is no answer.
+    fn keep(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let _ = (path, bytes);
+        Err(io::ErrorKind::Unsupported.into())
+    }
+
+    /// The time since 1970 began, in UTC.
+    fn now(&self) -> Duration {
+        SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default()
+    }
+
+    /// A sentence about the question beside its answer, such as how an equation was read.
+    fn note(&self, sentence: &str) {
+        let _ = sentence;
+    }
+
+    /// Receives the progress of long work from time to time; `None` when that work has ended.
+    fn progress(&self, how_far: Option<&str>) {
+        let _ = how_far;
+    }
+
+    /// From now on the answer can be ended early, and keeps what is done.
+    ///
+    /// # Errors
+    /// Where nobody could ask for that; the question is then refused.
+    fn listen(&self) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Returns `true` while a long run may go on. Called often, also by the thread that has started the run.
+    fn goes_on(&self) -> bool {
+        true
+    }
+
+    /// The number of columns that a table to read may have.
+    fn columns(&self) -> usize {
+        80
+    }
+}
+
+/// A file that is read.
+#[expect(missing_debug_implementations, reason = "what reads has none")]
+pub struct InputFile<'a> {
+    /// Stated size in bytes; pipes and devices state 0.
+    pub size: u64,
+    /// Content of the file.
+    pub bytes: Box<dyn Read + 'a>,
+}

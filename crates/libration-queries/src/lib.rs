@@ -1,0 +1,149 @@
+//! The queries of libration, for front ends: the words of a command line in, results out.
+//!
+//! [`ask`] runs a query in the process that calls it, and leaves its streams, signals and environment alone: what a query reads and writes passes
+//! through the [`Host`] of the front end. [`questions`] lists the queries with their parameters.
+
+mod arguments;
+mod call;
+mod command;
+mod document;
+mod figure;
+mod host;
+mod interrupt;
+mod output;
+mod parallel;
+mod query_error;
+mod questions;
+mod run;
+mod sweep;
+
+pub use command::command;
+pub use host::{Host, InputFile};
+pub use query_error::parameter::Parameter as QueryParameter;
+pub use query_error::text::Words;
+pub use query_error::{Kind, QueryError, refusal};
+pub use questions::{Parameter, ParameterKind, Question, questions};
+pub use run::{Run, ask, ensemble};
+pub use sweep::{AxisValues, SweepChunk, SweepPlan};
+
+/// Internals that the suite tests; no promise of stability.
+#[doc(hidden)]
+pub mod internals {
+    pub mod animation {
+        pub use crate::figure::animation::{Playing, Sampled};
+    }
+    pub mod call {
+        pub use crate::call::{Call, Nobody, current, within};
+    }
+    pub mod checksum {
+        pub use crate::command::simulate::resume::checksum::Checksum;
+    }
+    pub mod csv {
+        pub use crate::output::csv::{cells, line};
+    }
+    pub mod cusps {
+        pub use crate::figure::cusps::sizes;
+    }
+    pub mod displacements {
+        pub use crate::arguments::displacements::displacements;
+    }
+    pub mod document {
+        pub use crate::document::{Block, Document, DocumentFigure, DocumentTable, Section};
+    }
+    pub mod query_error {
+        pub use crate::query_error::parameter::option;
+        pub use crate::query_error::text::CommandWords;
+    }
+    pub mod echo {
+        pub use crate::query_error::echo::{LONGEST_LINE, excerpt, shortened};
+    }
+    pub mod field {
+        pub use crate::output::description::Description;
+        pub use crate::output::field::{Field, list::Fields};
+    }
+    pub mod figure_parameters {
+        pub use crate::figure::parameters::{amplitude, said};
+    }
+    pub mod figure_size {
+        pub use crate::figure::size::{Side, side};
+    }
+    #[cfg(not(target_family = "wasm"))]
+    pub mod font {
+        pub use crate::figure::font::Font;
+    }
+    pub mod html {
+        pub use crate::document::html::{SCRIPT, STYLE, page, table};
+    }
+    pub mod json {
+        pub use crate::output::json::{Record, document_with_list};
+    }
+    pub mod latex {
+        pub use crate::document::latex::tabular;
+    }
+    pub mod markdown {
+        pub use crate::document::markdown::{block, table};
+    }
+    pub mod mathml {
+        pub use crate::output::mathml::name;
+    }
+    pub mod negative {
+        pub use crate::arguments::negative::protect_negative_values;
+    }
+    pub mod number {
+        pub use crate::output::number::{at_most, count, exact, to_its_error, write_exact};
+    }
+    pub mod page {
+        pub use crate::command::page::write;
+    }
+    pub mod parallel {
+        pub use crate::parallel::{in_order, map, map_until_asked, until_asked};
+    }
+    pub mod parameter_range {
+        pub use crate::arguments::parameter_range::parameter_range;
+    }
+    pub mod provenance {
+        pub use crate::document::provenance::{date, quoted};
+    }
+    pub mod screen_text {
+        pub use crate::output::screen::{columns_of, folded, padded};
+    }
+    pub mod series {
+        pub use crate::output::series::{Notation, Style, wrapped};
+    }
+    pub mod slow_flow_listing {
+        pub use crate::command::expand::slow_flow::listing::in_letters;
+    }
+    pub mod sweep_axis {
+        pub use crate::command::sweep::axis::{Axis, axis};
+    }
+    pub mod sweep_grid {
+        pub use crate::command::sweep::grid::Grid;
+    }
+    pub mod sweep_kept {
+        pub use crate::command::sweep::kept::{Kept, scalars};
+    }
+    pub mod sweep_options {
+        pub use crate::arguments::sweep_options::sweep_options_first;
+    }
+    pub mod sweep_question {
+        pub use crate::command::sweep::question::Template;
+    }
+    pub mod sweep_shard {
+        pub use crate::command::sweep::shard::{Shard, shard};
+    }
+    pub mod table {
+        pub use crate::output::table::{Column, HELD_BACK, Table, paragraph};
+    }
+    pub mod trace_curve {
+        pub use crate::figure::trace::curve::smooth;
+    }
+    pub mod trace_report {
+        pub use crate::command::fit_trace::report::sentence;
+    }
+    pub mod trace_thinned {
+        pub use crate::figure::trace::thinned::{MOST, representative, thinned};
+    }
+    pub mod trajectories {
+        pub use crate::command::figure::trajectories::common;
+    }
+}

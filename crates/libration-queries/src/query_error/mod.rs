@@ -1,0 +1,370 @@
+//! The reason why a query has no result, as data: its kind, the parameters that it is about, the message, and what would help.
+//!
+//! A message names other parameters and queries by [`Parameter`] and marks (see [`text`]), so that the command, Python and the page each
+//! write them in their own words.
+
+pub(crate) mod echo;
+pub(crate) mod parameter;
+pub(crate) mod text;
+
+pub(crate) use echo::excerpt;
+pub(crate) use parameter::{Parameter, argument, option};
+pub(crate) use text::in_command_words;
+
+use clap::error::ErrorKind::MissingRequiredArgument;
+use clap::error::{ContextKind, ContextValue};
+use libration::oscillator::Remedy;
+use libration::quantity::Angle;
+use serde_json::{Value, json};
+use std::fmt::Display;
+use std::io::{Error, ErrorKind};
+use text::{Text, Words};
+
+/// The kind of an error.
+#[derive(Debug)]
+pub enum Kind {
+    /// The query cannot be understood: exit status 2.
+    Usage,
+    /// The query is understood and has no result: exit status 1.
+    NoResult,
+    /// A file does not exist: exit status 1.
+    MissingFile,
+    /// The work was ended early, and what was finished is written: exit status 130.
+    Cancelled,
+    /// The result cannot be written: exit status 1, or 0 when the reader has gone.
+    Output(Error),
+}
+
+/// The reason why a query has no result.
+///
+/// Its text is the message in the words of the command, in which very long quotations are shortened.
+#[derive(Debug)]
+pub struct QueryError(Box<Content>);
+
+#[derive(Debug)]
+struct Content {
+    kind: Kind,
+    about: About,
+    message: Text,
+    hint: Option<Text>,
+    suggestion: Option<String>,
+    item: Option<String>,
+}
+
+/// The subject of a message, which stands before it.
+#[derive(Debug)]
+pub(crate) enum About {
+    Nothing,
+    Parameters(Vec<Parameter>),
+    Other(String),
+}
+
+impl From<&str> for About {
+    fn from(subject: &str) -> Self {
+        Self::Other(subject.to_owned())
+    }
+}
+
+impl From<&String> for About {
+    fn from(subject: &String) -> Self {
+        Self::Other(subject.clone())
+    }
+}
+
+impl From<&Parameter> for About {
+    fn from(parameter: &Parameter) -> Self {
+        Self::Parameters(vec![parameter.clone()])
+    }
+}
+
+impl From<Parameter> for About {
+    fn from(parameter: Parameter) -> Self {
+        Self::Parameters(vec![parameter])
+    }
+}
+
+impl<const N: usize> From<[Parameter; N]> for About {
+    fn from(parameters: [Parameter; N]) -> Self {
+        Self::Parameters(parameters.into())
+    }
+}
+
+impl QueryError {
+    /// The exit status of a command that was interrupted, as shells have it.
+    pub const INTERRUPTED: u8 = 130;
+
+    fn new(kind: Kind, about: About, message: &str) -> Self {
+        Self(Box::new(Content {
+            kind,
+            about,
+            message: Text::marked(message),
+            hint: None,
+            suggestion: None,
+            item: None,
+        }))
+    }
+
+    /// An error in a value of the query.
+    pub(crate) fn usage(about: impl Into<About>, reason: impl Display) -> Self {
+        Self::new(Kind::Usage, about.into(), &reason.to_string())
+    }
+
+    /// An error in the query as a whole.
+    pub fn misuse(reason: impl Display) -> Self {
+        Self::new(Kind::Usage, About::Nothing, &reason.to_string())
+    }
+
+    /// The absence of a result, and its subject.
+    pub(crate) fn no_result(about: impl Into<About>, reason: impl Display) -> Self {
+        Self::new(Kind::NoResult, about.into(), &reason.to_string())
+    }
+
+    /// The absence of a result, in a sentence without a subject.
+    pub(crate) fn failed(reason: impl Display) -> Self {
+        Self::new(Kind::NoResult, About::Nothing, &reason.to_string())
+    }
+
+    /// The absence of an input file.
+    pub(crate) fn missing_file(reason: impl Display) -> Self {
+        Self::new(Kind::MissingFile, About::Nothing, &reason.to_string())
+    }
+
+    /// An early end that was asked for.
+    pub(crate) fn cancelled(reason: impl Display) -> Self {
+        Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
+    }
+
+    /// The same error with the queries that have a result in its place.
+    pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
+        let sentences: Vec<_> = remedies.iter().map(|it| sentence(*it)).collect();
+        let hint = (!sentences.is_empty()).then(|| Text::marked(&sentences.join("; ")));
+        Self(Box::new(Content { hint, ..*self.0 }))
+    }
+
+    /// The same error with a value of its parameter that would do.
+    pub(crate) fn with_suggestion(self, value: Option<String>) -> Self {
+        Self(Box::new(Content { suggestion: value, ..*self.0 }))
+    }
+
+    /// The same error with the item of a parameter `NAME=VALUE` that it is about.
+    pub(crate) fn with_item(self, name: Option<&str>) -> Self {
+        Self(Box::new(Content { item: name.map(str::to_owned), ..*self.0 }))
+    }
+
+    /// The same error with the names that a query has for its arguments, by those of their values in the help.
+    pub(crate) fn named(self, name_of: &dyn Fn(&str) -> Option<String>) -> Self {
+        let About::Parameters(parameters) = &self.0.about else { return self };
+        let about = About::Parameters(parameters.iter().cloned().map(|it| it.named(name_of)).collect());
+        Self(Box::new(Content { about, ..*self.0 }))
+    }
+
+    /// The error in arguments, without the advice of a terminal to ask for help.
+    #[must_use]
+    pub fn refused(error: &clap::Error) -> Self {
+        let parameters = refused_parameters(error);
+        let reason = match std::error::Error::source(error) {
+            Some(reason) => reason.to_string(),
+            None if error.kind() == MissingRequiredArgument => "required, and not given".to_owned(),
+            None => first_paragraphs(error),
+        };
+        let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
+        let hint = command_for(error).map(|hint| Text::marked(&hint));
+        Self(Box::new(Content { hint, ..*Self::new(Kind::Usage, about, &reason).0 }))
+    }
+
+    /// The kind of the error.
+    #[must_use]
+    pub fn kind(&self) -> &Kind {
+        &self.0.kind
+    }
+
+    /// The parameters that the error is about, empty where it is about none.
+    #[must_use]
+    pub fn parameters(&self) -> &[Parameter] {
+        match &self.0.about {
+            About::Parameters(parameters) => parameters,
+            About::Nothing | About::Other(_) => &[],
+        }
+    }
+
+    /// A value of the parameter that would do.
+    #[must_use]
+    pub fn suggestion(&self) -> Option<&str> {
+        self.0.suggestion.as_deref()
+    }
+
+    /// The name of the item of a parameter `NAME=VALUE` that the error is about.
+    #[must_use]
+    pub fn item(&self) -> Option<&str> {
+        self.0.item.as_deref()
+    }
+
+    /// The message without its parameters, in the words of a front end.
+    #[must_use]
+    pub fn message(&self, words: &dyn Words) -> String {
+        let message = clean(&self.0.message.in_words(words));
+        match &self.0.about {
+            About::Other(subject) => format!("{}: {message}", clean(subject)),
+            About::Nothing | About::Parameters(_) => message,
+        }
+    }
+
+    /// The advice in the words of a front end.
+    #[must_use]
+    pub fn hint(&self, words: &dyn Words) -> Option<String> {
+        self.0.hint.as_ref().map(|hint| clean(&hint.in_words(words)))
+    }
+
+    /// The whole error in the words of a front end: parameters, message, hint.
+    #[must_use]
+    pub fn in_words(&self, words: &dyn Words) -> String {
+        if let Kind::Output(error) = &self.0.kind {
+            return format!("cannot write the output: {error}");
+        }
+        let names: Vec<_> = self.parameters().iter().map(|it| words.parameter(it)).collect();
+        let names = match names.as_slice() {
+            [] => String::new(),
+            [name] => format!("{name}: "),
+            [first @ .., last] => format!("{} and {last}: ", first.join(", ")),
+        };
+        let hint = self.hint(words).map_or_else(String::new, |hint| format!("\nhint: {hint}"));
+        format!("{names}{}{hint}", self.message(words))
+    }
+
+    /// The error for a page: `text` as the command writes it, `parameters` as its help has them, `item`, `message` and `hint` as lists of
+    /// texts and of objects with the one member `parameter` or `query`, and `suggestion`; what does not exist is empty.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let parameters: Vec<_> = self.parameters().iter().map(Parameter::in_help).collect();
+        let mut message = vec![];
+        match &self.0.kind {
+            Kind::Output(_) => message.push(Value::from(self.to_string())),
+            _ => {
+                if let About::Other(subject) = &self.0.about {
+                    message.push(Value::from(format!("{}: ", clean(subject))));
+                }
+                message.extend(self.0.message.to_json());
+            }
+        }
+        let hint = self.0.hint.as_ref().map_or_else(Vec::new, Text::to_json);
+        let suggestion = self.suggestion().unwrap_or_default();
+        let item = self.item().unwrap_or_default();
+        let error = json!({
+            "text": self.to_string(), "parameters": parameters, "item": item, "message": message, "hint": hint, "suggestion": suggestion,
+        });
+        error.to_string()
+    }
+
+    /// The exit status of the command.
+    #[must_use]
+    pub fn status(&self) -> u8 {
+        match self.0.kind {
+            _ if self.is_closed_pipe() => 0,
+            Kind::Usage => 2,
+            Kind::Cancelled => Self::INTERRUPTED,
+            Kind::NoResult | Kind::MissingFile | Kind::Output(_) => 1,
+        }
+    }
+
+    /// `true` if the work was ended early.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self.0.kind, Kind::Cancelled)
+    }
+
+    /// `true` if the reader of the output has gone.
+    #[must_use]
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(&self.0.kind, Kind::Output(error) if error.kind() == ErrorKind::BrokenPipe)
+    }
+}
+
+impl Display for QueryError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.in_words(&text::CommandWords))
+    }
+}
+
+impl std::error::Error for QueryError {}
+
+impl From<Error> for QueryError {
+    fn from(error: Error) -> Self {
+        Self(Box::new(Content {
+            kind: Kind::Output(error),
+            about: About::Nothing,
+            message: Text::default(),
+            hint: None,
+            suggestion: None,
+            item: None,
+        }))
+    }
+}
+
+/// The query of a remedy, marked.
+fn sentence(remedy: Remedy) -> &'static str {
+    match remedy {
+        Remedy::Simulation => "<libration simulate> follows the motion",
+        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives how the amplitude changes",
+        Remedy::Backbone => "<libration backbone> finds the frequency at any amplitude",
+        Remedy::NormalModes => "<libration modes> computes normal modes",
+        Remedy::Expansion => "<libration expand> has the series without its derivation, if there is one",
+        Remedy::Period => "<libration period> has a result at all amplitudes",
+        _ => "another query may have a result",
+    }
+}
+
+/// The message of clap, for a terminal, with long quotations shortened and a hint where the first word looks like an amplitude or a file.
+#[must_use]
+pub fn refusal(error: &clap::Error) -> String {
+    let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
+    match command_for(error) {
+        Some(hint) => message.replacen("\n\n", &format!("\nhint: {}\n\n", in_command_words(&hint)), 1),
+        None => message,
+    }
+}
+
+/// The command that may be meant by a first word that is none: an amplitude, or the name of a file.
+fn command_for(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
+    let is_amplitude = |text: &str| text.trim().parse::<Angle>().is_ok();
+    let query = match word {
+        word if word.split([':', ',']).all(is_amplitude) => "period",
+        word if is_recording(word) => "inspect",
+        _ => return None,
+    };
+    Some(format!("<libration {query}> {word}"))
+}
+
+/// `true` if a name ends as files of measurements do.
+fn is_recording(word: &str) -> bool {
+    let end = word.rsplit_once('.').map(|it| it.1.to_ascii_lowercase());
+    end.is_some_and(|end| {
+        ["csv", "tsv", "txt", "dat", "xlsx", "xls", "ods", "zip", "json"].contains(&end.as_str())
+    })
+}
+
+/// The parameters that clap refuses.
+fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
+    match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(usage)) => Parameter::of_usage(usage).into_iter().collect(),
+        Some(ContextValue::Strings(usages)) => {
+            usages.iter().filter_map(|it| Parameter::of_usage(it)).collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// The message of clap without usage and advice.
+fn first_paragraphs(error: &clap::Error) -> String {
+    let message = echo::shortened(&echo::unprotected(&error.render().to_string()));
+    let reason = message.strip_prefix("error: ").unwrap_or(&message);
+    let end =
+        ["\n\nUsage:", "\n\nFor more information"].iter().filter_map(|advice| reason.find(advice)).min();
+    reason[..end.unwrap_or(reason.len())].trim_end().to_owned()
+}
+
+/// The text with long quotations shortened, and without characters that move the cursor of a terminal or turn the direction of its text; lines stay.
+fn clean(text: &str) -> String {
+    let shortened = echo::shortened(text);
+    shortened.split('\n').map(libration::quantity::printable).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,128 @@
+//! Commands with their parameters, for programs that put the words of a command line together themselves.
+
+use crate::command::command;
+use clap::{Arg, ArgAction, Command};
+use std::ffi::OsString;
+
+/// A question of the command.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// The words behind the name of the program: `decay`, `fit trace`.
+    pub words: String,
+    /// Purpose of the command, in a line.
+    pub about: String,
+    /// Remarks, empty where there are none.
+    pub remarks: String,
+    /// In the order of the help.
+    pub parameters: Vec<Parameter>,
+}
+
+/// Something that a question is given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// Name of an option without its dashes: `damping-order`; name of an argument in small letters: `amplitude`.
+    pub name: String,
+    /// Kind of the parameter.
+    pub kind: ParameterKind,
+    /// Placeholder of its value in the help: `NAME=VALUE`, `FILE`; empty for a flag.
+    pub value: String,
+    /// `true` if the command fails without it.
+    pub is_required: bool,
+    /// `true` if it may be given several times.
+    pub is_repeated: bool,
+    /// All that it may be, where that is a list.
+    pub choices: Vec<String>,
+    /// Meaning of the parameter, with its default.
+    pub meaning: String,
+}
+
+/// The way in which a parameter is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParameterKind {
+    /// A word of its own, in the order of the arguments.
+    Argument,
+    /// An option `--name=value`.
+    Option,
+    /// A flag `--name`.
+    Flag,
+}
+
+/// All questions with their parameters, in the order of the help.
+///
+/// # Examples
+/// ```
+/// let decay = libration_queries::questions().into_iter().find(|it| it.words == "decay").ok_or("no decay")?;
+/// let cycles = decay.parameters.iter().find(|it| it.name == "cycles").ok_or("no cycles")?;
+/// assert_eq!(cycles.value, "CYCLES");
+/// # Ok::<(), &str>(())
+/// ```
+#[must_use]
+pub fn questions() -> Vec<Question> {
+    let mut command = command([]);
+    command.build();
+    leaves(&command, "")
+}
+
+/// The name of the argument whose value is called so in the help, in the question that the words of a command line ask.
+pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
+    let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
+    let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
+    let asked = questions().into_iter().filter(|it| it.words == one || it.words == two);
+    let question = asked.max_by_key(|it| it.words.len())?;
+    let is_it = |it: &Parameter| it.kind == ParameterKind::Argument && it.value == value;
+    question.parameters.into_iter().find(is_it).map(|it| it.name)
+}
+
+/// The commands below this one that can be asked by themselves.
+fn leaves(command: &Command, words: &str) -> Vec<Question> {
+    let below = command.get_subcommands().filter(|it| it.get_name() != "help");
+    let each = below.flat_map(|it| {
+        let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
+        let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
+        itself.into_iter().chain(leaves(it, &words)).collect::<Vec<_>>()
+    });
+    each.collect()
+}
+
+fn question(command: &Command, words: String) -> Question {
+    let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+    let long = command.get_long_about().map(ToString::to_string).unwrap_or_default();
+    let given = command.get_arguments().filter(|it| !["help", "version"].contains(&it.get_id().as_str()));
+    Question {
+        words,
+        remarks: long.strip_prefix(&about).unwrap_or(&long).trim().to_owned(),
+        about,
+        parameters: given.map(parameter).collect(),
+    }
+}
+
+fn parameter(arg: &Arg) -> Parameter {
+    let takes_value = arg.get_action().takes_values();
+    let kind = match (arg.get_long(), takes_value) {
+        (None, _) => ParameterKind::Argument,
+        (Some(_), true) => ParameterKind::Option,
+        (Some(_), false) => ParameterKind::Flag,
+    };
+    let value = arg.get_value_names().filter(|_| takes_value).map(|names| names.join(" "));
+    let choices = arg.get_possible_values();
+    let choices = choices.iter().filter(|_| takes_value).map(|it| it.get_name().to_owned());
+    Parameter {
+        name: arg.get_long().map_or_else(|| arg.get_id().to_string(), str::to_owned),
+        kind,
+        value: value.unwrap_or_default(),
+        is_required: arg.is_required_set(),
+        is_repeated: takes_value
+            && (matches!(arg.get_action(), ArgAction::Append)
+                || arg.get_num_args().is_some_and(|it| it.max_values() > 1)),
+        choices: choices.collect(),
+        meaning: meaning(arg),
+    }
+}
+
+/// The help, with the default behind it.
+fn meaning(arg: &Arg) -> String {
+    let help = arg.get_long_help().or_else(|| arg.get_help()).map(ToString::to_string).unwrap_or_default();
+    let defaults: Vec<_> = arg.get_default_values().iter().map(|it| it.to_string_lossy()).collect();
+    let shows = arg.get_action().takes_values() && !defaults.is_empty() && !arg.is_hide_default_value_set();
+    if shows { format!("{help} [default: {}]", defaults.join(" ")) } else { help }
+}
