@@ -1,12 +1,12 @@
 //! A run of a query: its words, its host, its result.
 
 use crate::call::{self, Call};
-use crate::command::{self, Libration};
+use crate::command;
 use crate::host::Host;
 use crate::output::standard::StandardOutput;
 use crate::query_error::QueryError;
 use crate::questions;
-use clap::{ArgMatches, Command, FromArgMatches};
+use clap::{ArgMatches, Command};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
 use std::ffi::OsString;
@@ -36,8 +36,7 @@ impl Run {
     /// # Errors
     /// The reason why there is no result or not all of it; the part written until then stays with the host.
     pub fn write(&self, matches: &ArgMatches) -> Result<(), QueryError> {
-        let query = Libration::from_arg_matches(matches).map_err(|error| QueryError::refused(&error));
-        let written = call::within(&self.0, || written(&query?));
+        let written = call::within(&self.0, || written(matches));
         written.map_err(|error| self.named(error))
     }
 
@@ -103,11 +102,11 @@ pub fn ensemble(
     host: Arc<dyn Host>,
 ) -> Result<(Model, Ensemble), QueryError> {
     let run = Run::new(arguments, host);
-    call::within(&run.0, || command::query(run.0.arguments().to_vec())?.ensemble())
+    call::within(&run.0, || command::ensemble(&command::matches_of_query(run.0.arguments().to_vec())?))
 }
 
-fn written(query: &Libration) -> Result<(), QueryError> {
+fn written(matches: &ArgMatches) -> Result<(), QueryError> {
     let mut out = StandardOutput::new();
-    query.answer(&mut out)?;
+    command::write(matches, &mut out)?;
     Ok(out.flush()?)
 }

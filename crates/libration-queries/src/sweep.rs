@@ -70,7 +70,7 @@ impl SweepPlan {
     ) -> Result<Self, QueryError> {
         call::within(&Call::new(vec![], host), || {
             let axes = axes.iter().map(|(name, values)| axis(name, values)).collect::<Result<_, _>>()?;
-            command::sweep_plan(SweepAsked { question, axes, keep, chunk }).map(Self)
+            SweepPlanned::new(SweepAsked { question, axes, keep, chunk }).map(Self)
         })
     }
 

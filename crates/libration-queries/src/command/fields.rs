@@ -1,10 +1,6 @@
 //! `libration fields`: what the fields of answers mean.
 
-use super::{
-    backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_response,
-    fit_trace, formulas, fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper,
-    period, plan, resonance, response, section, simulate, stability, sweep, systems,
-};
+use super::all_fields;
 use crate::output::description::{Answers, Description, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
@@ -39,51 +35,8 @@ const LAST: &[Row] = &[(
     "why numbers beside it are null, in any object; left out where there is nothing to say. In CSV the cell of a number that is not known or not finite is empty",
 )];
 
-/// The answers of all commands, in the order of the help.
-fn catalogue() -> Vec<Answers> {
-    [
-        period::answers(),
-        motion::answers(),
-        fourier::answers(),
-        formulas::answers(),
-        decay::answers(),
-        expand::answers(),
-        oscillators::answers(),
-        backbone::answers(),
-        simulate::answers(),
-        systems::answers(),
-        modes::answers(),
-        orbit::answers(),
-        response::answers(),
-        resonance::answers(),
-        melnikov::answers(),
-        stability::answers(),
-        section::answers(),
-        bifurcation::answers(),
-        lyapunov::answers(),
-        sweep::answers(),
-        paper::answers(),
-        figure::answers(),
-        inspect::answers(),
-        plan::answers(),
-        fit_periods::answers(),
-        fit_lengths::answers(),
-        fit_response::answers(),
-        fit_gates::answers(),
-        fit_trace::answers(),
-        answers(),
-    ]
-    .concat()
-}
-
-/// The fields of JSON of a command, for all of its options.
-pub(crate) fn of_question(words: &[String]) -> Vec<Description> {
-    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
-    catalogue().into_iter().filter(is_asked).flat_map(|it| it.json).collect()
-}
-
 /// The fields of `libration fields` itself.
-fn answers() -> Vec<Answers> {
+pub(crate) fn answers() -> Vec<Answers> {
     let json = [
         descriptions("commands[].", &[COMMAND, OPTION]),
         of_description().described("commands[].json[]."),
@@ -130,10 +83,10 @@ impl FieldsQuestion {
             let words: Vec<&str> = it.command.split(' ').collect();
             words.starts_with(&asked)
         };
-        let mut chosen = catalogue();
+        let mut chosen = all_fields();
         chosen.retain(is_asked);
         if chosen.is_empty() {
-            let mut names: Vec<&str> = catalogue().iter().map(|it| it.command).collect();
+            let mut names: Vec<&str> = all_fields().iter().map(|it| it.command).collect();
             names.dedup();
             let reason = format!(
                 "`{}` has no answer with fields; the commands that have are {}",

@@ -1,4 +1,4 @@
-//! The questions that can be asked, one file each.
+//! The queries, one file or folder each, and the command line that names them.
 
 mod backbone;
 mod bifurcation;
@@ -15,6 +15,7 @@ pub(crate) mod fit_trace;
 mod formulas;
 mod fourier;
 mod inspect;
+mod list;
 mod lyapunov;
 mod melnikov;
 mod modes;
@@ -39,21 +40,17 @@ pub(crate) use sweep::{
 };
 
 use crate::arguments::{protect_negative_values, sweep_options_first};
+use crate::output::description::{Answers, Description};
 use crate::query_error::QueryError;
-use clap::{ArgMatches, Command, CommandFactory, FromArgMatches};
+use clap::{ArgMatches, Command, FromArgMatches};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
+use list::{FAMILIES, Query, groups};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
 
-/// The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error.
-#[derive(Debug, clap::Parser)]
-#[command(name = "libration", version, arg_required_else_help = true, term_width = HELP_WIDTH, after_help = EXAMPLES)]
-pub(crate) struct Libration {
-    #[command(subcommand)]
-    question: Question,
-}
+const ABOUT: &str = "The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error";
 
 /// The width of every help, whatever the terminal, so that examples can be copied as they are printed.
 const HELP_WIDTH: usize = 80;
@@ -69,92 +66,6 @@ Angles: 60deg, 60°, 1.2rad, 1.2 (radians), pi-1e-6, 180deg-1e-9deg. Tables are
 as wide as the terminal, or as COLUMNS says; files and pipes get 80 columns.
 Exit status: 0 success, 1 no result, 2 usage error, 130 interrupted.";
 
-/// The commands in groups, each with a line.
-const GROUPS: &[(&str, &[(&str, &str)])] = &[
-    (
-        "Pendulum",
-        &[
-            ("period", "exact period, and every published formula with its error"),
-            ("motion", "angle and velocity in time"),
-            ("fourier", "Fourier coefficients of angle and velocity"),
-            ("formulas", "period formulas: sources, accuracy, where each holds"),
-            ("decay", "decay of damped swings, cycle by cycle"),
-        ],
-    ),
-    (
-        "Oscillators and series",
-        &[
-            ("expand", "exact perturbation series of frequency and harmonics"),
-            ("backbone", "frequency against amplitude: orbits, series, exact"),
-            ("oscillators", "built-in oscillators: equations, parameters, sources"),
-        ],
-    ),
-    (
-        "Motion and dynamics",
-        &[
-            ("simulate", "motion of any system in time, each state with its error"),
-            ("orbit", "periodic orbit: period, harmonics, Floquet multipliers"),
-            ("response", "periodic response over a parameter: folds, stability"),
-            ("stability", "stability over two parameters"),
-            ("modes", "normal modes, and how they change with the amplitude"),
-            ("resonance", "slow exchange of energy between modes"),
-            ("section", "Poincaré section"),
-            ("bifurcation", "bifurcation diagram"),
-            ("lyapunov", "largest Lyapunov exponent"),
-            ("melnikov", "Melnikov function: thresholds of chaos, resonances"),
-            ("systems", "built-in systems: equations, parameters, sources"),
-        ],
-    ),
-    (
-        "Laboratory",
-        &[
-            ("inspect", "contents of a file of measurements: columns, units, faults"),
-            ("fit", "fit of periods, lengths, gate times, swings, responses"),
-            ("plan", "plan of a measurement of g"),
-        ],
-    ),
-    (
-        "Derivations",
-        &[
-            ("derive", "worked derivation, every formula checked"),
-            ("paper", "equations of two published derivations, checked"),
-        ],
-    ),
-    (
-        "Tools",
-        &[
-            ("figure", "pictures: SVG or PNG"),
-            ("sweep", "any command at all points of a grid"),
-            ("fields", "meaning and unit of every field of JSON and CSV"),
-            ("page", "page for browsers, in one file"),
-        ],
-    ),
-];
-
-/// The groups of commands as clap's template of the help, with the commands of a front end among the tools.
-fn help_template(further: &[Command]) -> String {
-    let mut template = "{about}\n\n{usage-heading} {usage}\n".to_owned();
-    for (title, commands) in GROUPS {
-        template += &format!("\n{title}:\n");
-        commands.iter().for_each(|(name, line)| template += &help_line(name, line));
-    }
-    for command in further {
-        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-        template += &help_line(command.get_name(), &lower_case_first(&about));
-    }
-    template += &help_line("help", "help of a command");
-    template + "\nOptions:\n{options}{after-help}"
-}
-
-fn help_line(name: &str, line: &str) -> String {
-    format!("  {name:<12} {line}\n")
-}
-
-fn lower_case_first(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_ascii_lowercase()).into_iter().chain(letters).collect()
-}
-
 /// The command line of all queries, with further commands of a front end.
 ///
 /// # Examples
@@ -165,7 +76,65 @@ fn lower_case_first(text: &str) -> String {
 #[must_use]
 pub fn command(further: impl IntoIterator<Item = Command>) -> Command {
     let further: Vec<Command> = further.into_iter().collect();
-    Libration::command().help_template(help_template(&further)).subcommands(further)
+    let families = FAMILIES.map(|[word, _, about, examples]| {
+        needing_a_command(Command::new(word)).about(about).after_help(examples)
+    });
+    let program = needing_a_command(Command::new("libration"))
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(ABOUT)
+        .term_width(HELP_WIDTH)
+        .after_help(EXAMPLES)
+        .help_template(help_template(&further))
+        .subcommands(families);
+    queries().into_iter().fold(program, with_query).subcommands(further)
+}
+
+fn needing_a_command(command: Command) -> Command {
+    command.subcommand_required(true).arg_required_else_help(true)
+}
+
+fn with_query(program: Command, query: Query) -> Command {
+    let described = |name: &'static str| (query.with_parameters)(Command::new(name));
+    match query.words.split_once(' ') {
+        Some((family, name)) => program.mut_subcommand(family, |it| it.subcommand(described(name))),
+        None => program.subcommand(described(query.words)),
+    }
+}
+
+fn queries() -> Vec<Query> {
+    groups().into_iter().flat_map(|(_, queries)| queries).collect()
+}
+
+/// The groups of queries as clap's template of the help, with the commands of a front end among the tools.
+fn help_template(further: &[Command]) -> String {
+    let mut template = "{about}\n\n{usage-heading} {usage}\n".to_owned();
+    for (title, queries) in groups() {
+        template += &format!("\n{title}:\n");
+        let mut lines: Vec<_> = queries.iter().map(help_line).collect();
+        lines.dedup();
+        template += &lines.concat();
+    }
+    for command in further {
+        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+        template += &line(command.get_name(), &lower_case_first(&about));
+    }
+    template += &line("help", "help of a command");
+    template + "\nOptions:\n{options}{after-help}"
+}
+
+/// The line of a query in the help, or of its family.
+fn help_line(query: &Query) -> String {
+    let family = FAMILIES.iter().find(|[word, ..]| query.words.split(' ').next() == Some(word));
+    family.map_or_else(|| line(query.words, query.line), |[word, text, ..]| line(word, text))
+}
+
+fn line(name: &str, text: &str) -> String {
+    format!("  {name:<12} {text}\n")
+}
+
+fn lower_case_first(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_ascii_lowercase()).into_iter().chain(letters).collect()
 }
 
 /// The words of a command line, which begin after the name of the program, as `command` reads them.
@@ -174,10 +143,9 @@ pub(crate) fn matches(command: &mut Command, arguments: Vec<OsString>) -> Result
     command.try_get_matches_from_mut(protect_negative_values(named))
 }
 
-/// The query of a command line.
-pub(crate) fn query(arguments: Vec<OsString>) -> Result<Libration, QueryError> {
-    let matches = with_command(|command| matches(command, arguments));
-    matches.and_then(|it| Libration::from_arg_matches(&it)).map_err(|error| QueryError::refused(&error))
+/// The words of a command line as the command line of all queries reads them.
+pub(crate) fn matches_of_query(arguments: Vec<OsString>) -> Result<ArgMatches, QueryError> {
+    with_command(|command| matches(command, arguments)).map_err(|error| QueryError::refused(&error))
 }
 
 /// Gives the command line of all queries to `work`; it is built once on each thread.
@@ -189,116 +157,47 @@ pub(crate) fn with_command<R>(work: impl FnOnce(&mut Command) -> R) -> R {
     })
 }
 
-/// The plan of a sweep.
-pub(crate) fn sweep_plan(asked: SweepAsked<'_>) -> Result<SweepPlanned, QueryError> {
-    SweepPlanned::new(asked, fields::of_question)
-}
-
 thread_local! {
-    // To build it takes longer than many an answer.
+    // To build it takes longer than many a query.
     static COMMAND: RefCell<Command> = RefCell::new(command([]));
 }
 
-#[derive(Debug, clap::Subcommand)]
-enum Question {
-    Period(period::Period),
-    Motion(motion::Motion),
-    Fourier(fourier::Fourier),
-    Formulas(formulas::Formulas),
-    Decay(decay::Decay),
-    Expand(expand::Expand),
-    Oscillators(oscillators::Oscillators),
-    Backbone(backbone::Backbone),
-    Simulate(Box<simulate::Simulate>),
-    Systems(systems::Systems),
-    Modes(modes::Modes),
-    Orbit(orbit::OrbitQuestion),
-    Response(Box<response::ResponseQuestion>),
-    Resonance(Box<resonance::ResonanceQuestion>),
-    Melnikov(Box<melnikov::MelnikovQuestion>),
-    Stability(Box<stability::StabilityQuestion>),
-    Section(section::PoincareQuestion),
-    Bifurcation(bifurcation::Bifurcation),
-    Lyapunov(lyapunov::Lyapunov),
-    Sweep(Box<sweep::Sweep>),
-    Paper(paper::Paper),
-    Derive(derive::Derive),
-    Figure(figure::Figure),
-    Inspect(Box<inspect::Inspect>),
-    Plan(plan::PlanQuestion),
-    Fit(FitQuestion),
-    Fields(fields::FieldsQuestion),
-    Page(page::Page),
+/// Writes the result of the query that was read.
+pub(crate) fn write(matches: &ArgMatches, out: &mut dyn Write) -> Result<(), QueryError> {
+    let (words, parameters) = read(matches);
+    let query = queries().into_iter().find(|it| it.words == words);
+    let query = query.ok_or_else(|| QueryError::misuse(format!("there is no query `{words}`")))?;
+    (query.write)(parameters, out)
 }
 
-/// Fit measured data by the exact law: periods, lengths, gate times, whole swings or the response to a drive
-#[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
-  libration fit periods examples/period_table_synthetic.csv
-  libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg
-  libration fit gates examples/gate_synthetic.csv --amplitude 0.9
-  libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
-  libration fit response examples/response_synthetic.csv
-  libration inspect examples/swing_synthetic.csv   # what a file holds")]
-struct FitQuestion {
-    #[command(subcommand)]
-    fit: Fit,
-}
-
-#[derive(Debug, clap::Subcommand)]
-enum Fit {
-    Periods(Box<fit_periods::FitPeriods>),
-    Lengths(Box<fit_lengths::FitLengths>),
-    Gates(Box<fit_gates::FitGates>),
-    Trace(Box<fit_trace::FitTrace>),
-    Response(Box<fit_response::FitResponse>),
-}
-
-impl Libration {
-    /// The ensemble of `simulate --each`, to be followed further and further.
-    pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
-        match &self.question {
-            Question::Simulate(question) => question.ensemble(),
-            _ => Err(QueryError::misuse(
-                "only <libration simulate> with <--each> has motions that go on together",
-            )),
-        }
+/// The words of the query that was read, and its parameters.
+fn read(matches: &ArgMatches) -> (String, &ArgMatches) {
+    let (mut words, mut inner) = (String::new(), matches);
+    while let Some((name, below)) =
+        inner.subcommand().filter(|_| FAMILIES.iter().any(|it| it[0] == words) || words.is_empty())
+    {
+        words = format!("{words} {name}").trim_start().to_owned();
+        inner = below;
     }
+    (words, inner)
+}
 
-    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
-        match &self.question {
-            Question::Period(question) => question.answer(out),
-            Question::Motion(question) => question.answer(out),
-            Question::Fourier(question) => question.answer(out),
-            Question::Decay(question) => question.answer(out),
-            Question::Expand(question) => question.answer(out),
-            Question::Formulas(question) => question.answer(out),
-            Question::Oscillators(question) => question.answer(out),
-            Question::Backbone(question) => question.answer(out),
-            Question::Simulate(question) => question.answer(out),
-            Question::Systems(question) => question.answer(out),
-            Question::Modes(question) => question.answer(out),
-            Question::Orbit(question) => question.answer(out),
-            Question::Response(question) => question.answer(out),
-            Question::Resonance(question) => question.answer(out),
-            Question::Melnikov(question) => question.answer(out),
-            Question::Stability(question) => question.answer(out),
-            Question::Section(question) => question.answer(out),
-            Question::Bifurcation(question) => question.answer(out),
-            Question::Lyapunov(question) => question.answer(out),
-            Question::Sweep(question) => question.answer(out, fields::of_question),
-            Question::Paper(question) => question.answer(out),
-            Question::Derive(question) => question.answer(out),
-            Question::Figure(question) => question.answer(out),
-            Question::Inspect(question) => question.answer(out),
-            Question::Plan(question) => question.answer(out),
-            Question::Fit(FitQuestion { fit: Fit::Periods(question) }) => question.answer(out),
-            Question::Fit(FitQuestion { fit: Fit::Lengths(question) }) => question.answer(out),
-            Question::Fit(FitQuestion { fit: Fit::Gates(question) }) => question.answer(out),
-            Question::Fit(FitQuestion { fit: Fit::Trace(question) }) => question.answer(out),
-            Question::Fit(FitQuestion { fit: Fit::Response(question) }) => question.answer(out),
-            Question::Fields(question) => question.answer(out),
-            Question::Page(question) => question.answer(),
-        }
-    }
+/// The ensemble of `simulate --each`, which can be followed further and further.
+pub(crate) fn ensemble(matches: &ArgMatches) -> Result<(Model, Ensemble), QueryError> {
+    let simulate = matches.subcommand_matches("simulate").ok_or_else(|| {
+        QueryError::misuse("only <libration simulate> with <--each> has motions that go on together")
+    })?;
+    let refused = |error| QueryError::refused(&error);
+    simulate::Simulate::from_arg_matches(simulate).map_err(refused)?.ensemble()
+}
+
+/// The fields of the results of all queries.
+pub(crate) fn all_fields() -> Vec<Answers> {
+    queries().iter().flat_map(|it| (it.fields)()).collect()
+}
+
+/// The fields of JSON of a query, for all of its options.
+pub(crate) fn fields_of(words: &[String]) -> Vec<Description> {
+    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
+    all_fields().into_iter().filter(is_asked).flat_map(|it| it.json).collect()
 }

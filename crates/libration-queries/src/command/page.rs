@@ -2,6 +2,7 @@
 
 use crate::output::file;
 use crate::query_error::QueryError;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The file, if there was one when the command was built.
@@ -26,7 +27,7 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    pub(crate) fn answer(&self) -> Result<(), QueryError> {
+    pub(crate) fn answer(&self, _: &mut dyn Write) -> Result<(), QueryError> {
         write(PAGE, &self.output)
     }
 }

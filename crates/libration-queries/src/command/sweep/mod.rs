@@ -34,7 +34,6 @@ pub(crate) use axis::{Axis, axis};
 pub(crate) use chunk::outcomes;
 pub(crate) use plan::{Asked, Plan};
 
-use plan::Described;
 use shard::{Shard, shard};
 use std::io::Write;
 use std::path::PathBuf;
@@ -103,21 +102,21 @@ struct Run {
 }
 
 impl Sweep {
-    pub(crate) fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), QueryError> {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         match (&self.about, &self.run) {
             (Some(About::Join(join)), _) => join.answer(out),
             (Some(About::Status(status)), _) => status.answer(out),
-            (None, Some(run)) => run.answer(out, described),
+            (None, Some(run)) => run.answer(out),
             (None, None) => Err(QueryError::misuse("QUESTION: give the question of the sweep")),
         }
     }
 }
 
 impl Run {
-    fn answer(&self, out: &mut dyn Write, described: Described) -> Result<(), QueryError> {
+    fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
         let (axes, keep) = (self.over.clone(), &self.keep);
-        let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk }, described)?;
+        let plan = Plan::new(Asked { question: &self.question, axes, keep, chunk: self.chunk })?;
         let store = Store::create(&self.output, plan)?;
         run::run(&store, self.shard.unwrap_or(Shard::WHOLE))?;
         status::write(out, Form::Table, &[store])

@@ -5,6 +5,7 @@ use super::grid::Grid;
 use super::kept::{self, Kept};
 use super::point;
 use super::question::Template;
+use crate::command::fields_of;
 use crate::output::description::Description;
 use crate::output::json::{self, Record};
 use crate::query_error::{QueryError, option};
@@ -33,9 +34,6 @@ pub(crate) struct KeptField {
     pub(crate) meaning: String,
 }
 
-/// The description in `libration fields` of the JSON of a command's results.
-pub(crate) type Described = fn(&[String]) -> Vec<Description>;
-
 /// A sweep as it is requested: words, values along the axes, paths to the kept fields, and the largest number of points of a chunk.
 #[derive(Debug)]
 pub(crate) struct Asked<'a> {
@@ -47,7 +45,7 @@ pub(crate) struct Asked<'a> {
 
 impl Plan {
     /// Asks a few points, until one has an answer, which shows what there is to keep.
-    pub(crate) fn new(asked: Asked<'_>, described_in: Described) -> Result<Self, QueryError> {
+    pub(crate) fn new(asked: Asked<'_>) -> Result<Self, QueryError> {
         let Asked { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
             .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
@@ -64,7 +62,7 @@ impl Plan {
         let grid = Grid::new(axes.iter().map(|axis| axis.values.len()).collect(), chunk)
             .ok_or_else(|| QueryError::usage(option("over"), "the axes have too many points together"))?;
         let answer = first_answer(&template, &axes, &grid)?;
-        let known = described_in(question);
+        let known = fields_of(question);
         let kept = match keep.is_empty() {
             true => all_numbers(&known, &answer)?,
             false => chosen(keep, &answer)?,

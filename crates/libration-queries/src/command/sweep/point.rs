@@ -16,9 +16,8 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     words.insert(end, "--json".into());
     let call = Call::new(words.clone(), Arc::new(Point(call::current())));
     call::within(&call, || {
-        let question = command::query(words)?;
         let mut json = vec![];
-        question.answer(&mut json)?;
+        command::write(&command::matches_of_query(words)?, &mut json)?;
         let none = || QueryError::failed("the answer does not stand on the output");
         serde_json::from_slice(&json).map_err(|_| none())
     })

@@ -2,9 +2,9 @@
 
 use super::axis::Axis;
 use crate::arguments::SystemOptions;
-use crate::command::Libration;
+use crate::command::{command, matches_of_query};
 use crate::query_error::{QueryError, argument, option};
-use clap::{ArgMatches, Command, CommandFactory, FromArgMatches};
+use clap::{ArgMatches, Command, FromArgMatches};
 
 /// The words of a question, with `{NAME}` where the values of axes go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ impl Template {
     /// The words with a place for each axis: where they have `{NAME}`, or as the option or argument of this name, or as an initial value
     /// or a parameter of the system.
     pub fn new(words: &[String], axes: &[Axis]) -> Result<Self, QueryError> {
-        let command = Libration::command();
+        let command = command([]);
         let mut template = Self(words.to_vec());
         let asked = asked(&command, words)?;
         let mut others = vec![];
@@ -92,9 +92,7 @@ impl Template {
             return Err(QueryError::usage(option("over"), reason));
         }
         let words = self.at(axes, &vec![0; axes.len()]);
-        let named = std::iter::once("libration".to_owned()).chain(words);
-        let matches =
-            Libration::command().try_get_matches_from(named).map_err(|it| QueryError::refused(&it))?;
+        let matches = matches_of_query(words.into_iter().map(Into::into).collect())?;
         let options =
             SystemOptions::from_arg_matches(innermost(&matches)).map_err(|it| QueryError::refused(&it))?;
         options.state_names()
