@@ -1,26 +1,85 @@
 //! Backbone curve: the free oscillations of a driven oscillator, without its drive and without velocities in its force.
 
+use super::point::BranchPoint;
+use super::response::Response;
 use libration_motion::orbit::Orbit;
 use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};
+use std::f64::consts::{PI, TAU};
 
-/// Frequencies and amplitudes of the free oscillations of one coordinate from rest at some places, without velocities in the force and
-/// with zero for each sine and cosine of the time: what resonances of the driven oscillator lean on. Places without an orbit are left out.
-///
-/// # Examples
-/// ```
-/// # extern crate libration_branches as libration;
-/// use libration::continuation::free_oscillations;
-/// let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(0.8*t)".parse()?;
-/// let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("60deg".parse()?)?.period();
-/// let [(frequency, _)] = free_oscillations(&driven, &[std::f64::consts::FRAC_PI_3])[..] else { return Err("no orbit".into()) };
-/// assert!((frequency - std::f64::consts::TAU / exact).abs() < 1e-14);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[must_use]
-pub fn free_oscillations(equation: &Equation, places: &[f64]) -> Vec<(f64, f64)> {
-    let Some(free) = undriven(equation) else { return vec![] };
-    let orbit = |place: &f64| Some((Orbit::released(&free, *place).ok()?.frequency(), *place));
-    places.iter().filter_map(orbit).collect()
+/// Number of free oscillations on a backbone curve.
+const POINTS: u32 = 80;
+
+impl Response {
+    /// The backbone curve: the frequencies of the drive in the range at which free oscillations up to the largest amplitude of the response repeat
+    /// themselves with it, each with its amplitude.
+    ///
+    /// The free oscillations are those without velocities in the force and with zero for each sine and cosine of the time. The equation has the
+    /// parameter open. `is_angle` says whether its coordinate is an angle, whose oscillations end below π.
+    ///
+    /// # Domain
+    /// One coordinate of the second order, and a parameter that is the frequency of the drive: period times parameter is the same at all points, but
+    /// for factors of subharmonics. Elsewhere, and for rotations, the curve is empty.
+    ///
+    /// # Examples
+    /// ```
+    /// # extern crate libration_branches as libration;
+    /// use libration::continuation::{Response, ResponseOptions};
+    /// let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
+    /// let response = Response::over(&driven, "w", [0.6, 1.2], &ResponseOptions::default())?;
+    /// let backbone = response.backbone(&driven, "w", [0.6, 1.2], true);
+    /// let exact = |amplitude: f64| -> Result<f64, Box<dyn std::error::Error>> {
+    ///     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0)?;
+    ///     Ok(std::f64::consts::TAU / pendulum.released_from(libration::quantity::Angle::from_radians(amplitude))?.period())
+    /// };
+    /// for (frequency, amplitude) in backbone {
+    ///     assert!((frequency - exact(amplitude)?).abs() < 1e-12);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn backbone(
+        &self,
+        equation: &Equation,
+        parameter: &str,
+        range: [f64; 2],
+        is_angle: bool,
+    ) -> Vec<(f64, f64)> {
+        let (Some(periods), Some(free)) = (self.drive_periods(), free_equation(equation, parameter, range))
+        else {
+            return vec![];
+        };
+        let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
+        let most = if is_angle { most.min(0.999 * PI) } else { most };
+        let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
+        let frequency = |amplitude| Some(periods * Orbit::released(&free, amplitude).ok()?.frequency());
+        let within = range[0].min(range[1])..=range[0].max(range[1]);
+        amplitudes
+            .filter_map(|amplitude| Some((frequency(amplitude)?, amplitude)))
+            .filter(|(frequency, _)| within.contains(frequency))
+            .collect()
+    }
+
+    fn points(&self) -> impl Iterator<Item = &BranchPoint> {
+        self.branches.iter().flat_map(|branch| &branch.points)
+    }
+
+    /// Period times parameter over 2π at the first point, if the parameter is the frequency of the drive and nothing goes around.
+    fn drive_periods(&self) -> Option<f64> {
+        let product = |point: &BranchPoint| point.period * point.parameter / TAU;
+        let first = product(self.points().next().filter(|_| self.driven)?);
+        let is_whole = |ratio: f64| (ratio - libm::rint(ratio)).abs() < 1e-9;
+        let is_frequency = |point: &BranchPoint| {
+            let ratio = product(point) / first;
+            point.rotation.is_none() && (is_whole(ratio) || is_whole(1.0 / ratio))
+        };
+        self.points().all(is_frequency).then_some(first)
+    }
+}
+
+/// The equation of the free oscillations, with the middle of the range for the parameter.
+fn free_equation(equation: &Equation, parameter: &str, range: [f64; 2]) -> Option<Equation> {
+    let middle = format!("{:?}", 0.5 * (range[0] + range[1])).parse().ok()?;
+    undriven(&equation.with(&[(parameter, middle)]).ok()?)
 }
 
 /// Without velocities in the force and with zero for each sine and cosine of the time; `None` but for one coordinate of the second order.

@@ -91,7 +91,6 @@ mod precise_flow;
 
 mod precise;
 
-pub use backbone::free_oscillations;
 pub use branch::{Branch, Ending, Origin};
 pub use chart::{ChartOptions, StabilityChart};
 pub use curve::{CurvePoint, SpecialCurve};

@@ -28,7 +28,7 @@ pub(crate) struct ResponseCurve<'a> {
     pub(crate) coordinate: usize,
     pub(crate) branches: &'a [Branch],
     /// Frequency and amplitude of free oscillations, where the parameter is the frequency of the drive.
-    pub(crate) backbone: Vec<(f64, f64)>,
+    pub(crate) backbone: &'a [(f64, f64)],
     /// Slow sweeps of the parameter.
     pub(crate) sweeps: &'a [Sweep],
 }

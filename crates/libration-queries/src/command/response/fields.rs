@@ -79,12 +79,29 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::nested("orders[].", &of_order(), |it| {
             json::records(it.response.orders.iter().map(|order| of_order().record(order)))
         }),
+        Of::nested("backbone[].", &of_backbone(), |it| {
+            json::records(it.backbone.iter().map(|point| of_backbone().record(point)))
+        }),
         Of::nested("jumps[].", &of_jump(), |it| {
             json::records(it.jumps().map(|jump| of_jump().record(&jump)))
         }),
         Of::nested("sweeps[].", &of_swept(), |it| {
             json::records(it.swept().map(|swept| of_swept().record(&swept)))
         }),
+    ])
+}
+
+/// A free oscillation, which the resonance curve leans on.
+fn of_backbone() -> Fields<(f64, f64)> {
+    type Of = Field<(f64, f64)>;
+    Fields::from([
+        Of::number(
+            "parameter",
+            "",
+            "frequency of the drive with which a free oscillation repeats itself; none where the parameter is not that frequency",
+            |it| it.0,
+        ),
+        Of::number("amplitude", "", "amplitude of the free oscillation, of angles in rad", |it| it.1),
     ])
 }
 

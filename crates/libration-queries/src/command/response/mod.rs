@@ -15,11 +15,10 @@ use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{
     Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
-    SpecialPoint, Sweep, free_oscillations,
+    SpecialPoint, Sweep,
 };
 use libration::systems::Model;
 use libration::watch::{Progress, Watch};
-use std::f64::consts::PI;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -121,8 +120,8 @@ pub(crate) struct Answer {
     /// For each branch, for each of its special points, where they were asked for and are known.
     precise: Vec<Vec<Option<Decimal>>>,
     pub(crate) sweeps: Vec<Sweep>,
-    /// Number of drive periods in a period of a response.
-    drive_periods: usize,
+    /// Free oscillations as frequencies of the drive and amplitudes, where the parameter is that frequency.
+    pub(crate) backbone: Vec<(f64, f64)>,
 }
 
 impl ResponseQuestion {
@@ -155,8 +154,9 @@ impl ResponseQuestion {
         let precise = self.digits.map_or(Ok(vec![]), |digits| self.precise(&model, &response, digits))?;
         response.interrupted |= interrupt::go_on().is_break();
         let parameter = name.clone();
-        let drive_periods = self.drive_periods;
-        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, drive_periods })
+        let is_angle = model.coordinates()[0].is_angle();
+        let backbone = response.backbone(model.equation(), name, *range, is_angle);
+        Ok(Answer { model, parameter, range: *range, coordinate, response, precise, sweeps, backbone })
     }
 
     fn response(&self, model: &Model, coordinate: usize) -> Result<Response, QueryError> {
@@ -253,44 +253,13 @@ impl Answer {
             range: self.range,
             coordinate: self.coordinate,
             branches: self.branches(),
-            backbone: self.backbone(),
+            backbone: &self.backbone,
             sweeps: &self.sweeps,
         }
     }
 
     pub(crate) fn branches(&self) -> &[Branch] {
         &self.response.branches
-    }
-
-    /// The free oscillations up to the largest amplitude, where the parameter sets the period of the drive.
-    fn backbone(&self) -> Vec<(f64, f64)> {
-        const PLACES: u32 = 80;
-        let points = || self.branches().iter().flat_map(|branch| &branch.points);
-        let turns = |point: &libration::continuation::BranchPoint| point.period * point.parameter;
-        let first = points().next().map_or(0.0, turns);
-        let is_frequency = points().all(|point| {
-            let ratio = turns(point) / first;
-            (ratio - ratio.round()).abs() < 1e-9 || (1.0 / ratio - (1.0 / ratio).round()).abs() < 1e-9
-        });
-        let is_frequency = is_frequency && self.response.driven;
-        let is_frequency = is_frequency && points().all(|point| point.rotation.is_none());
-        let Some(equation) = is_frequency.then(|| self.at_middle()).flatten() else { return vec![] };
-        let largest = points().map(|point| point.amplitude(0, self.is_angle())).fold(0.0, f64::max);
-        let largest = if self.is_angle() { largest.min(0.999 * PI) } else { largest };
-        let places: Vec<f64> = (1..=PLACES).map(|k| largest * f64::from(k) / f64::from(PLACES)).collect();
-        let times = crate::output::number::count(self.drive_periods);
-        let within = |frequency: f64| {
-            (self.range[0].min(self.range[1])..=self.range[0].max(self.range[1])).contains(&frequency)
-        };
-        let free = free_oscillations(&equation, &places).into_iter();
-        free.map(|(frequency, place)| (times * frequency, place))
-            .filter(|(frequency, _)| within(*frequency))
-            .collect()
-    }
-
-    fn at_middle(&self) -> Option<libration::expression::Equation> {
-        let middle = format!("{:?}", 0.5 * (self.range[0] + self.range[1])).parse().ok()?;
-        self.model.equation().with(&[(&self.parameter, middle)]).ok()
     }
 }
 
