@@ -8,8 +8,7 @@ use std::io::Write;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration man > libration.1              # for a directory man1 of $MANPATH
-  libration man fit trace > libration-fit-trace.1
-  man ./libration-fit-trace.1              # how to read it")]
+  libration man fit trace > fit-trace.1    # to be read by: man ./fit-trace.1")]
 pub(crate) struct Manual {
     /// The words of the command, such as fit trace; without them the program
     #[arg(value_name = "COMMAND")]

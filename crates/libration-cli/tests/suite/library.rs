@@ -74,9 +74,6 @@ fn answers_are_those_of_the_program_byte_for_byte() {
         "section driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --points 5 --skip 1 --csv",
         "paper",
         "fields fit trace",
-        "completions bash",
-        "--help",
-        "fit trace --help",
         "--version",
     ] {
         let words: Vec<&str> = question.split(' ').collect();

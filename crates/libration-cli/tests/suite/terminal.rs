@@ -1,7 +1,7 @@
 //! The commands and options of the terminal, and the help.
 
 use crate::command::{libration, message, text};
-use libration_queries::questions;
+use libration_queries::{ParameterKind, questions};
 
 #[test]
 fn a_first_word_that_is_an_angle_gets_a_hint() {
@@ -25,7 +25,7 @@ fn every_command_stands_in_one_group_of_the_help() {
 
 #[test]
 fn quiet_runs_write_results_and_errors_only() {
-    let noted = "motion 1 --times 1s±0.1s";
+    let noted = "period 1 --length 1m±0.1m";
     let quiet = [format!("-q {noted}"), format!("{noted} --quiet"), format!("{noted} -q --color never")];
     let expected = libration(noted);
     assert!(message(&expected).starts_with("note: "));
@@ -53,7 +53,7 @@ fn manual_pages_name_every_option_and_example() {
     let page = text("man fit trace");
     let escaped = |option: &str| option.replace('-', "\\-");
     let query = questions().into_iter().find(|it| it.words == "fit trace").unwrap();
-    for parameter in &query.parameters {
+    for parameter in query.parameters.iter().filter(|it| it.kind != ParameterKind::Argument) {
         assert!(page.contains(&escaped(&parameter.name)), "{}", parameter.name);
     }
     assert!(page.contains("libration fit trace examples/swing_synthetic.csv"));
