@@ -2,8 +2,9 @@
 
 use super::point::BranchPoint;
 use super::response::Response;
+use super::undriven::undriven;
 use libration_motion::orbit::Orbit;
-use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};
+use libration_numbers::expression::Equation;
 use std::f64::consts::{PI, TAU};
 
 /// Number of free oscillations on a backbone curve.
@@ -80,34 +81,4 @@ impl Response {
 fn free_equation(equation: &Equation, parameter: &str, range: [f64; 2]) -> Option<Equation> {
     let middle = format!("{:?}", 0.5 * (range[0] + range[1])).parse().ok()?;
     undriven(&equation.with(&[(parameter, middle)]).ok()?)
-}
-
-/// Without velocities in the force and with zero for each sine and cosine of the time; `None` but for one coordinate of the second order.
-pub(super) fn undriven(equation: &Equation) -> Option<Equation> {
-    let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return None };
-    let zero = Expression::from(0);
-    let velocity = Symbol::plain(variable).with_primes(1);
-    let at_rest = without_drive(&equation.derivatives()[0]).substitute(&velocity, &zero).simplified();
-    Some(Equation::of_derivatives(vec![variable.clone()], vec![Order::Second], vec![at_rest]))
-}
-
-/// The formula with zero for each sine and cosine of the time.
-fn without_drive(formula: &Expression) -> Expression {
-    let inner = |part: &Expression| Box::new(without_drive(part));
-    let time = Symbol::plain("t");
-    match formula {
-        Expression::Call(Function::Sin | Function::Cos, argument)
-            if argument.derivative(&time).simplified() != Expression::from(0) =>
-        {
-            Expression::from(0)
-        }
-        Expression::Number(_) | Expression::Pi | Expression::Symbol(_) => formula.clone(),
-        Expression::Negate(a) => Expression::Negate(inner(a)),
-        Expression::Add(a, b) => Expression::Add(inner(a), inner(b)),
-        Expression::Subtract(a, b) => Expression::Subtract(inner(a), inner(b)),
-        Expression::Multiply(a, b) => Expression::Multiply(inner(a), inner(b)),
-        Expression::Divide(a, b) => Expression::Divide(inner(a), inner(b)),
-        Expression::Power(a, b) => Expression::Power(inner(a), inner(b)),
-        Expression::Call(function, a) => Expression::Call(*function, inner(a)),
-    }
 }

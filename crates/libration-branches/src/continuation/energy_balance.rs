@@ -1,7 +1,7 @@
 //! Energy balance: the free oscillations that a weak drive maintains against the damping, and their phases.
 
-use super::backbone::undriven;
 use super::order::ResonanceOrder;
+use super::undriven::undriven;
 use libration_motion::orbit::Orbit;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::roots::{Tolerance, zero_between};

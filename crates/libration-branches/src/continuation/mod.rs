@@ -61,6 +61,7 @@ mod hopf;
 mod backbone;
 mod branch;
 mod established;
+mod undriven;
 
 mod jumps;
 
