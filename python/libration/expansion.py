@@ -266,7 +266,7 @@ class Expansion(Record):
             Coefficients have letters.
         """
         if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
-            raise ExpansionError("the coefficients have letters: give these values with set")
+            raise ExpansionError("the coefficients contain symbols: give them values with set")
         at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(amplitudes).astype(float)
         ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
         coefficients = enumerate(self.frequency.coefficients)

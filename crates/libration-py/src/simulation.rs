@@ -58,8 +58,8 @@ pub(crate) fn simulate(
     let end = solution.end.time;
     let reason = match cause {
         Some(Cause::Interrupted) if is_full => Some(format!(
-            "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: ask for shorter parts, or \
-             libration.questions.simulate, which keeps the states at the times alone",
+            "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: simulate shorter parts, or \
+             use libration.questions.simulate, which keeps only the states at the times",
             solution.steps
         )),
         Some(Cause::Interrupted) | None => None,

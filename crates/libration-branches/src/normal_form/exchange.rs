@@ -41,16 +41,16 @@ pub enum NoExchange {
     #[error("no two modes are in resonance to this order: each keeps its amplitude")]
     NoResonance,
     /// Too far from rest.
-    #[error("the state is too far from rest for a normal form of this order: give a smaller one")]
+    #[error("the state is too far from equilibrium for a normal form of this order: give a smaller one")]
     TooFar,
     /// Amplitudes that stay as they are.
     #[error(
-        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may tell of an exchange"
+        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may show an exchange"
     )]
     Steady,
     /// Amplitudes that do not come back.
     #[error(
-        "the amplitudes do not come back within {0} s: the exchange is slower, or there is none from this state"
+        "the amplitudes do not return within {0} s: the exchange is slower, or there is none from this state"
     )]
     TooSlow(f64),
     /// The motion ends.

@@ -64,6 +64,6 @@ pub enum SearchEnd {
     #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
     /// The step limit was reached.
-    #[error("where it was given up because it does not converge")]
+    #[error("where it stopped without convergence")]
     Unsettled,
 }

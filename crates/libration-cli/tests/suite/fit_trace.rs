@@ -557,7 +557,7 @@ fn advice_is_given_where_it_would_help() {
         (tilted, "plumb line"),
         (held, "leave them out. (--from, --to)"),
         (stray, "--robust"),
-        (coarse, "take more pictures a second"),
+        (coarse, "record more frames per second"),
     ] {
         let given = advice(&swing);
         assert!(given.contains(expected), "{expected}: {given}");

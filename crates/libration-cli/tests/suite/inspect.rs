@@ -87,7 +87,7 @@ fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
     // Means and two windows of the constant and three harmonics.
     assert_eq!(csv.lines().count(), 1 + 3 * 4, "{csv}");
     let thin = text(&format!("inspect {SWING} --spectrum --harmonics 60"));
-    assert!(thin.contains("are not told"), "{thin}");
+    assert!(thin.contains("are not determined"), "{thin}");
 }
 
 #[test]

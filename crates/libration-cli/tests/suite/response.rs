@@ -116,7 +116,7 @@ fn a_curve_that_closes_is_found_from_a_value_within_the_range() {
     assert_eq!(answer["branches"][0]["closed"], true, "{}", message(&output));
     let outside = ask("7");
     assert_eq!(outside.status.code(), Some(2));
-    assert!(message(&outside).contains("--at") && message(&outside).contains("outside of the range"));
+    assert!(message(&outside).contains("--at") && message(&outside).contains("outside the range"));
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn answers_that_go_around_are_followed() {
     }
     let cases = [
         ("response driven_pendulum --over omega=0.8:1 --turns 0", 2, "whole number from 1 to 100"),
-        ("response driven_pendulum --set c=0.5,A=0.1 --over omega=0.8:1 --turns 1", 2, "drive more strongly"),
+        ("response driven_pendulum --set c=0.5,A=0.1 --over omega=0.8:1 --turns 1", 2, "a stronger drive"),
         ("response duffing --over epsilon=1:2 --turns 1", 1, "no drive"),
     ];
     for (question, status, reason) in cases {

@@ -56,7 +56,7 @@ fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<Derivati
     };
     let step = match n <= OPEN_TO_READ && j <= 1 {
         true => way(step),
-        false => step.fold("What lower powers bring, and the equation", way),
+        false => step.fold("Contributions of lower powers, and the equation", way),
     };
     let step = conditions(question, order, step)?;
     let step = step.say("With that the solution that turns at the beginning is", []);

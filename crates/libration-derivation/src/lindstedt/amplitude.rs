@@ -91,7 +91,7 @@ fn passes(
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
         .show(same_series_where(&Name::new("ε"), question.order + 1, &given, other_side)?)
-        .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
+        .say("begin with the first term alone, and put each result into {} again:", [letter("F")])
         .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
     let mut known = vec![Rational::from(0), scale];

@@ -62,7 +62,7 @@ impl Contributions {
             head,
             rows: rows.collect(),
             note: Prose::text(
-                "checked: their sum is what the equation of motion leaves, with exact fractions for all letters, also such as solve nothing",
+                "checked: their sum is what the equation of motion leaves, with exact fractions for all symbols, also for values that are not solutions",
             ),
         }
     }

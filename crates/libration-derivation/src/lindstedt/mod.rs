@@ -116,7 +116,7 @@ fn introduction() -> Vec<Block> {
          the motion and its frequency are expanded together, so that no term grows with time.",
     );
     let how = Prose::text(
-        "Below each formula stands how it was checked while this text was written. Nearly all of it is arithmetic with \
+        "Each formula is followed by the check made while this text was written. Nearly all of it is arithmetic with \
          fractions and checked exactly: the solutions are put back into the equation of motion, not compared with a table.",
     );
     vec![Block::Paragraph(what), Block::Paragraph(how)]

@@ -21,7 +21,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
     let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
-    Ok(DerivationStep::new("secular-terms", "What each condition decides")
+    Ok(DerivationStep::new("secular-terms", "The role of each condition")
         .say(
             "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
              this is not zero, and the condition fixes that coefficient.",
@@ -34,7 +34,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         )
         .say(
             "For the first harmonic it is zero: the oscillator is driven at its own frequency. If something were left over \
-             there, the answer would grow with time, for instance",
+             there, the solution would grow with time, for instance",
             [],
         )
         .show(trials.compare_once(first)?)
@@ -72,7 +72,7 @@ fn one_order(question: &Question, contributions: &Contributions, order: usize) -
             Some(solution) if order <= open_to_read(question) => way(step).say("so that", []).show(solution),
             Some(solution) => {
                 let step = step.say("The factor of {} in the power {} leads to", factor_of(condition));
-                step.show(solution).fold("How it comes about", way)
+                step.show(solution).fold("Derivation", way)
             }
         }
     })

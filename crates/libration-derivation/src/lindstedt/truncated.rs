@@ -127,7 +127,7 @@ fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
     match is_real {
         true => step.say(
             "Besides {} = 0 this has two solutions, real ones: two large harmonics that cancel at the turning point. They satisfy the three \
-             equations and are no motion of the oscillator: the harmonics left out are as large.",
+             equations and are not motions of the oscillator: the harmonics left out are as large.",
             [a(3)],
         ),
         false => step.say("Besides {} = 0 this has two solutions, which are not real.", [a(3)]),

@@ -55,7 +55,7 @@ fn commas_between_digits(sheet: &Sheet) -> MeasurementError {
     let line = sheet.lines[0];
     MeasurementError::Undecided {
         question: format!(
-            "from line {line} on, commas stand between whole numbers or are decimal commas: no header tells"
+            "from line {line} on, commas stand between whole numbers or are decimal commas: no header decides"
         ),
         choices: vec![Suggestion::new(Choice::Decimal, "point"), Suggestion::new(Choice::Decimal, "comma")],
     }

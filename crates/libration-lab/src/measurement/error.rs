@@ -89,10 +89,10 @@ pub enum MeasurementError {
         available: String,
     },
     /// Two columns of this name.
-    #[error("several columns are named `{0}`: ask by number, counted from 1")]
+    #[error("several columns are named `{0}`: give a number, counted from 1")]
     AmbiguousColumn(String),
     /// No sheet of several has the data asked for; the error is that of the first.
-    #[error("no sheet has what is asked for; `{name}`: {error}")]
+    #[error("no sheet has the requested columns; `{name}`: {error}")]
     OfSheet {
         /// The sheet.
         name: String,
@@ -110,7 +110,7 @@ pub enum MeasurementError {
         available: String,
     },
     /// Not one row is complete in the columns asked for.
-    #[error("none of the {0} rows has a number in every column asked for: ask for other columns")]
+    #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
     /// More than any measurement has.
     #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
@@ -167,7 +167,7 @@ pub enum MeasurementError {
     #[error(transparent)]
     Trace(#[from] super::TraceError),
     /// A column whose heading says that it holds something else than it is asked for.
-    #[error("{column} holds {found} by its header, where {expected} are needed: ask for other columns")]
+    #[error("{column} holds {found} by its header, where {expected} are needed: give other columns")]
     HoldsOther {
         /// Its number and name.
         column: String,
@@ -219,7 +219,7 @@ pub enum MeasurementError {
         run: String,
     },
     /// No row between the times that are asked for.
-    #[error("{run}no row lies between the times asked for: the times run from {first} to {last} s")]
+    #[error("{run}no row lies between the given times: the times run from {first} to {last} s")]
     NothingBetween {
         /// The run, with a colon, or an empty text.
         run: String,
@@ -247,7 +247,7 @@ impl MeasurementError {
         match self {
             Self::Undecided { question, choices } => format!("{question}: say {}", listed(choices, name)),
             Self::OfSheet { name: sheet, error } => {
-                format!("no sheet has what is asked for; `{sheet}`: {}", error.message(name))
+                format!("no sheet has the requested columns; `{sheet}`: {}", error.message(name))
             }
             Self::PivotUnknown(why) => {
                 format!("{why}: say where the pivot is with {}X,Y", name(Choice::Pivot))

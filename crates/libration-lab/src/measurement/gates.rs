@@ -99,7 +99,7 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let (times, other) = (sheet.describe(time), sheet.describe(other));
     Err(MeasurementError::Undecided {
         question: format!(
-            "{times} stands beside {other} as in a trace of a swing, whose times are no passages of a gate; if these are"
+            "{times} stands next to {other} as in a trace of a swing, whose times are not passages of a gate; if these are"
         ),
         choices: vec![Suggestion::new(Choice::Time, (time + 1).to_string())],
     })

@@ -343,7 +343,7 @@ fn one_time_out_of_order_costs_one_row_and_a_clock_set_back_cuts_the_run() {
     let found = traces(&set_back, &Choices::default()).unwrap();
     assert_eq!(found.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
     assert_eq!([found.traces[0].name(), found.traces[1].name()], ["run 1", "run 2"]);
-    assert!(told(&found).contains("line 152: the time goes back and begins anew: cut there into 2 runs"));
+    assert!(told(&found).contains("line 152: the time goes back and restarts: cut there into 2 runs"));
     let second = traces(&set_back, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
     assert_eq!(second.traces, found.traces[1..]);
     for run in ["3", "Anna"] {

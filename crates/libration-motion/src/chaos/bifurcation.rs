@@ -50,7 +50,7 @@ pub enum DiagramError {
     #[error(transparent)]
     Section(#[from] SectionError),
     /// A value that is not finite.
-    #[error("the parameter cannot have the value {0:?}: give finite ones")]
+    #[error("the parameter value {0:?} is not finite: give finite values")]
     Value(f64),
 }
 

@@ -26,7 +26,7 @@ pub enum Tendency {
 #[non_exhaustive]
 pub enum Roughness {
     /// No real values on one side.
-    #[error("it has no value {0} the place")]
+    #[error("it has no value {0} this position")]
     Edge(&'static str),
     /// Values that do not come near zero.
     #[error("it jumps")]

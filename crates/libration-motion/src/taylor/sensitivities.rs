@@ -67,7 +67,7 @@ pub enum SensitivityError {
     Twice(String),
     /// A force that jumps, where derivatives do as well, by what these equations do not tell.
     #[error(
-        "a force jumps where {0} is zero, and the derivatives of the motion with it, which is not followed"
+        "a force jumps where {0} is zero, and so do the derivatives of the motion, which are not computed there"
     )]
     Jump(String),
 }

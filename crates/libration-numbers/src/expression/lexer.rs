@@ -268,11 +268,11 @@ fn unknown(found: char) -> Fault {
         '.' => "write numbers as 0.5, products with *",
         '[' | ']' => "write brackets as ( and )",
         '|' => "write abs(x) for the absolute value",
-        '\'' | '′' => "a prime stands right after a name, as in x'",
+        '\'' | '′' => "a prime must directly follow a name, as in x'",
         '½' | '¼' | '¾' => "write fractions as 1/2",
         '∂' | '∫' | '∑' => "write derivatives with primes, as in x''",
         '<' | '>' | '!' | '≠' | '≤' | '≥' => "write an equation with =",
-        '⁻' => "a raised minus stands before raised digits, as in x⁻²",
+        '⁻' => "a raised minus must precede raised digits, as in x⁻²",
         _ => "write numbers, names of Latin or Greek letters, + - * / ^ and brackets",
     };
     Fault::UnknownCharacter { found, hint }

@@ -61,7 +61,9 @@ pub enum NoLeadingLimitCycles {
     #[error(transparent)]
     SlowFlow(#[from] SlowFlowError),
     /// Without the small terms the force depends on the velocity.
-    #[error("at {parameter} = 0 the force depends on the velocity, so that no energy tells the orbits apart")]
+    #[error(
+        "at {parameter} = 0 the force depends on the velocity, so that the orbits are not distinguished by an energy"
+    )]
     VelocityDependent {
         /// The small parameter.
         parameter: String,

@@ -445,8 +445,8 @@ fn interrupted(known: Option<Expansion>) -> ExpansionError {
 
 fn certain(known: Option<&Expansion>) -> String {
     known.map_or_else(
-        || "nothing was certain".to_owned(),
-        |known| format!("order {} was certain", known.order),
+        || "no order was confirmed".to_owned(),
+        |known| format!("order {} was confirmed", known.order),
     )
 }
 

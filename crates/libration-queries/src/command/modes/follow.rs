@@ -117,7 +117,10 @@ impl Followed {
     /// The amplitude in degrees for angles.
     fn ending(&self, lost: &LostMode) -> String {
         let reached = self.amplitude_text(lost.reached);
-        format!("It ends early: beyond the amplitude {reached} the mode is not followed: {}.", lost.reason)
+        format!(
+            "It ends early: the mode could not be continued beyond the amplitude {reached}: {}.",
+            lost.reason
+        )
     }
 }
 
