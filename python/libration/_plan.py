@@ -69,7 +69,7 @@ class Plan:
             "flag_values": [-1, 0, 1, 2],
             "flag_meanings": "not_asked_yet answer no_answer not_understood",
         }
-        why = {"long_name": "why there is no answer"}
+        why = {"long_name": "reason why there is no result"}
         variables.append(Variable("message", names, shape, chunk, "string", why))
         variables.append(Variable("status", names, shape, chunk, "int8", flags))
         return variables

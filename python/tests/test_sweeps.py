@@ -299,7 +299,7 @@ def test_what_is_kept_and_where_is_checked(tmp_path: Path) -> None:
         ({"over": {}}, "there is no axis"),
         ({"over": over, "chunk": 0}, "1 or more"),
         ({"over": over, "keep": {"a/b": "modes[0].angular_frequency_rad_per_s"}}, "has no `/`"),
-        ({"over": over}, "all numbers of these answers stand in lists"),
+        ({"over": over}, "all numbers of these results stand in lists"),
         ({"over": over, "keep": ["modes[0].freq"]}, "they have lists that"),
     ]:
         with pytest.raises(lb.errors.UsageError, match=told):

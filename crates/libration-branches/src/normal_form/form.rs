@@ -16,7 +16,7 @@ use libration_numbers::{
 };
 
 /// Normal form: the slow change of the amplitudes of a system's modes, aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates
-/// are xₑ + Re Σ aⱼφⱼ to the first order, with the shapes φⱼ of the modes.
+/// are xₑ + Re Σ aⱼφⱼ to first order, with the shapes φⱼ of the modes.
 ///
 /// # Accuracy
 /// Exact to the order, with coefficients in square roots, where frequencies and shapes are; then the form is found in digits too, for what is

@@ -26,7 +26,7 @@ pub enum NoModes {
     },
     /// No place where the accelerations at rest vanish.
     #[error(
-        "no equilibrium is found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
+        "no equilibrium was found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
     )]
     NoEquilibrium {
         /// The guess.

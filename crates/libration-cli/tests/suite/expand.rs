@@ -98,7 +98,7 @@ fn a_pure_power_has_a_scaling_law() {
     }
     assert!(text("expand pure_cubic --latex").contains(r"C &= \sqrt{2\,\pi}\,\frac{\Gamma"));
     for (words, part) in [
-        (&["expand", "x''+k*x^3=0", "--evaluate", "1"][..], "give its letters values with --set"),
+        (&["expand", "x''+k*x^3=0", "--evaluate", "1"][..], "give values to its symbols with --set"),
         (&["expand", "pure_cubic", "--evaluate", "0"], "give a finite number above zero"),
         (&["expand", "pure_cubic", "--format", "c"], "a scaling law is written as text, latex, JSON or CSV"),
     ] {
@@ -560,7 +560,7 @@ fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [
         (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one without a value"),
         (&["expand", "x''+0.1*x'+x=0"], 1, "libration expand with --damping-order 2"),
-        (&["expand", "x''+c*x'+x=0"], 1, "--damping-order 2 gives how the amplitude changes"),
+        (&["expand", "x''+c*x'+x=0"], 1, "--damping-order 2 gives the rate of the amplitude"),
         (
             &["expand", "theta''+c*theta'*abs(theta')+sin(theta)=0"],
             1,

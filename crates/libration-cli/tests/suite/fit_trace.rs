@@ -148,7 +148,7 @@ fn the_report_says_what_is_doubtful_beside_the_result_and_how_it_was_made() {
     for expected in ["∂g/∂x", "share", "clock", "damping", "Satterthwaite"] {
         assert!(budget.contains(expected), "{expected}: {budget}");
     }
-    let made = section(&page, "How this report was made");
+    let made = section(&page, "Origin of this report");
     for expected in
         ["fit trace", "--length 0.66m±0.002m", concat!("libration ", env!("CARGO_PKG_VERSION")), " UTC"]
     {

@@ -118,7 +118,11 @@ fn another_question_is_refused_with_what_differs() {
             ("pendulum --events crossing --times 0:9:0.5", 1, "its events are turning, not crossing"),
             ("pendulum --events turning --times 0:9:0.25", 1, "has a sample at t = 0.5 s"),
             ("pendulum --events turning --times 0:2:0.5", 1, "--times ends earlier"),
-            ("pendulum --events turning --times 0:9:0.5 --initial theta=1.1", 2, "started elsewhere"),
+            (
+                "pendulum --events turning --times 0:9:0.5 --initial theta=1.1",
+                2,
+                "started from another state",
+            ),
         ];
         for (question, status, expected) in cases {
             let output = libration(&format!("simulate {question} --resume {}", file.display()));

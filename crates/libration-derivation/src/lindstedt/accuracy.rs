@@ -137,7 +137,7 @@ fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
 
 fn rest(remainder: Remainder) -> Prose {
     if !remainder.size.is_finite() {
-        return Prose::text("still decreasing");
+        return Prose::text("no bound");
     }
     let word = if remainder.certainty == Certainty::Proven { "below " } else { "about " };
     Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, DecimalUnit::One)))

@@ -38,7 +38,7 @@ pub enum MeasurementError {
     },
     /// A header with another number of names than there are columns.
     #[error(
-        "line {line} names {names} columns, the rows below have {columns}: complete the header, or say that there is none"
+        "line {line} names {names} columns, the rows below have {columns}: complete the header, or specify that there is none"
     )]
     HeaderWidth {
         /// Counted from one.
@@ -50,7 +50,7 @@ pub enum MeasurementError {
     },
     /// Numbers above the first good row.
     #[error(
-        "line {line} is neither a header nor a row of numbers like those below it: correct it, or say which line is the header"
+        "line {line} is neither a header nor a row of numbers like those below it: correct it, or specify the header line"
     )]
     NeitherHeaderNorNumbers {
         /// Counted from one.
@@ -125,7 +125,7 @@ pub enum MeasurementError {
         limit: usize,
     },
     /// Something that the file does not decide.
-    #[error("{question}: say {}", listed(.choices, &|choice| format!("{choice}=")))]
+    #[error("{question}: give {}", listed(.choices, &|choice| format!("{choice}=")))]
     Undecided {
         /// The open question, with its reason.
         question: String,
@@ -153,7 +153,7 @@ pub enum MeasurementError {
         found: f64,
     },
     /// Positions that do not determine the pivot.
-    #[error("{0}: say where the pivot is with pivot=X,Y")]
+    #[error("{0}: give the position of the pivot as pivot=X,Y")]
     PivotUnknown(String),
     /// Horizontal and vertical positions in different units.
     #[error("the positions are in {x} and in {y}: give both in one unit")]
@@ -245,12 +245,12 @@ impl MeasurementError {
     #[must_use]
     pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
         match self {
-            Self::Undecided { question, choices } => format!("{question}: say {}", listed(choices, name)),
+            Self::Undecided { question, choices } => format!("{question}: give {}", listed(choices, name)),
             Self::OfSheet { name: sheet, error } => {
                 format!("no sheet has the requested columns; `{sheet}`: {}", error.message(name))
             }
             Self::PivotUnknown(why) => {
-                format!("{why}: say where the pivot is with {}X,Y", name(Choice::Pivot))
+                format!("{why}: give the position of the pivot as {}X,Y", name(Choice::Pivot))
             }
             other => other.to_string(),
         }

@@ -78,7 +78,7 @@ pub enum SectionEnding {
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
     /// The motion has never crossed the surface.
-    #[error("the motion never crosses the surface, as far as it was followed")]
+    #[error("the motion does not cross the surface in the time over which it was followed")]
     NeverCrossed,
 }
 

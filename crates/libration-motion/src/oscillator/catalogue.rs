@@ -187,7 +187,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "the pendulum at imaginary angles: its series are the pendulum's with the signs of A^2 changed",
         domain: "all amplitudes; the series converge below pi",
-        source: "no single source: the pendulum's equation with i*theta in the place of theta",
+        source: "no single source: the pendulum's equation with i*theta in place of theta",
     },
     NamedOscillator {
         key: "morse",

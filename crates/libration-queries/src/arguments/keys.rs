@@ -3,7 +3,7 @@
 use crate::query_error::{QueryError, argument};
 use std::fmt::Display;
 
-/// The entries asked for.
+/// The entries that are listed.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct KeyOptions {
     /// List only these

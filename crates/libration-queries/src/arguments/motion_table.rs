@@ -129,7 +129,9 @@ fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColu
             return Err(format!("there are two columns `{title}`: give one"));
         }
         if column.meaning == Meaning::Parameter && system.counts(&column.title) {
-            return Err(format!("`{title}` says how many coordinates all motions have: give it by <--set>"));
+            return Err(format!(
+                "`{title}` sets the number of coordinates of all motions: give it by <--set>"
+            ));
         }
         if column.meaning == Meaning::Parameter && system.gives(&column.title) {
             return Err(format!("`{title}` has a value by an option already: give the option or the column"));
@@ -138,7 +140,8 @@ fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColu
     }
     match columns.iter().all(|column| column.meaning == Meaning::Name) {
         true => {
-            Err("it names neither a parameter nor an initial value, so that all motions are one".to_owned())
+            Err("it names neither a parameter nor an initial value, so that all motions are the same"
+                .to_owned())
         }
         false => Ok(columns),
     }

@@ -9,7 +9,7 @@ use libration::expression::{EquationError, Expression};
 use libration::systems::{Model, ModelError, NamedSystem, NoSuchPendulum};
 use std::fmt::Display;
 
-/// The system asked about.
+/// The system.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
     /// A key from <libration systems> or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
@@ -135,7 +135,7 @@ impl PendulumSystemOptions {
             return Ok(vec![]);
         }
         let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
-            let reason = "only the pendulums of <libration systems> take it, such as damped_pendulum";
+            let reason = "only the pendulums of <libration systems> accept it, such as damped_pendulum";
             QueryError::usage(argument, reason)
         })?;
         named.values_of(self.length, self.gravity).map_err(|error| match error {

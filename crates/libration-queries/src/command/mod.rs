@@ -47,7 +47,7 @@ use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
 
-/// The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error.
+/// The pendulum at any amplitude, and the oscillators and systems beyond it: exact results, each with its error.
 #[derive(Debug, clap::Parser)]
 #[command(name = "libration", version, arg_required_else_help = true, term_width = HELP_WIDTH, after_help = EXAMPLES)]
 pub(crate) struct Libration {
@@ -124,7 +124,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
         "Tools",
         &[
             ("figure", "pictures: SVG or PNG"),
-            ("sweep", "any command at all points of a grid"),
+            ("sweep", "any command over a parameter grid"),
             ("fields", "meaning and unit of every field of JSON and CSV"),
             ("page", "page for browsers, in one file"),
         ],
@@ -231,7 +231,7 @@ enum Question {
     Page(page::Page),
 }
 
-/// Fit measured data by the exact law: periods, lengths, gate times, whole swings or the response to a drive
+/// Fit the exact law to measured data: periods, lengths, gate times, whole swings or the response to a drive
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fit periods examples/period_table_synthetic.csv
@@ -259,9 +259,7 @@ impl Libration {
     pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
         match &self.question {
             Question::Simulate(question) => question.ensemble(),
-            _ => Err(QueryError::misuse(
-                "only <libration simulate> with <--each> has motions that go on together",
-            )),
+            _ => Err(QueryError::misuse("only <libration simulate> with <--each> has an ensemble")),
         }
     }
 

@@ -48,7 +48,7 @@ pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Bac
         shown.push(Series::line("radius of convergence", style::reference(), ends));
     }
     shown.push(Series { look: Look { width: 1.2, ..exact.look }, ..exact });
-    shown.push(Series::line("amplitudes asked for", style::markers(0), asked));
+    shown.push(Series::line("requested amplitudes", style::markers(0), asked));
     let name = if setting.is_angle { "amplitude / degrees" } else { "amplitude" };
     let (_, top) = around([0.0, unit * largest]);
     let y = Axis::linear(name, 0.0, top);

@@ -304,7 +304,7 @@ impl From<Error> for QueryError {
 fn sentence(remedy: Remedy) -> &'static str {
     match remedy {
         Remedy::Simulation => "<libration simulate> follows the motion",
-        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives how the amplitude changes",
+        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives the rate of the amplitude",
         Remedy::Backbone => "<libration backbone> finds the frequency at any amplitude",
         Remedy::NormalModes => "<libration modes> computes normal modes",
         Remedy::Expansion => "<libration expand> has the series without its derivation, if there is one",

@@ -72,7 +72,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "0",
         bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], pivot: ["0", "0"] }],
-        description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
+        description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta is constant with phi' = omega0/sqrt(cos(theta))",
         domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy is regular at the lowest",
         source: "derived from its Lagrangian: L. D. Landau and E. M. Lifshitz, Mechanics, 3rd ed. (1976), section 14, problem 1",
         ..NOTHING_SAID

@@ -155,7 +155,7 @@ impl Answer<'_> {
         let ends = [self.report.turns.first(), self.report.turns.last()];
         let [first, last] = ends.map(|turn| turn.map_or_else(String::new, loss));
         format!(
-            "{first} in an undamped cycle at the first amplitude, {last} at the last; averaging is meant for small losses, away from the top"
+            "{first} in an undamped cycle at the first amplitude, {last} at the last; averaging is valid for small losses, away from the top"
         )
     }
 

@@ -122,8 +122,9 @@ impl Trajectories {
             }
         }
         if runs.len() > MOST_MOTIONS {
-            let reason =
-                format!("a picture keeps at most {MOST_MOTIONS} motions apart: give fewer starts and values");
+            let reason = format!(
+                "a picture distinguishes at most {MOST_MOTIONS} motions: give fewer starts and values"
+            );
             return Err(QueryError::usage("figure trajectories", reason));
         }
         label_starts(&mut runs);

@@ -71,7 +71,7 @@ impl Answer {
         };
         match self.form.small_divisors.first() {
             Some(smallest) => {
-                format!("{kept} The smallest divisor of what is taken out is that of {}.", told(smallest))
+                format!("{kept} The smallest divisor of the removed terms is that of {}.", told(smallest))
             }
             None => kept,
         }

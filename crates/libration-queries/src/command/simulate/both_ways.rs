@@ -36,7 +36,7 @@ impl SimulatedMotion<'_> {
             () if is_drawn => option("figure"),
             () => return Ok(()),
         };
-        let reason = "it goes with motions in one direction: give <--times> all after 0, or all before it";
+        let reason = "it needs motions in one direction: give <--times> all after 0, or all before it";
         Err(QueryError::usage(refused, reason))
     }
 

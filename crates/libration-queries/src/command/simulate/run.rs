@@ -106,7 +106,7 @@ impl SimulatedMotion<'_> {
         let last = self.times.last();
         if (solution.end.time - last).abs() <= 0.0 {
             return Ok(Ending::NotReached(format!(
-                "`{name}` does not happen until t = {last:?} s: give later <--times>, or another event"
+                "`{name}` does not occur before t = {last:?} s: give later <--times>, or another event"
             )));
         }
         let end = solution.end.clone();

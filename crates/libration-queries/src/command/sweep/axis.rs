@@ -28,7 +28,7 @@ impl Axis {
         let name = plain_name(name);
         if let Some(bad) = values.iter().find(|value| value.trim().is_empty() || value.contains(['\n', '\r']))
         {
-            return Err(format!("{name}: `{}` is no value", bad.escape_debug()));
+            return Err(format!("{name}: `{}` is not a value", bad.escape_debug()));
         }
         if values.is_empty() || values.len() > MOST_VALUES {
             return Err(format!("{name}: give at least one value, and at most {MOST_VALUES}"));

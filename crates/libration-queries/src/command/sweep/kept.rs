@@ -35,7 +35,7 @@ impl Kept {
         }
         let name = name.map_or_else(|| last_key(path), str::to_owned);
         if name.is_empty() {
-            return Err(format!("`{text}` has no name: give NAME=WAY, such as angle=samples[-1].state[0]"));
+            return Err(format!("`{text}` has no name: give NAME=PATH, such as angle=samples[-1].state[0]"));
         }
         Ok(Self { name, path: path.to_owned(), steps })
     }
@@ -155,7 +155,7 @@ fn steps(path: &str) -> Result<Vec<Step>, String> {
     for part in path.split('.') {
         let (key, entries) = part.find('[').map_or((part, ""), |place| part.split_at(place));
         if key.is_empty() {
-            return Err(format!("`{path}` is no way to a number: give one such as results[0].ratio"));
+            return Err(format!("`{path}` is not a path to a number: give one such as results[0].ratio"));
         }
         steps.push(Step::Key(key.to_owned()));
         for entry in entries.split_terminator(']') {

@@ -102,7 +102,7 @@ impl Plan {
             let found = format.map_or("none".to_owned(), |format| format.to_string());
             return Err(format!("its format is {found}, and this program knows format {FORMAT}"));
         }
-        read_plan(written).ok_or_else(|| "it is no plan of a sweep".to_owned())
+        read_plan(written).ok_or_else(|| "it is not the plan of a sweep".to_owned())
     }
 
     /// The difference from another plan of the same format, in words.
@@ -112,7 +112,7 @@ impl Plan {
         let fields =
             |plan: &Self| plan.kept.iter().map(|it| it.kept.path.clone()).collect::<Vec<_>>().join(", ");
         if self.template != other.template {
-            return Some(format!("its question is `{}`", self.template.0.join(" ")));
+            return Some(format!("its command is `{}`", self.template.0.join(" ")));
         }
         if names(self) != names(other) {
             return Some(format!("its axes are {}", names(self)));
@@ -191,7 +191,7 @@ fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Query
     let in_lists = known.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
     let ways: Vec<String> = in_lists.map(|it| it.name.replace("[]", "[0]")).take(3).collect();
     let reason = format!(
-        "all numbers of these answers stand in lists: say which to keep, such as {}",
+        "all numbers of these results stand in lists: choose those to keep, such as {}",
         ways.join(", ")
     );
     Err(QueryError::usage(option("keep"), reason))
@@ -205,7 +205,7 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, QueryError> {
         Some(missing) => {
             let lists = "lists that `libration fields` describes".to_owned();
             let what: Vec<String> = kept::scalars(answer).into_iter().chain([lists]).collect();
-            let reason = format!("answers have no `{}`: they have {}", missing.path, what.join(", "));
+            let reason = format!("the results have no `{}`: they have {}", missing.path, what.join(", "));
             Err(QueryError::usage(option("keep"), reason))
         }
         None => Ok(kept),

@@ -19,7 +19,7 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
         let question = command::query(words)?;
         let mut json = vec![];
         question.answer(&mut json)?;
-        let none = || QueryError::failed("the answer does not stand on the output");
+        let none = || QueryError::failed("the result is not on the standard output");
         serde_json::from_slice(&json).map_err(|_| none())
     })
 }

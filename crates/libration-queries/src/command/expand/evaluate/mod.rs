@@ -131,7 +131,7 @@ impl<'a> Numbers<'a> {
         let reason = match self.distance.as_ref()? {
             Ok(found) if found.is_near() => return None,
             Ok(found) => format!(
-                "the one to which Newton's method comes from it is {} away, {} of half the swing",
+                "the one to which Newton's method converges from it is {} away, {} of half the swing",
                 short(found.distance, 3),
                 short(found.distance / found.half_swing, 2)
             ),

@@ -87,7 +87,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
         Of::number("weight", "1", "weight in the averages", |it| it.weight)
             .numeral(COLUMNS[2], |it| format!("{:.2}", it.weight)),
-        Of::number("independent_rows", "1", "rows that were counted as independent", |it| {
+        Of::number("independent_rows", "1", "number of rows counted as independent", |it| {
             it.comparison.independent_rows
         }),
         Of::number("small_angle_period_s", "s", "period of small swings T₀ by this model", |it| {
@@ -100,7 +100,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         Of::value(
             "dissipates",
             "",
-            "whether its damping takes energy at all speeds of the data, within two standard uncertainties",
+            "true if its damping takes energy at all speeds of the data, within two standard uncertainties",
             |it| it.fit().dissipates().into(),
         ),
         Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {

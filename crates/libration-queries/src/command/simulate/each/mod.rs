@@ -108,11 +108,11 @@ impl Simulate {
         match () {
             () if self.resume.is_some() => refused(
                 option("resume"),
-                "it continues one motion, and <--each> asks for many: run them again from 0",
+                "it continues one motion, and <--each> gives several: run them again from 0",
             ),
             () if self.animate => refused(
                 option("animate"),
-                "it shows the bodies of one motion, and <--each> asks for many: give one of them",
+                "it shows the bodies of one motion, and <--each> gives several: give one of them",
             ),
             () => self.refuse_beside_sensitivities(),
         }
@@ -128,7 +128,7 @@ impl Simulate {
         let numbers = motions.iter().map(of_one).fold(0, usize::saturating_add);
         if self.figure.is_some() && motions.len() > MOST_CURVES {
             let reason = format!(
-                "a picture keeps at most {MOST_CURVES} motions apart, and there are {}: give fewer, or list them",
+                "a picture distinguishes at most {MOST_CURVES} motions, and there are {}: give fewer, or list them",
                 motions.len()
             );
             return Err(QueryError::usage(option("figure"), reason));

@@ -44,7 +44,7 @@ pub(super) struct Earlier {
 /// The reason why a result cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file beside it", .0.display())]
+    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
     NoState(PathBuf),
     #[error("{} is not a record of an integration: give a file that <libration simulate> with <--output> wrote", .0.display())]
     NotAState(PathBuf),
@@ -157,7 +157,7 @@ impl Earlier {
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
-                let reason = "the run given to <--resume> started elsewhere: leave out <--initial> to continue that run, or <--resume> to start a new one";
+                let reason = "the run given to <--resume> started from another state: leave out <--initial> to continue that run, or <--resume> to start a new one";
                 Err(QueryError::usage(option("initial"), reason))
             }
             Some(asked) => Ok(asked),
