@@ -269,7 +269,7 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
         [sys.executable, "-c", FULL, str(place)], capture_output=True, text=True
     )
     assert "NoAnswer: cannot write" in output.stderr
-    assert "goes on from there" in output.stderr, output.stderr
+    assert "continues from there" in output.stderr, output.stderr
     assert killing.chunks_done(place) == 0
     drafts = [file for file in tmp_path.rglob("*.part")]
     assert drafts == []
