@@ -16,7 +16,7 @@ fn parameter<'a>(answer: &'a Value, name: &str) -> &'a Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 /// Checks that a value is within 3.5 standard uncertainties of the true one, and its uncertainty below `most`.

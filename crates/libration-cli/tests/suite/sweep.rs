@@ -339,7 +339,7 @@ fn ctrl_c_keeps_the_chunks_that_are_done() {
     assert!(message(&output).contains("goes on from there"), "{}", message(&output));
     let done = chunks(&place);
     assert!(!done.is_empty() && done.len() < 501, "{}", done.len());
-    assert!(done.values().all(|text| text.ends_with(",0,\n")), "what was cut short is no answer");
+    assert!(done.values().all(|text| text.ends_with(",0,\n")), "no result of an interrupted point is kept");
 }
 
 #[test]

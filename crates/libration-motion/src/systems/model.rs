@@ -282,7 +282,7 @@ fn filled<'a>(
         values.push((plain(name), value.clone()));
     }
     for name in open {
-        // Refuses what is no parameter, or has a value already.
+        // Refuses a name that is not a parameter, or has a value already.
         equation.with(&[given, &[(*name, Expression::from(1))]].concat())?;
     }
     let open: Vec<String> = open.iter().map(|name| plain(name)).collect();

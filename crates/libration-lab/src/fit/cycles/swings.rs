@@ -210,7 +210,7 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
     let mut last = None;
     for (place, pair) in turns.windows(2).enumerate() {
         if !apart(pair) || furthest_way(values, times, pair) >= TAU {
-            // A trace may begin and end at rest, which is no rotation.
+            // A trace may begin and end at rest, which is not a rotation.
             rotations += usize::from(place > 0 && place + 2 < turns.len());
             continue;
         }
