@@ -336,7 +336,7 @@ fn ctrl_c_keeps_the_chunks_that_are_done() {
     assert!(Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap().success());
     let output = running.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{}", message(&output));
-    assert!(message(&output).contains("goes on from there"), "{}", message(&output));
+    assert!(message(&output).contains("continues from there"), "{}", message(&output));
     let done = chunks(&place);
     assert!(!done.is_empty() && done.len() < 501, "{}", done.len());
     assert!(done.values().all(|text| text.ends_with(",0,\n")), "no result of an interrupted point is kept");

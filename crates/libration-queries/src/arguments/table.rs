@@ -11,7 +11,7 @@ pub(crate) struct DialectOptions {
     /// Separator of the columns [default: detected]
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
-    /// Whether the first row names the columns
+    /// Row of column names: detected, present or absent
     #[arg(long, value_enum, default_value = "detect")]
     header: FirstRow,
 }

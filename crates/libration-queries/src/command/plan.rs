@@ -14,7 +14,7 @@ use std::io::{self, Write};
 
 /// Plan a measurement of g: amplitude of release, number of swings, uncertainty of the length
 ///
-/// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace --model linear` does; without a model the fit does not know the law of damping either, and of few swings states about half as much more. The uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+/// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace --model linear` does; without a model the fit does not know the law of damping either, and its uncertainties for few swings are about half as large again. The uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = USAGE, after_help = "Examples:
   libration plan --g-to 1e-3 --length 1m±0.5mm --angle-noise 0.2deg --rate 60
@@ -26,7 +26,7 @@ pub(crate) struct PlanQuestion {
     /// The target relative standard uncertainty of g, such as 1e-3 or 0.1%
     #[arg(long, value_name = "PART", value_parser = arguments::part)]
     g_to: f64,
-    /// From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m
+    /// Distance from the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m
     #[arg(long, value_parser = arguments::length_with_uncertainty)]
     length: Quantity,
     /// Standard deviation of the angle in a row, such as 0.2deg
