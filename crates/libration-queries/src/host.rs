@@ -77,7 +77,7 @@ pub trait Host: Send + Sync {
         SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default()
     }
 
-    /// A sentence about the question beside its answer, such as how an equation was read.
+    /// Receives a note about a query, such as the reading of its equation.
     fn note(&self, sentence: &str) {
         let _ = sentence;
     }

@@ -12,7 +12,7 @@ use crate::ticks::{self, Ticks};
 pub(crate) const PADDING: f64 = 0.6;
 pub(crate) const TITLE: f64 = 1.1;
 const UNDER_WORDS: f64 = 0.25;
-/// Above the axes: half of the label of a tick at the top.
+/// Margin above the axes, for half of the label of a tick at the top.
 const TOP: f64 = 0.6;
 /// From the axes to the base line of the labels below, and the height of these labels.
 pub(crate) const TICK_BASE: f64 = 1.35;

@@ -56,7 +56,7 @@ pub enum Ending {
     BranchPoint,
     /// The branch ends at a Hopf point, in a state of rest.
     Rest,
-    /// It has as many points as were allowed.
+    /// The branch has the largest number of points.
     PointLimit,
     /// The period of the drive grows beyond a hundred times its least, or without a drive that of the motion beyond a hundred times its first:
     /// the branch goes on to the frequency zero.

@@ -140,7 +140,7 @@ impl PerturbedPendulum {
         let pendulum = self.pendulum()?;
         let of = |log: f64| pendulum.with_energy_excess(libm::exp(log));
         let excess = |log: f64| of(log).map_or(f64::NAN, |motion| motion.frequency() - frequency);
-        /// From next to the separatrix to motions that feel no gravity.
+        /// Range of the logarithm of the energy excess: from motions next to the separatrix to those on which gravity has no effect.
         const ENDS: [f64; 2] = [-600.0, 60.0];
         let log = zero_between(ENDS.map(|log| (log, excess(log))), Tolerance::LAST_BIT, excess)?;
         of(log).ok().filter(|motion| motion.regime() == Regime::Rotation)

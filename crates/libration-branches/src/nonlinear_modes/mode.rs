@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// A family of periodic orbits that begins as a mode of small oscillations.
 #[derive(Clone, Debug)]
 pub struct NonlinearMode {
-    /// Its orbits at the amplitudes asked for, as far as it came.
+    /// Orbits at the requested amplitudes, up to the last that was reached.
     pub points: Vec<ModePoint>,
     /// Changes of stability along the mode.
     pub changes: Vec<StabilityChange>,

@@ -54,7 +54,7 @@ fn element(tower: &mut Tower, surd: &Surd) -> Option<Vec<Rational>> {
     Some(tower.add(&plain, &scaled))
 }
 
-/// In digits.
+/// The linear motion of normal modes, in floating-point numbers.
 pub(super) fn in_digits(modes: &NormalModes) -> LinearMotion<Doubles> {
     let pair = |z: &Complex| Quadratic { plain: z.re, root: z.im };
     LinearMotion {

@@ -282,7 +282,7 @@ fn derivative(series: &Named) -> Named {
     lowered
 }
 
-/// The product as far as it counts at a place.
+/// The product up to the powers of a place.
 fn times(a: &Named, b: &Named, place: Place) -> Named {
     let mut product = Named::new();
     for ((n, j), left) in a {

@@ -37,7 +37,7 @@ impl Document {
         }
     }
 
-    /// Author, title and place.
+    /// Author, title and place of publication.
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {

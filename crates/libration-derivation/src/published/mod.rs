@@ -1,4 +1,4 @@
-//! The road of the published formulas: where each comes from and how far it reaches.
+//! The derivation of the published formulas: the origin and the range of each.
 
 mod limits;
 mod means;

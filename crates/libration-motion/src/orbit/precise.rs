@@ -23,7 +23,7 @@ struct State {
     velocity: BigFloat,
 }
 
-/// The position as a polynomial of the time, with what the velocity has beyond it.
+/// Position and velocity as power series in the time.
 struct Series {
     x: Vec<BigFloat>,
     velocity: Vec<BigFloat>,

@@ -55,9 +55,9 @@ pub enum NoSpectrum {
         "the motion is not known from {from:?} s to {until:?} s: give times within it, the earlier one first"
     )]
     NotKnown {
-        /// The first time asked for.
+        /// The first requested time, in seconds.
         from: f64,
-        /// The last.
+        /// The last requested time, in seconds.
         until: f64,
     },
     /// Values that move from one end to the other more than they swing, such as the angle of a rotation.
@@ -67,7 +67,7 @@ pub enum NoSpectrum {
     Trend {
         /// The first value.
         first: f64,
-        /// The last.
+        /// The last value.
         last: f64,
     },
     /// Oscillations that are faster than the values can show.

@@ -158,7 +158,7 @@ impl<const N: usize> Block<N> {
         Lengths { units, remainders }
     }
 
-    /// One number of the state at the ends of the steps, the lengths of which these are.
+    /// One component of the state at the ends of steps of the given lengths.
     #[inline(always)]
     pub fn ends(&self, number: usize, Lengths { units, remainders }: &Lengths<N>) -> Ends<N> {
         let series = self.series(number);

@@ -21,7 +21,7 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) scratch: Block<N>,
     /// `true` if `scratch` has the zeroth coefficients of all formulas at the ends of the steps.
     pub(super) ends_known: bool,
-    /// `true` if the block has those at the starts of the steps.
+    /// `true` if `block` has the zeroth coefficients of all formulas at the starts of the steps.
     pub(super) begun: bool,
     pub(super) next: Vec<Ends<N>>,
     /// Times to which the motions are integrated.

@@ -18,7 +18,7 @@ pub(super) use index::IndexRange;
 
 /// The longest text of a formula or of equations, in bytes.
 pub const LONGEST_TEXT: usize = 10_000;
-/// More primes than this are no derivative that anybody meant.
+/// Largest number of primes after a name; more are taken for a typing error.
 const MOST_PRIMES: u8 = 3;
 
 #[derive(Clone, Debug, PartialEq)]

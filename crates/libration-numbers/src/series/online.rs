@@ -26,7 +26,7 @@ pub struct Convolution<'a> {
     pub known: &'a [IBig],
     pub weight: Weight,
     pub finish: &'a dyn Fn(usize, IBig) -> IBig,
-    /// Stretches up to this long are solved one by one.
+    /// Length of a stretch up to which coefficients are computed one at a time.
     pub block: usize,
 }
 

@@ -167,7 +167,7 @@ impl PeriodFormula {
         &self.name
     }
 
-    /// The authors who published it; empty when it belongs to nobody in particular.
+    /// The authors of the publication; empty where no author is known.
     #[must_use]
     pub fn authors(&self) -> &str {
         &self.authors

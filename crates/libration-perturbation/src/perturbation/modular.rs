@@ -20,7 +20,7 @@ use libration_numbers::{
 /// More primes than any order that is allowed needs.
 const MOST_PRIMES: usize = 8000;
 
-/// The series modulo as many primes as it takes.
+/// The exact series, from their values modulo as many primes as are needed.
 pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
     let points = SampledHarmonics::period(model.highest_harmonic());

@@ -137,7 +137,7 @@ impl TraceFit {
         self.traces.get(trace).map(|trace| trace.start_time).ok_or(missing)
     }
 
-    /// The standard deviation of a number that changes by these amounts with one uncertainty of each parameter.
+    /// The standard deviation of a value, from its changes with one standard uncertainty of each parameter.
     fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
         let product = |(i, &a): (usize, &usize)| -> f64 {
             let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);

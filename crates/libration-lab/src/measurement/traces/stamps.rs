@@ -8,7 +8,7 @@ use super::super::{Faults, MeasurementError};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Even {
     pub(super) times: Vec<f64>,
-    /// The part by which all of them may be too long or too short.
+    /// The relative uncertainty common to all times.
     pub(super) relative_uncertainty: f64,
 }
 

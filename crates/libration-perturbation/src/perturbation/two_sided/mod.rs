@@ -53,7 +53,7 @@ pub(crate) struct TwoSided<'a> {
 type Integrals<'a, R> =
     &'a dyn Fn(&Side<'_, <R as Ring>::Element>, &[usize]) -> Option<Vec<Vec<<R as Ring>::Element>>>;
 
-/// A family whose turning points are not sums of the harmonics that are known.
+/// A family with both its turning points, which are not sums of its known harmonics.
 type FamilyWithTurns<E> = (Family<E>, BothTurns<E>);
 
 /// X by powers of ρ, and Ω/ω0.

@@ -54,7 +54,7 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
     of_subject().and(letters).and(of_setting()).and(of_series())
 }
 
-/// About what, by powers of what.
+/// The fields of the equilibrium and the expansion parameter.
 fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     Fields::from([

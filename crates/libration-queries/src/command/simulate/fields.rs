@@ -51,7 +51,7 @@ pub(super) fn of_sample() -> Fields<Sample> {
     ])
 }
 
-/// Without errors.
+/// The fields of a sample without errors.
 pub(super) fn of_sample_alone() -> Fields<Sample> {
     type Of = Field<Sample>;
     Fields::from([
@@ -86,7 +86,7 @@ pub(super) fn of_event() -> Fields<Happening> {
     ])
 }
 
-/// Without errors.
+/// The fields of an event without errors.
 pub(super) fn of_event_alone() -> Fields<Happening> {
     type Of = Field<Happening>;
     Fields::from([

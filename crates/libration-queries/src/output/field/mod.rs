@@ -39,7 +39,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
-    /// A number, or why there is none; null without a note where that text is empty.
+    /// A number, or the reason why there is none; null without a note where the reason is empty.
     pub fn known(
         name: &'static str,
         unit: &'static str,

@@ -61,7 +61,7 @@ impl Plan {
         self.lines.push(Shown { title, look });
     }
 
-    /// Moves its values behind `before` others.
+    /// Shifts the indices of its values by `before`.
     fn behind(&mut self, before: usize) {
         self.value += before;
         for shown in self.columns.iter_mut().chain(&mut self.lines) {
