@@ -34,7 +34,7 @@ pub(crate) struct NativeSimulation {
     model: Model,
     start: Vec<f64>,
     solution: Solution,
-    /// Before the start, and after it.
+    /// The solutions before the start and after it.
     dense: [DenseSolution; 2],
 }
 

@@ -87,7 +87,7 @@ pub trait Host: Send + Sync {
         let _ = how_far;
     }
 
-    /// From now on the answer can be ended early, and keeps what is done.
+    /// Begins to listen for a cancellation, after which the output keeps what is done.
     ///
     /// # Errors
     /// Where nobody could ask for that; the question is then refused.

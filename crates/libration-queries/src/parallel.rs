@@ -13,10 +13,10 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::{available_parallelism, scope};
 use std::time::Duration;
 
-/// Between two looks at work that goes on.
+/// Interval between two checks of running work.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Without threads the thread that asks does everything itself, and shows progress where the work asks whether it may go on.
+/// `false` where the calling thread does all work itself, and shows progress where the work checks for cancellation.
 const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing.

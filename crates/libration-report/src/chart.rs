@@ -3,7 +3,7 @@
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Over the whole picture; broken into lines where it is long.
+    /// Title over the whole picture; broken into lines where it is long.
     pub title: String,
     /// Parameters of the picture, such as `g = 9.80665 m/s²`; a line under the title.
     pub parameters: Vec<String>,
@@ -29,9 +29,9 @@ pub struct Animation {
 /// Bodies at evenly spaced times.
 #[derive(Clone, Debug)]
 pub enum Mechanism {
-    /// In a plane, on rods: places to the right and upwards, all in one unit of length.
+    /// Bodies in a plane, on rods: positions to the right and upwards, in one unit of length.
     Plane(Vec<Hanging>),
-    /// On level rails, one above the other: their places, a list for each body.
+    /// Bodies on level rails, one above the other: their positions, a list for each body.
     Rails(Vec<Vec<f64>>),
 }
 
@@ -62,7 +62,7 @@ pub struct Panel {
     pub x: Axis,
     /// Upwards.
     pub y: Axis,
-    /// In the order in which they are drawn: the last stands in front.
+    /// Series in the order of drawing: the last is in front.
     pub series: Vec<Series>,
     /// The part of the height of all axes it takes, relative to the other panels.
     pub share: f64,
@@ -103,7 +103,7 @@ pub enum Units {
     Degrees,
     /// π/4, π/2, π and so on, where π on the axis is this number.
     HalfTurns(f64),
-    /// These words stand at 1, 2, 3 and so on.
+    /// Words at 1, 2, 3 and so on.
     Names(Vec<String>),
 }
 
@@ -138,7 +138,7 @@ pub struct Look {
     pub colour: &'static str,
     /// The width of a line, or half of a marker.
     pub width: f64,
-    /// From 0, which cannot be seen, to 1.
+    /// Opacity, from 0 (invisible) to 1.
     pub opacity: f64,
     /// A line, markers or a band.
     pub mark: Mark,

@@ -23,7 +23,8 @@ pub fn free_oscillations(equation: &Equation, places: &[f64]) -> Vec<(f64, f64)>
     places.iter().filter_map(orbit).collect()
 }
 
-/// Without velocities in the force and with zero for each sine and cosine of the time; `None` but for one coordinate of the second order.
+/// The equation without velocities in the force and with zero for each sine and cosine of the time; `None` unless it has one coordinate and
+/// is of the second order.
 pub(super) fn undriven(equation: &Equation) -> Option<Equation> {
     let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return None };
     let zero = Expression::from(0);

@@ -131,7 +131,7 @@ impl Walked {
         self
     }
 
-    /// This one backwards, and then another one that begins at the same point.
+    /// The branch reversed, followed by another one that begins at the same point.
     pub(super) fn turned_into(mut self, onward: &Self) -> Self {
         let all = self.branch.points.len();
         let turned = |special: SpecialPoint| SpecialPoint { before: all - special.before, ..special };

@@ -1,4 +1,4 @@
-//! From a free oscillation that is in balance to the answer under the whole drive and damping.
+//! Continuation of a balanced free oscillation to the response under the full drive and damping.
 
 use super::branch::{Limits, Origin, Walk};
 use super::corrector::Corrector;

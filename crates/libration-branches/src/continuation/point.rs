@@ -12,7 +12,7 @@ pub struct BranchPoint {
     pub parameter: f64,
     /// The state when the phase of the drive is zero: coordinates, then velocities. Without a drive the first coordinate turns back there.
     pub state: Vec<f64>,
-    /// After which the motion repeats itself.
+    /// The period of the motion.
     pub period: f64,
     /// The angle that goes around in the period, if one does.
     pub rotation: Option<Rotation>,

@@ -45,7 +45,7 @@ const LONGEST: usize = 8;
 /// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both answers of the driven pendulum at 0.8, which without them
 /// jumps down from the one at 0.9.
 const RAMP: u32 = 16;
-/// In periods of the drive: a quality of 300 falls to 3e-5 meanwhile.
+/// Largest time of settling, in periods of the drive: a transient of quality 300 falls to 3e-5 in it.
 const MOST_PERIODS: usize = 1000;
 /// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
 /// thousandth, which no picture shows.
@@ -199,7 +199,7 @@ impl Sweeping<'_> {
         Some(SweepPoint { parameter: value, state, drive_periods, rotation, ranges })
     }
 
-    /// To a part of their size.
+    /// Returns `true` if two states agree to a fraction of their size.
     fn is_same(&self, a: &[f64], b: &[f64], part: f64) -> bool {
         let size = a.iter().map(|x| x.abs().min(PI)).fold(SETTLED, f64::max);
         let mut apart = a.iter().zip(b).map(|(a, b)| a - b).enumerate();

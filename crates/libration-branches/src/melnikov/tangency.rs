@@ -32,7 +32,7 @@ pub struct Tangency {
     pub phase: f64,
     /// The velocity of that motion there, in rad/s.
     pub velocity: f64,
-    /// The phase may be wrong by so much, and the velocity likewise: what the last correction of the phase and rounding change.
+    /// Bound on the errors of phase and velocity: the last correction of the phase, and rounding.
     pub place_error: f64,
 }
 

@@ -35,7 +35,7 @@ pub struct ModePoint {
 /// A change of stability between two amplitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StabilityChange {
-    /// It lies between these, below and above.
+    /// Amplitudes below and above the change.
     pub between: [f64; 2],
     /// `true` if the mode is stable above.
     pub stable_above: bool,

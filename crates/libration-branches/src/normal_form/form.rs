@@ -34,7 +34,7 @@ pub struct NormalForm {
     pub slow_terms: Vec<SlowTerm>,
     /// The smallest divisors of what was taken out, in their order: where one is small, amplitudes must be smaller.
     pub small_divisors: Vec<Divisor>,
-    /// For each mode its modal coordinate beyond the amplitude itself, in digits.
+    /// The modal coordinate of each mode beyond the amplitude itself, in floating-point numbers.
     transform: Vec<Polynomial<Complex>>,
 }
 

@@ -28,13 +28,13 @@ pub struct Mode {
 /// Behaviour of a mode in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behaviour {
-    /// It oscillates with a constant amplitude.
+    /// Oscillation with a constant amplitude.
     Oscillating,
     /// Nothing drives it back and nothing drives it away: it drifts.
     Free,
-    /// It grows exponentially, oscillating or not.
+    /// Exponential growth, oscillating or not.
     Unstable,
-    /// It dies out, oscillating or not.
+    /// Exponential decay, oscillating or not.
     Damped,
 }
 

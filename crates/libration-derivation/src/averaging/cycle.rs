@@ -91,7 +91,7 @@ fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep 
 }
 
 impl Cycle {
-    /// From the laws as polynomials in A², by powers of the parameter.
+    /// The cycle, from the laws as polynomials in A², by powers of the parameter.
     fn new(flow: &Flow, powers: usize) -> Option<Self> {
         let rows = |map: &std::collections::BTreeMap<(usize, usize), PiNumber>, shift: usize| {
             let mut rows = vec![Series::new(); powers + 1];

@@ -15,7 +15,7 @@ use super::question::Question;
 use super::tables::in_terms;
 use libration::algebra::Rational;
 
-/// Up to this power of the amplitude the way to each coefficient is open to the reader, beyond it folds away.
+/// Highest power of the amplitude whose derivation is shown open; those of higher powers are folded.
 const OPEN_TO_READ: usize = 3;
 /// Terms of what lower powers bring that are shown below an integral.
 const SHORT: usize = 2;

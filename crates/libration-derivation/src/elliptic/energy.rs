@@ -1,4 +1,4 @@
-//! From the equation of motion to a quarter of the period as an integral over the angle.
+//! The steps from the equation of motion to a quarter of the period as an integral over the angle.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;

@@ -126,7 +126,7 @@ pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
 }
 
 impl Formula {
-    /// This to a power.
+    /// The formula to a power.
     #[doc(hidden)]
     pub fn pow(self, exponent: impl Into<Self>) -> Self {
         Self::Power(Box::new(self), Box::new(exponent.into()))

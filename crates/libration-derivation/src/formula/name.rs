@@ -29,14 +29,14 @@ impl Name {
         Self { letter: letter.to_owned(), subscript: None, primes: 0 }
     }
 
-    /// With a number or an index below.
+    /// The name with a number or an index as subscript.
     #[doc(hidden)]
     pub fn index(mut self, index: impl Into<Formula>) -> Self {
         self.subscript = Some(Subscript::Index(Box::new(index.into())));
         self
     }
 
-    /// With a word below.
+    /// The name with a word as subscript.
     pub(crate) fn word(mut self, word: &str) -> Self {
         self.subscript = Some(Subscript::Word(word.to_owned()));
         self

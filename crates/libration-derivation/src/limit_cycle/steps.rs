@@ -11,7 +11,7 @@ use super::super::prose::Prose;
 use super::cycle::{Cycle, Order};
 use libration::algebra::{Polynomial, Rational, Variable};
 
-/// Up to this power all is open to read; beyond it the table folds away.
+/// Highest power whose table is shown open; those of higher powers are folded.
 const OPEN_TO_READ: usize = 2;
 
 fn tau() -> Formula {

@@ -1,4 +1,4 @@
-//! From the expansion parameter to the amplitude and back, and what can be measured.
+//! The amplitude as a function of the expansion parameter, its inverse, and the measurable quantities.
 
 use super::super::check::{
     CheckedEquation, DerivationError, Given, failed, same_series, same_series_where, series_value,

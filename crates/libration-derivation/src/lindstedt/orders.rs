@@ -47,7 +47,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         ))
 }
 
-/// Up to this order the way to each coefficient is open to the reader, beyond it folds away: it grows fast.
+/// Highest order whose derivation is shown open; those of higher orders, which grow fast, are folded.
 fn open_to_read(question: &Question) -> usize {
     if question.is_odd() { 5 } else { 3 }
 }

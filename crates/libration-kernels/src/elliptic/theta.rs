@@ -38,7 +38,7 @@ pub struct ThetaZero {
 }
 
 impl ThetaZero {
-    /// From a nome q ≤ e^−π or a little more.
+    /// The values for a nome q ≤ e^−π or a little more.
     pub fn in_two_words(q: DoubleDouble) -> Self {
         let one = DoubleDouble::ONE;
         let (mut second, mut third, mut fourth) = (one, one, one);
@@ -59,7 +59,7 @@ impl ThetaZero {
 }
 
 impl ThetaZero {
-    /// From a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
+    /// The values for a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
     #[inline(always)]
     pub fn from_nome(q: DoubleDouble) -> Self {
         let q2 = q.hi * q.hi;
@@ -117,7 +117,7 @@ impl ThetaSeries {
         fast_two_sum(1.0, 2.0 * q4 - 2.0 * (self.q + q4 * q4 * self.q))
     }
 
-    /// From the sine and cosine, or their hyperbolic counterparts, of z.
+    /// The values from the sine and cosine of z, or their hyperbolic counterparts.
     #[inline(always)]
     pub fn at<S: Side>(&self, sine: DoubleDouble, cosine: DoubleDouble) -> ThetaValues {
         self.at_square(sine, cosine, S::SQUARE)

@@ -60,12 +60,12 @@ impl fmt::Display for Enlargement {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ScatterWarning {
-    /// They scatter more than stated: with right uncertainties one table in a hundred does.
+    /// The rows scatter more than stated, as one table in a hundred does with right uncertainties.
     More {
         /// The Birge ratio.
         ratio: f64,
     },
-    /// They scatter less than stated: with right uncertainties one table in a hundred does.
+    /// The rows scatter less than stated, as one table in a hundred does with right uncertainties.
     Less {
         /// The Birge ratio.
         ratio: f64,

@@ -121,7 +121,7 @@ pub enum MeasurementError {
         count: usize,
         /// Their place.
         place: String,
-        /// At most.
+        /// Largest number that is allowed.
         limit: usize,
     },
     /// Something that the file does not decide.

@@ -10,7 +10,7 @@ use crate::statistics::lower_median;
 /// The times of a photogate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gates {
-    /// In seconds, in the order of the file.
+    /// Times in seconds, in the order of the file.
     pub times: Vec<f64>,
     /// `true` for each time at which the gate became blocked, where the file says it.
     pub blocked: Option<Vec<bool>>,

@@ -13,7 +13,7 @@ use libration_numbers::watch::{Stage, Watch};
 /// The condition under which a state of the motion is recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Section {
-    /// Once in each period of what drives the motion.
+    /// One point in each period of the drive.
     Stroboscope {
         /// The period; that of [`drive_period`] if none is given.
         period: Option<f64>,

@@ -11,7 +11,7 @@ use libration_numbers::{
 /// The direction of a force next to a place where it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
-    /// Back to the place, from both sides.
+    /// Force back to the position from both sides.
     Back,
     /// Away from it, on both sides.
     Away,
@@ -48,7 +48,7 @@ pub enum Roughness {
         /// −∂F/∂x.
         omega0_squared: String,
     },
-    /// Anything else.
+    /// Another lack of smoothness.
     #[error("it is not smooth")]
     Other,
 }
@@ -192,7 +192,7 @@ fn step(side: Towards, n: usize) -> Rational {
     if side == Towards::Below { -distance } else { distance }
 }
 
-/// To nine digits, or both nothing.
+/// Returns `true` if two numbers agree to nine digits, or both are negligible.
 fn agree(a: &BigFloat, b: &BigFloat) -> bool {
     let gap = size(&(a.clone() - b.clone()));
     gap <= 1e-9 * size(a).max(size(b)) || size(a).max(size(b)) < 1e-9

@@ -316,7 +316,7 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
     values.iter().fold(formula, put_in).simplified()
 }
 
-/// For each variable of the equations the coordinate of its family, `x[i]` for x1, with its own name.
+/// The coordinate of each variable of the equations: that of its family, `x[i]` for x1, with its own name.
 fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
     let of = |name: &String| {
         let family =

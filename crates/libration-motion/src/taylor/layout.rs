@@ -17,9 +17,9 @@ use libration_numbers::expression::{Equation, Order, Symbol};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StateLayout {
-    /// For each coordinate, the index of its velocity.
+    /// Index of the velocity of each coordinate.
     velocities: Vec<Option<usize>>,
-    /// For each velocity, in order, the index of its coordinate.
+    /// Index of the coordinate of each velocity, in order.
     accelerated: Vec<usize>,
 }
 

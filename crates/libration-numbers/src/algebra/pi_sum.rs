@@ -54,7 +54,7 @@ impl PiSum {
         }
     }
 
-    /// To some units in the last place of the largest term.
+    /// The value, accurate to some units in the last place of the largest term.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         let term = |(power, factor): &(i32, Surd)| {

@@ -78,7 +78,7 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     free: bool,
-    /// For each open bracket, `true` if it holds the two arguments of max or min.
+    /// `true` for each open bracket that holds the two arguments of max or min.
     open: Vec<bool>,
     /// `true` if max or min was read last.
     after_extremum: bool,

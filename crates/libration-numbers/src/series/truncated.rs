@@ -116,8 +116,8 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPo
 /// The powers of a series without constant term, which is what it takes to compose with it.
 #[derive(Clone, Debug)]
 pub struct SeriesPowers<E> {
-    /// For each power of the variable its coefficients in the powers of the series, from the highest that has one down: in those of one parity
-    /// where the series is odd.
+    /// The coefficients of each power of the variable in the powers of the series, from the highest that has one down; in those of one
+    /// parity where the series is odd.
     columns: Vec<Vec<E>>,
     odd: bool,
     first: Vec<E>,

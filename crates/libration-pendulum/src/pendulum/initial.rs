@@ -1,4 +1,4 @@
-//! From an initial state to the energy, without cancellation next to the separatrix.
+//! The energy of an initial state, without cancellation next to the separatrix.
 //!
 //! The motion is a libration, a separatrix or a rotation as 4g·cos²(θ/2) − l·θ′² is positive, zero or
 //! negative. With w = θ′/2ω0 the difference divided by 4g is 1 − e = cos²(θ/2) − w², e = E/(2mgl), and it is

@@ -36,7 +36,7 @@ impl Exact {
         Self::from_quick(amplitude, Quick::new(amplitude))
     }
 
-    /// At each amplitude in turn, a block of ratios in two words at a time; `None` where there is no amplitude.
+    /// The errors at each amplitude in turn, from a block of ratios in two words at a time; `None` where there is no amplitude.
     pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
         let found = |(amplitude, quick): (&Option<_>, _)| amplitude.map(|it| Self::from_quick(it, quick));
         amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))

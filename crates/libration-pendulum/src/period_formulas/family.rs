@@ -113,7 +113,7 @@ impl Family {
         }
     }
 
-    /// With one correction two of the series are older formulas.
+    /// The older formula that a series with one correction equals, for two of the series.
     fn known(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),

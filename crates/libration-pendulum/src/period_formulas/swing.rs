@@ -128,7 +128,7 @@ pub(super) fn inverse_of_agreeing(a: DoubleDouble, b: DoubleDouble) -> DoubleDou
 }
 
 impl Swing<DoubleDouble> {
-    /// With the sine and the cosine of [`SwingAmplitude::half_distance`].
+    /// The swing from the sine and the cosine of [`SwingAmplitude::half_distance`].
     #[inline(always)]
     pub(super) fn in_two_words(
         amplitude: SwingAmplitude,

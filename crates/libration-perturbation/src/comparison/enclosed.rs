@@ -45,7 +45,7 @@ fn parts() -> Vec<f64> {
     /// part of the way, or than a 23rd part of their distance from rest, may be missed.
     const EVEN: u32 = 256;
     const AN_OCTAVE: u32 = 16;
-    /// Down to 1e-6 of the way.
+    /// Number of halvings, down to 1e-6 of the way.
     const OCTAVES: u32 = 20;
     let even = (1..EVEN).map(|k| f64::from(k) / f64::from(EVEN));
     let halves = (1..=OCTAVES * AN_OCTAVE).map(|k| libm::exp2(-f64::from(k) / f64::from(AN_OCTAVE)));

@@ -42,7 +42,7 @@ pub struct HarmonicRatio {
     pub k: usize,
     /// aₖ/A.
     pub ratio: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the ratio.
     pub uncertainty: f64,
 }
 

@@ -1,4 +1,4 @@
-//! From an oscillator to its expansion: exact where its numbers are, in digits where they are not.
+//! The expansion of an oscillator: exact where its numbers are exact, otherwise in floating point.
 
 use super::approximate::{Approximated, approximate_series, centre, limit_cycle};
 use super::certificate::{
@@ -23,10 +23,10 @@ use libration_numbers::{
 /// The highest order of an expansion.
 pub const MAX_ORDER: usize = 1000;
 
-/// Up to this order all coefficients are computed again in plain rational arithmetic.
+/// Highest order to which all coefficients are computed again in plain rational arithmetic.
 const PLAIN_ORDER: usize = 15;
 
-/// Up to this order the first integral of velocity-dependent oscillators is used; where no powers vanish it takes ten times as long.
+/// Highest order to which the first integral of velocity-dependent oscillators is used; where no powers vanish it takes ten times as long.
 const fn first_integral_order(kind: &Kind) -> usize {
     if matches!(kind, Kind::Mirrored) { 41 } else { 61 }
 }

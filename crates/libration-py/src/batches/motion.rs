@@ -43,7 +43,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
 
 /// Start of a motion, which decides by which kernel it is computed, so that one element has the same result as many.
 enum Start {
-    /// At rest within a turn.
+    /// A release from rest within a turn.
     Released,
     Launched {
         angle: f64,

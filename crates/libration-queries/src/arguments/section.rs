@@ -42,7 +42,7 @@ pub(crate) struct SectionOptions {
     fold: bool,
 }
 
-/// From which side a formula comes to zero.
+/// The direction in which a formula crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Side {
     /// From negative to positive

@@ -38,7 +38,7 @@ pub(crate) struct PendulumSystemOptions {
 pub(crate) struct GivenSystem<'a> {
     options: &'a SystemOptions,
     values: Vec<(String, Expression)>,
-    /// With these values, and defaults.
+    /// The system with these values, and defaults.
     model: Model,
 }
 

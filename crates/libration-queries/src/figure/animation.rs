@@ -22,7 +22,7 @@ pub struct Playing {
 }
 
 impl Playing {
-    /// From one time to another, which may be before it.
+    /// The playing from one time to another, which may be before it.
     pub fn new(from: f64, to: f64) -> Self {
         let span = to - from;
         let seconds = span.abs();

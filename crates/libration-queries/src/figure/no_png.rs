@@ -1,4 +1,4 @@
-//! In a page, which draws pictures by itself, there is no PNG.
+//! Refusal of PNG in a page, which draws pictures itself.
 
 use libration_report::scene::Scene;
 

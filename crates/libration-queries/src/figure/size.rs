@@ -38,7 +38,7 @@ pub struct Side {
 #[derive(Debug, PartialEq)]
 struct Unit {
     name: &'static str,
-    /// In units of a picture.
+    /// The side in units of a picture.
     size: f64,
 }
 

@@ -3,7 +3,7 @@
 /// A field of an answer. Parts of a name in capitals stand for names that the question decides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Description {
-    /// With the way to it in JSON: `results[].formulas[].ratio`.
+    /// Name with its path in JSON: `results[].formulas[].ratio`.
     pub name: String,
     /// `1` for ratios, empty for a field that is not a number or has the unit of what it describes.
     pub(crate) unit: &'static str,

@@ -19,7 +19,7 @@ pub const MOST_SWINGS: usize = 10_000;
 /// Fewer swings than this do not separate the motion from an offset well enough.
 pub const FEWEST_SWINGS: usize = 2;
 
-/// With fewer rows in a period than this a fit of the trace finds no start: swings of 60° with 4.8 rows had none, with 6 they had.
+/// Fewest rows in a period with which a fit of the trace finds a start: swings of 60° had none with 4.8 rows, and one with 6.
 const FEWEST_ROWS: f64 = 6.0;
 
 /// The pendulum, and the instrument that records its angle.

@@ -31,9 +31,9 @@ pub struct Clock {
 pub struct Gap {
     /// The row before it.
     pub after: usize,
-    /// In seconds.
+    /// Duration of the gap in seconds.
     pub duration: f64,
-    /// About how many rows are missing.
+    /// Approximate number of missing rows.
     pub missing: usize,
 }
 

@@ -17,7 +17,7 @@ const MOST_RUNS: usize = 1000;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     name: String,
-    /// From zero.
+    /// Numbers of the rows, from zero.
     rows: Vec<usize>,
     times: Vec<f64>,
     /// One for each column that the values are made of.

@@ -145,7 +145,7 @@ pub enum EquationError {
     AmbiguousMember {
         /// The name.
         name: String,
-        /// With an index.
+        /// The name with an index.
         indexed: String,
     },
     /// A derivative of what has no equation.

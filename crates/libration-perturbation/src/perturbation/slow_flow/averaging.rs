@@ -24,7 +24,7 @@ use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 pub(super) enum Amplitude {
     /// The first harmonic is A·cos ψ.
     FirstHarmonic,
-    /// At ψ = 0 the motion turns at A.
+    /// The motion turns at A for ψ = 0.
     TurningPoint,
 }
 

@@ -80,7 +80,7 @@ pub enum SlowFlowError {
          whole, and forces without kinks but for abs(x') and sign(x')"
     )]
     NoSeries,
-    /// It was told to stop.
+    /// The call was cancelled.
     #[error("interrupted")]
     Interrupted,
 }

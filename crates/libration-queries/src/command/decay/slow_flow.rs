@@ -12,7 +12,7 @@ use libration::watch::Watch;
 /// The slow flow at a turning point of the integrated motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlowTurn {
-    /// At its time, in radians.
+    /// Amplitude at its time, in radians.
     pub(crate) amplitude: f64,
     pub(crate) phase: f64,
     /// Less what is integrated, in radians.

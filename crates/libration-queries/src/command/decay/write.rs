@@ -18,7 +18,7 @@ pub(super) struct Answer<'a> {
     /// Length and gravity, if the pendulum was given by them.
     pub(super) given: Option<PendulumOptions>,
     pub(super) decay: &'a Decay,
-    /// If it is asked for.
+    /// The slow flow, if requested.
     pub(super) slow: Option<&'a SlowDecay>,
     pub(super) report: &'a Report,
     /// `true` if the table lists the cycles; a picture shows them better.

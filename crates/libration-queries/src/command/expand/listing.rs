@@ -64,7 +64,7 @@ impl<'a> Symbols<'a> {
     }
 }
 
-/// In a sentence.
+/// A number for a sentence.
 fn number<C: Coefficient>(value: &C, precision: Precision) -> String {
     let notation = Notation { precision, style: Style::Sentence };
     let (is_negative, text) = value.split(notation, false);

@@ -18,7 +18,7 @@ pub(super) struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    /// With names that stay.
+    /// The warnings with their stable names.
     fn warnings(&self) -> Vec<Named> {
         let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
         of_times.chain(self.budget.into_iter().flat_map(|(budget, _)| budget::warnings(budget))).collect()

@@ -55,7 +55,7 @@ impl Answer<'_> {
         }
     }
 
-    /// In the order of the covariance.
+    /// The parameters in the order of the covariance.
     fn parameters(&self) -> Vec<Parameter> {
         let (best, unit) = (self.fit.best(), self.file.unit);
         let parameter = |name, estimate, unit: &str| Parameter { name, estimate, unit: unit.to_owned() };
@@ -190,7 +190,7 @@ fn not_free() -> String {
     "not free in this model".to_owned()
 }
 
-/// To two digits of the uncertainty.
+/// A value with two digits of its uncertainty.
 fn value(estimate: Uncertain) -> String {
     let text = estimate.to_string();
     text.split(" ±").next().unwrap_or_default().to_owned()

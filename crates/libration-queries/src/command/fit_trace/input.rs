@@ -56,7 +56,7 @@ impl Input {
     }
 }
 
-/// Without the folders.
+/// The name of a file without its folders.
 fn short_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

@@ -14,7 +14,7 @@ const COLUMNS: usize = 100;
 const OVERLAP: f64 = 2.0 / 3.0;
 
 impl Answer {
-    /// In the form asked for; the table lists the resonances only if that is wanted.
+    /// Writes the result in the given form; the table lists the resonances only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => {

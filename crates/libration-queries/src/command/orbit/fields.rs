@@ -142,7 +142,7 @@ pub(crate) fn answers() -> Vec<Answers> {
     vec![Answers { command: "orbit", option: "", json, csv: of_term().described_in_csv() }]
 }
 
-/// For machines, and for people.
+/// The kind of an orbit as a value of its field, and in words.
 fn kind(kind: OrbitKind) -> [&'static str; 2] {
     match kind {
         OrbitKind::Released => ["released", "released from rest"],

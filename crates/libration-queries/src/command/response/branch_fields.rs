@@ -223,7 +223,7 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
     ])
 }
 
-/// For machines, and for people.
+/// The origin of a branch as a value of its field, and in words.
 pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
     match origin {
         Origin::Primary => ["primary", "from an end of the range"],

@@ -119,7 +119,7 @@ pub(crate) struct Answer {
     /// The coordinate whose amplitude is meant.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
-    /// For each branch, for each of its special points, where they were asked for and are known.
+    /// The precise values of the special points of each branch, where requested and known.
     precise: Vec<Vec<Option<Decimal>>>,
     pub(crate) sweeps: Vec<Sweep>,
     /// Number of drive periods in a period of a response.

@@ -16,7 +16,7 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer {
-    /// In the form asked for; the table lists the special points only if that is wanted.
+    /// Writes the result in the given form; the table lists the special points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => {

@@ -9,7 +9,7 @@ use crate::output::{Form, csv, number};
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    /// In the form asked for; the table lists the points only if that is wanted.
+    /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),

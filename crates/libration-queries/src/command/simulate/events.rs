@@ -37,7 +37,7 @@ pub(super) struct UntilOptions {
     count: u64,
 }
 
-/// Through zero.
+/// The direction of a crossing.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Way {
     Any,

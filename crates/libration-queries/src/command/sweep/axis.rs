@@ -20,7 +20,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// From a name and its values as words, which are numbers where all of them are.
+    /// The axis of a name and its values as words, which are numbers where all of them are.
     pub(crate) fn of_words(name: &str, values: Vec<String>) -> Result<Self, String> {
         if name.trim().is_empty() || name.contains(['{', '}']) {
             return Err("an axis needs a name: give NAME=VALUES, such as A=1:1.5:0.01".to_owned());

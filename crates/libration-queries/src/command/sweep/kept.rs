@@ -14,7 +14,7 @@ pub struct Kept {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Step {
     Key(String),
-    /// From the end where it is negative.
+    /// An entry, counted from the end where it is negative.
     Entry(i64),
     Entries(usize, usize),
 }
@@ -40,7 +40,7 @@ impl Kept {
         Ok(Self { name, path: path.to_owned(), steps })
     }
 
-    /// With a name made of its way.
+    /// The kept number with a name made of its path.
     pub(crate) fn named(self, name: impl Fn(&str) -> String) -> Self {
         Self { name: name(&self.path), ..self }
     }

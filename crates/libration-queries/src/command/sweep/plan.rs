@@ -95,7 +95,7 @@ impl Plan {
             .with("chunk_shape", json::list(self.grid.block.clone()))
     }
 
-    /// From its JSON; an error is the reason why it is none.
+    /// Reads a plan from its JSON; an error is the reason why it is not one.
     pub(crate) fn read(written: &Value) -> Result<Self, String> {
         let format = written["format"].as_u64();
         if format != Some(FORMAT) {

@@ -37,7 +37,7 @@ impl<A> Fields<A> {
         fields
     }
 
-    /// With these behind them.
+    /// The fields followed by others.
     pub(crate) fn and(mut self, others: impl Into<Self>) -> Self {
         let mut others = others.into();
         self.plans.append(others.plans, self.contents.len());
@@ -76,7 +76,7 @@ impl<A> Fields<A> {
         self.plans.added_for(name, record, &self.values(answer))
     }
 
-    /// For a table with these columns, in their order.
+    /// The fields for a table with these columns, in their order.
     pub(crate) fn for_table(mut self, titles: &[&str]) -> Self {
         self.plans.keep_for_table(titles);
         self

@@ -14,7 +14,7 @@ pub(super) enum Look {
     Short(usize),
     /// An angle, which is in radians otherwise.
     Degrees(usize),
-    /// With its unit behind it.
+    /// A number followed by its unit.
     WithUnit(usize),
     /// The text at this place among the values.
     Words(usize),

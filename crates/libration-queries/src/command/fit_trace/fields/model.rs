@@ -18,7 +18,7 @@ pub(in super::super) struct DampingModel<'a> {
     weight: f64,
 }
 
-/// In the order in which they were tried.
+/// The models in the order of the comparison.
 pub(in super::super) fn models<'a>(
     answer: &'a Answer<'a>,
     comparison: &'a Comparison,
@@ -114,7 +114,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
     ])
 }
 
-/// For a table to read.
+/// The fields of the table of models.
 pub(in super::super) fn shown<'a>() -> Fields<DampingModel<'a>> {
     of_model().for_table(&COLUMNS)
 }
@@ -131,7 +131,7 @@ pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
     ])
 }
 
-/// Over the models by their weights.
+/// The averages over the models by their weights.
 pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
     let names = ["omega0"].into_iter().chain(DampingKind::ALL.map(DampingKind::name));

@@ -62,7 +62,7 @@ pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
     ])
 }
 
-/// For a table to read.
+/// The fields of the table of parameters.
 pub(in super::super) fn shown<'a>() -> Fields<Row<'a>> {
     of_parameter().for_table(&COLUMNS)
 }

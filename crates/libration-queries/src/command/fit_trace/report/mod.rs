@@ -53,7 +53,7 @@ fn sentences(items: &[String]) -> Vec<String> {
     items.iter().map(|text| sentence(text)).collect()
 }
 
-/// With a capital letter, if it begins with a word and not with a symbol or a name, and a full stop.
+/// A text as a sentence: with a capital letter, if it begins with a word and not with a symbol or a name, and a full stop.
 pub fn sentence(text: &str) -> String {
     let stop = if text.ends_with(['.', '!', '?']) { "" } else { "." };
     let first = text.split_whitespace().next().unwrap_or_default().trim_end_matches([',', ':', ';']);

@@ -13,7 +13,7 @@ use serde_json::Value;
 pub(super) struct Line<'a> {
     trace: &'a str,
     observable: Observable,
-    /// From 1; none for the mean.
+    /// Number of the window from 1 with its time; none for the mean.
     window: Option<(usize, f64)>,
     /// Frequency of the first harmonic, in Hz.
     fundamental: f64,
@@ -227,7 +227,7 @@ pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
 }
 
 impl Line<'_> {
-    /// In degrees for angles, to two digits of its uncertainty.
+    /// A value with two digits of its uncertainty, in degrees for angles.
     fn shown(&self, value: f64, uncertainty: f64) -> String {
         let (_, scale) = unit_scale(self.observable);
         let text = number::with_uncertainty(scale * value, scale * uncertainty, "");

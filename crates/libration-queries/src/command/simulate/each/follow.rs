@@ -25,7 +25,7 @@ pub(super) struct Followed<'a> {
 /// Motions with the same parameters, for one core.
 struct Piece<'m, 'a> {
     setting: &'a Setting,
-    /// With their places among all.
+    /// The motions with their positions among all.
     motions: Vec<(usize, &'m Listed<'a>)>,
 }
 
@@ -150,7 +150,7 @@ impl<'m, 'a> Account<'m, 'a> {
     }
 }
 
-/// On both sides of the start.
+/// Follows a motion on both sides of the start.
 fn both_ways<'a>(listed: &Listed<'a>, progress: &Progress) -> Followed<'a> {
     let Setting { system, energy, .. } = listed.setting;
     let (outcome, drift) = listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| go_on());

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// A row of a table and its motion.
 pub(super) struct Listed<'a> {
-    /// From 1, in the order of the rows.
+    /// Number of the motion from 1, in the order of the rows.
     pub(super) number: usize,
     pub(super) row: &'a MotionRow,
     pub(super) setting: &'a Setting,

@@ -34,7 +34,7 @@ const MOST_NUMBERS: usize = 1 << 26;
 pub(super) struct Answer<'a> {
     path: &'a Path,
     table: &'a MotionTable,
-    /// With the parameters of the table open.
+    /// The model with the parameters of the table open.
     model: &'a Model,
     tolerances: &'a Tolerances,
     with_events: bool,

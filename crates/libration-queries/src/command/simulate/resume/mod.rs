@@ -199,7 +199,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
 /// The reason why a file is not continued.
 #[derive(Debug)]
 enum Unusable {
-    /// It cannot be read at all.
+    /// The file cannot be read.
     Failed(QueryError),
     Refused(ResumeError),
 }
