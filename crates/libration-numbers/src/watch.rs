@@ -42,7 +42,7 @@ pub enum Stage {
     },
     /// An expansion is checked by another method.
     Check,
-    /// The motion asked for, 0, or another one beside it.
+    /// The motion requested, 0, or another one next to it.
     Motion {
         /// The number of the motion.
         number: usize,

@@ -116,7 +116,7 @@ impl Strided {
         self.first.wrapping_offset(self.step.wrapping_mul(element.cast_signed())).cast()
     }
 
-    /// Goes through the array. Where elements of this type lie beside each other, the step is one that the compiler knows, which lets it take
+    /// Goes through the array. Where elements of this type lie next to each other, the step is one that the compiler knows, which lets it take
     /// several at once.
     #[inline(always)]
     fn walk<T>(self, visit: impl FnOnce(Self)) {

@@ -51,7 +51,7 @@ impl Call {
         &self.arguments
     }
 
-    /// Says it beside the answer, unless it is said already.
+    /// Says it with the result, unless it is said already.
     pub(crate) fn note(&self, sentence: &str) {
         let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
         if !notes.iter().any(|note| note == sentence) {

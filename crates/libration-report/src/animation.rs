@@ -1,4 +1,4 @@
-//! Moving parts: bodies on their square beside the axes or above them, and dots on the curves in them.
+//! Moving parts: bodies on their square next to the axes or above them, and dots on the curves in them.
 
 use crate::chart::{Hanging, Mechanism, MovingDot, Picture};
 use crate::frame::Frame;

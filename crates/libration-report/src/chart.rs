@@ -9,18 +9,18 @@ pub struct Picture {
     pub parameters: Vec<String>,
     /// The panels from the top.
     pub panels: Vec<Panel>,
-    /// The height of all axes as a part of their width, where no height is asked for.
+    /// The height of all axes as a part of their width, where no height is requested.
     pub aspect: f64,
-    /// Animation beside the axes, for pictures that can move.
+    /// Animation next to the axes, for pictures that can move.
     pub animation: Option<Animation>,
 }
 
-/// Bodies that move beside the axes, and dots that follow curves in them, again and again.
+/// Bodies that move next to the axes, and dots that follow curves in them, again and again.
 #[derive(Clone, Debug)]
 pub struct Animation {
     /// Duration of one cycle, in seconds.
     pub seconds: f64,
-    /// Mechanism that moves beside the axes.
+    /// Mechanism that moves next to the axes.
     pub mechanism: Mechanism,
     /// Dots that move in the axes.
     pub dots: Vec<MovingDot>,

@@ -154,7 +154,7 @@ impl Room {
     }
 }
 
-/// The least height of the axes of a panel: the name beside them takes two lines or three.
+/// The least height of the axes of a panel: the name next to them takes two lines or three.
 fn shortest(panel: &Panel) -> f64 {
     let ticks = ticks::least_length(&panel.y, y_extent);
     ticks.max(SHORTEST).max(0.5 * width(&panel.y.label, 1.0))

@@ -72,7 +72,7 @@ pub enum ShapeRole {
     Tick,
     /// The label of a tick below the axes.
     XTickLabel,
-    /// The label of a tick beside the axes.
+    /// The label of a tick next to the axes.
     YTickLabel,
     /// A name of an axis.
     AxisLabel,

@@ -117,7 +117,7 @@ impl Search<'_> {
     }
 
     pub(super) fn primary(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
-        /// A multiplier of a free motion that is 1 to half the digits, beside that of a deviation along the motion.
+        /// A multiplier of a free motion that is 1 to half the digits, compared with that of a deviation along the motion.
         const FAMILY: f64 = 1e-6;
         let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
         let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();

@@ -12,7 +12,7 @@ pub struct Space {
     pub half_periods: u32,
     /// `true` if the motion is its mirror image then, in which all coordinates, or some of them, have the opposite sign.
     pub mirrored: bool,
-    /// The angle that goes around meanwhile, if one does.
+    /// The angle that rotates meanwhile, if one does.
     pub rotation: Option<Rotation>,
 }
 

@@ -33,7 +33,7 @@ pub struct SweepPoint {
     pub state: Vec<f64>,
     /// Number of drive periods after which the motion repeats itself to a millionth; `None` where it does not after a thousand periods.
     pub drive_periods: Option<u32>,
-    /// The angle that goes around in these periods, if one does.
+    /// The angle that rotates in these periods, if one does.
     pub rotation: Option<Rotation>,
     /// The least and the greatest value of each coordinate, as of a [`BranchPoint`](super::BranchPoint); where the motion does not repeat itself,
     /// in sixteen periods of the drive.
@@ -57,7 +57,7 @@ const DISTINCT: f64 = 1e-3;
 const LOOKED_AT: u32 = 16;
 
 impl SweepPoint {
-    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that goes around without an end.
+    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that rotates without an end.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
         let [low, high] = self.ranges[coordinate];

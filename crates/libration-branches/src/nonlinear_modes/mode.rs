@@ -43,7 +43,7 @@ pub struct StabilityChange {
 
 /// The first orbit has this part of the least amplitude, or this amplitude where that is less.
 const FIRST: f64 = 0.02;
-/// Steps to the next amplitude asked for grow by this factor.
+/// Steps to the next amplitude requested grow by this factor.
 const GROWTH: f64 = 1.6;
 /// The longest step in parts of the last amplitude.
 const LONGEST: f64 = 0.25;

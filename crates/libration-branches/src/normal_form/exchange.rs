@@ -288,7 +288,7 @@ impl Scale {
 
 /// The mean angular frequency around the middle, and its error: the largest change by leaving a tenth of the places out, at either end or half
 /// at each. The mean converges faster than any power of the length, so that nine tenths miss a few times what all miss, and half of them thousands
-/// of times as much. What is left of the tolerance of the integration after all steps is beside it.
+/// of times as much. What is left of the tolerance of the integration after all steps is next to it.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
     let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
     let step = |pair: &[f64]| {

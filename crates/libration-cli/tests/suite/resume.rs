@@ -70,7 +70,7 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     let bytes = fs::read(&part).unwrap();
     let known = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
     assert!(known < bytes.len() && known > bytes.len() / 2, "{known} of {}", bytes.len());
-    // At the end of a line, one byte beside it, within a number, and before what is known.
+    // At the end of a line, one byte next to it, within a number, and before what is known.
     for length in
         [bytes.len(), bytes.len() - 1, bytes.len() - 7, known + 20, known + 1, known, known - 1, known / 2]
     {

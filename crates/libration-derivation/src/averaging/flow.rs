@@ -70,7 +70,7 @@ pub(crate) enum Part {
 type Named = BTreeMap<Place, Polynomial>;
 
 impl Flow {
-    /// Finds all powers up to those that are asked for.
+    /// Finds all powers up to those that are requested.
     pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: alone((1, 0), PhaseFunction::cosine()),

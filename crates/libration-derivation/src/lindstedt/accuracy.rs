@@ -143,7 +143,7 @@ fn rest(remainder: Remainder) -> Prose {
     Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, DecimalUnit::One)))
 }
 
-/// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
+/// ε, the frequency, the period and the harmonics at the amplitude, compared with those of the motion in numbers.
 pub fn motion(
     question: &Question,
     released: &Released,

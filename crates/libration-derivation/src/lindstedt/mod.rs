@@ -38,7 +38,7 @@ pub struct Released {
 pub const HIGHEST_ORDER: usize = 9;
 
 /// The motion and the period of a conservative oscillator as series in the amplitude, derived order by order with the
-/// gauge left open, then in the gauge asked for and in a second one, with the numbers of an oscillation if one is
+/// gauge left open, then in the gauge requested and in a second one, with the numbers of an oscillation if one is
 /// given.
 ///
 /// # Errors

@@ -20,7 +20,7 @@ pub(super) fn step(
     if question.powers().contains(&2) {
         return Ok(None);
     }
-    // Any gauge with A₂ has the open gauge with all powers beside it.
+    // Any gauge with A₂ has the open gauge with all powers next to it.
     let gauge = Gauge::Coefficients(vec![Rational::from(1), Rational::from(1)]);
     let open = Question::new(&question.oscillator, 4, &gauge, watch)?;
     let (epsilon, tau) = (|| letter("ε"), || letter("τ"));

@@ -2,7 +2,7 @@
 
 use super::choices::{Choice, Suggestion};
 
-/// Reason why a file is not a recording, or lacks the data asked for.
+/// Reason why a file is not a recording, or lacks the data requested.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
@@ -91,7 +91,7 @@ pub enum MeasurementError {
     /// Two columns of this name.
     #[error("several columns are named `{0}`: give a number, counted from 1")]
     AmbiguousColumn(String),
-    /// No sheet of several has the data asked for; the error is that of the first.
+    /// No sheet of several has the data requested; the error is that of the first.
     #[error("no sheet has the requested columns; `{name}`: {error}")]
     OfSheet {
         /// The sheet.
@@ -104,12 +104,12 @@ pub enum MeasurementError {
     NoSuch {
         /// `sheet` or `run`.
         what: &'static str,
-        /// The name asked for.
+        /// The name requested.
         asked: String,
         /// The names available.
         available: String,
     },
-    /// Not one row is complete in the columns asked for.
+    /// Not one row is complete in the columns requested.
     #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
     /// More than any measurement has.
@@ -166,7 +166,7 @@ pub enum MeasurementError {
     /// Values that are not a trace.
     #[error(transparent)]
     Trace(#[from] super::TraceError),
-    /// A column whose heading says that it holds something else than it is asked for.
+    /// A column whose heading says that it holds something other than requested.
     #[error("{column} holds {found} by its header, where {expected} are needed: give other columns")]
     HoldsOther {
         /// Its number and name.
@@ -218,7 +218,7 @@ pub enum MeasurementError {
         /// The run, with a colon, or an empty text.
         run: String,
     },
-    /// No row between the times that are asked for.
+    /// No row between the times that are requested.
     #[error("{run}no row lies between the given times: the times run from {first} to {last} s")]
     NothingBetween {
         /// The run, with a colon, or an empty text.

@@ -23,7 +23,7 @@ pub struct Gates {
 }
 
 impl Recording {
-    /// The times of a photogate: the column of times, or the only column, with the state of the gate beside it.
+    /// The times of a photogate: the column of times, or the only column, with the state of the gate next to it.
     ///
     /// # Errors
     /// Columns that the file does not decide, cells that are no numbers or states, no time at all, times that go back again and again.
@@ -106,7 +106,7 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
 }
 
 /// Samples come with steps that are alike to a hundredth. The passages of a gate do too where it stands at the centre and the
-/// amplitude stays: it takes another column beside them to ask.
+/// amplitude stays: it takes another column next to them to ask.
 fn has_even_steps(times: &[f64]) -> bool {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let Some(usual) = lower_median(steps.clone()).filter(|_| steps.len() > 2) else { return false };

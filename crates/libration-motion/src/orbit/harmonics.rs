@@ -45,7 +45,7 @@ const NEGLIGIBLE: f64 = 2e-16;
 impl Orbit {
     /// The harmonics of one number of the state, as many as its period shows in double precision.
     ///
-    /// Samples are doubled until the last quarter of the harmonics they tell apart vanishes beside the largest: then what the
+    /// Samples are doubled until the last quarter of the harmonics they tell apart vanishes compared with the largest: then what the
     /// sums gather from higher ones is smaller still.
     ///
     /// # Accuracy

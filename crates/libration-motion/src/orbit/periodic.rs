@@ -1,4 +1,4 @@
-//! A periodic orbit and what it is asked for.
+//! A periodic orbit and its properties.
 
 use super::path::Path;
 use crate::periodic::Floquet;

@@ -148,7 +148,7 @@ pub struct EnergyAccount {
 pub struct EnergyBalance<'a> {
     energy: &'a Energy,
     jet: Option<Jet<'a, Doubles>>,
-    /// The energy of the first state by its formula, once it was asked for.
+    /// The energy of the first state by its formula, once it was requested.
     at_start: Option<f64>,
     account: EnergyAccount,
 }

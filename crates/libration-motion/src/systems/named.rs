@@ -17,7 +17,7 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct NamedSystem {
-    /// The name it is asked for by.
+    /// The name by which it is requested.
     pub key: &'static str,
     /// Other names for it.
     pub also: &'static [&'static str],

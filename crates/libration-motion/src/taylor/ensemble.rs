@@ -1,6 +1,6 @@
-//! Many motions of one system that go on together, and are asked for their states at one time after the other.
+//! Ensembles: many motions of one system that advance together, and give their states at one time after the other.
 //!
-//! Each motion keeps the step that it is in. Those whose steps end before the time that is asked for go on side by side in lanes.
+//! Each motion keeps the step that it is in. Those whose steps end before the time that is requested go on side by side in lanes.
 
 use super::stepper::Stepper;
 use super::trajectory::Trajectory;
@@ -91,7 +91,7 @@ impl Ensemble {
     }
 
     /// The states at a time, one behind the other: of each motion what [`System::state_names`] names; NaN before its start and behind its
-    /// end, and where it has been asked for later times before.
+    /// end, and where it has been requested later times before.
     pub fn states_at(&mut self, time: f64) -> Vec<f64> {
         self.states_at_watched(time, &Watch::none()).unwrap_or_default()
     }

@@ -258,7 +258,7 @@ impl Expander<'_> {
         }
     }
 
-    /// The last order that is asked for of formulas: events want as many as the state has.
+    /// The last order that is requested of formulas: events want as many as the state has.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
         self.plan.order - usize::from(self.system.events().is_empty())

@@ -1,4 +1,4 @@
-//! A motion beside how it changes with parameters and initial values.
+//! A motion with its derivatives with respect to parameters and initial values.
 
 use super::moduli::Moduli;
 use super::{StateLayout, with_sensitivities};

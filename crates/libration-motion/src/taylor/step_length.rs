@@ -225,7 +225,7 @@ impl<'s, const N: usize> Sizes<'s, N> {
     }
 }
 
-/// The first lanes of rows that belong to several series, beside each other.
+/// The first lanes of rows that belong to several series, next to each other.
 #[inline(always)]
 fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     rows: [[&[f64; M]; ROWS]; N],

@@ -69,7 +69,7 @@ struct Balanced {
 }
 
 impl Balanced {
-    /// `None` where the first or the last coefficient vanishes beside the others.
+    /// `None` where the first or the last coefficient vanishes compared with the others.
     fn new(coefficients: &[f64]) -> Option<Self> {
         let degree = coefficients.len() - 1;
         let logs: Vec<f64> = coefficients.iter().map(|c| libm::log2(c.abs())).collect();

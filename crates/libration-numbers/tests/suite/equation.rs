@@ -140,7 +140,7 @@ fn an_index_with_a_range_stands_for_many_equations() {
         ("x[i]'' = x[i-1]', i = 1..2; x[0] = x[2]", "x1'' = x2'; x2'' = x1'"),
         // The letter is a number, also where it is a parameter elsewhere; a family of parameters.
         ("x[j]'' = -j*w[j]^2*x[j], j = 1..2; y' = -j*y", "x1'' = -w1^2*x1; x2'' = -2*w2^2*x2; y' = -j*y"),
-        // Of the first order, and beside one of the second that names one of them.
+        // Of the first order, and with one of the second that names one of them.
         ("q[n]' = q[n-1] - q[n] + x', n = 0..1; x'' = q[1]", "q0' = -q0 + x'; q1' = q0 - q1 + x'; x'' = q1"),
         ("x[i]'' = 0, i = 1..1; x[i]'' = x[1], i = 2..2", "x1'' = 0; x2'' = x1"),
     ] {

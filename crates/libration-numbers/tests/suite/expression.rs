@@ -9,7 +9,7 @@ fn formula(text: &str) -> Expression {
     text.parse().unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-/// Input beside the way it is written back with all brackets.
+/// Input with the way it is written back with all brackets.
 const UNDERSTOOD: &[(&str, &str)] = &[
     // Precedence of mathematics.
     ("-x^2", "-(x^2)"),

@@ -16,7 +16,7 @@ const FIRST_PRECISION: usize = 144;
 /// Enough for the smallest positive `f64`, 2⁻¹⁰⁷⁴; a smaller error is zero.
 const LAST_PRECISION: usize = 1216;
 
-/// The exact ratio at one amplitude in as many precisions as the formulas asked for so far.
+/// The exact ratio at one amplitude in as many precisions as the formulas requested so far.
 #[derive(Debug)]
 pub struct Exact {
     amplitude: SwingAmplitude,

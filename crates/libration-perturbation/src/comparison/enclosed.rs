@@ -9,7 +9,7 @@ use libration_numbers::{
 
 /// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that shows: beyond it the
 /// force at rest drives away from the centre. It is looked for at even distances from the centre, and at each 2^(1/16) times the one
-/// before, so that a well shows that is small beside the orbit.
+/// before, so that a well shows that is small compared with the orbit.
 pub fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
     let name = equation.variables().first()?;
     let inputs = [Symbol::plain(name), Symbol::plain(name).with_primes(1)];

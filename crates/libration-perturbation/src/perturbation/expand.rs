@@ -33,7 +33,7 @@ const fn first_integral_order(kind: &Kind) -> usize {
 
 /// The exact expansion of the periodic motions of an oscillator.
 ///
-/// About a centre: x to εᴺ and Ω to εᴺ⁻¹ in the gauge asked for. Of a limit cycle: both to μᴺ in the strength μ of
+/// About a centre: x to εᴺ and Ω to εᴺ⁻¹ in the gauge requested. Of a limit cycle: both to μᴺ in the strength μ of
 /// the self-excitation; the gauge has no meaning there and must be the default one. Where the equilibrium or another
 /// number is not rational the coefficients are floats of 40 digits, and [`Expansion::precision`] says so.
 ///

@@ -66,7 +66,7 @@ impl Start {
     }
 }
 
-/// Ranges of as many elements beside each other as have the same key.
+/// Ranges of as many elements next to each other as have the same key.
 fn runs<K: PartialEq>(count: usize, key: impl Fn(usize) -> K) -> impl Iterator<Item = Range<usize>> {
     let mut start = 0;
     std::iter::from_fn(move || {

@@ -59,7 +59,7 @@ impl DampingOptions {
 }
 
 impl ApparatusOptions {
-    /// The length; none when gravity is not asked for.
+    /// The length; none when gravity is not requested.
     pub(crate) fn length(&self) -> Option<Quantity> {
         self.length
     }

@@ -12,7 +12,7 @@ pub(crate) struct KeyOptions {
 }
 
 impl KeyOptions {
-    /// The entries with these keys; all of the catalogue where none is asked for.
+    /// The entries with these keys; all of the catalogue where none is requested.
     pub(crate) fn chosen<T, E: Display>(
         &self,
         catalogue: impl IntoIterator<Item = T>,

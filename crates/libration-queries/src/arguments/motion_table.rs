@@ -7,7 +7,7 @@ use crate::query_error::QueryError;
 use libration::quantity::BareRadians;
 use std::path::Path;
 
-/// More motions than this are never asked for.
+/// More motions than this are never requested.
 const MOST_MOTIONS: usize = 1_000_000;
 
 /// Title of columns of names, such as `light`.

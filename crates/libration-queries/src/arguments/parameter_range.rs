@@ -4,7 +4,7 @@ use super::commas::at_commas;
 use super::values::plain_name;
 use libration::expression::Expression;
 
-/// More values than this are never asked for.
+/// More values than this are never requested.
 const MOST_VALUES: u32 = 1_000_000;
 
 /// A parameter with its values.

@@ -123,7 +123,7 @@ impl FieldsQuestion {
         Ok(())
     }
 
-    /// The answers asked for; `fit` stands for all fits.
+    /// The answers requested; `fit` stands for all fits.
     fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
         let is_asked = |it: &Answers| {

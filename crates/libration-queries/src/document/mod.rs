@@ -1,5 +1,5 @@
 //! Documents to read and to print: sections with words, tables and pictures, as one HTML file or as Markdown with its
-//! pictures beside it.
+//! pictures next to it.
 
 mod files;
 pub(crate) mod html;

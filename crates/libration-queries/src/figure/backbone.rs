@@ -12,12 +12,12 @@ pub(crate) struct BackboneSetting {
     pub(crate) is_angle: bool,
 }
 
-/// Points between the amplitudes that are asked for, so that curves are smooth.
+/// Points between the amplitudes that are requested, so that curves are smooth.
 const SAMPLES: u32 = 240;
 /// The series is drawn as far as it leaves the orbits by this part of their range.
 const BEYOND: f64 = 0.5;
 
-/// Orbits as markers at the amplitudes asked for, on a curve of orbits, beside the series and its radius of convergence.
+/// Orbits as markers at the amplitudes requested, on a curve of orbits, with the series and its radius of convergence.
 pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &BackboneSetting) -> Picture {
     let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
     let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Unfinished files that runs have left beside their place when they were ended by force.
+//! Unfinished files that runs have left next to their place when they were ended by force.
 //!
 //! A run keeps the lock of its unfinished file as long as it lives, so that those without are known to be left.
 
@@ -51,7 +51,7 @@ fn taken(path: PathBuf) -> Option<Leftover> {
     }
 }
 
-/// Removes what ended runs have left beside a place, and says so.
+/// Removes what ended runs have left next to a place, and says so.
 pub(super) fn remove(path: &Path) {
     for leftover in beside(path) {
         let removed = fs::remove_file(&leftover.path);

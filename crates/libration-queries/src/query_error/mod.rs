@@ -129,7 +129,7 @@ impl QueryError {
         Self::new(Kind::MissingFile, About::Nothing, &reason.to_string())
     }
 
-    /// An early end that was asked for.
+    /// An early end that was requested.
     pub(crate) fn cancelled(reason: impl Display) -> Self {
         Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
     }

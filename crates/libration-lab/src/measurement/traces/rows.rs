@@ -175,7 +175,7 @@ impl Rows {
         }
     }
 
-    /// Leaves out what is before and after the times that are asked for.
+    /// Leaves out what is before and after the times that are requested.
     fn keep_between(&mut self, unit: Unit, choices: &Choices) -> Result<(), MeasurementError> {
         let (from, to) = (choices.from.unwrap_or(f64::NEG_INFINITY), choices.to.unwrap_or(f64::INFINITY));
         let is_between = |row: &usize| (from..=to).contains(&unit.to_si(self.times[*row]));

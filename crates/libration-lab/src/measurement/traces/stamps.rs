@@ -12,7 +12,7 @@ pub(super) struct Even {
     pub(super) relative_uncertainty: f64,
 }
 
-/// The even times, where they are asked for, or where the rounding is so coarse that rows share times or its steps grow with the
+/// The even times, where they are requested, or where the rounding is so coarse that rows share times or its steps grow with the
 /// times, and nothing contradicts even ones.
 pub(super) fn even(
     times: &[f64],

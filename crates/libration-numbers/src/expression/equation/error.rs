@@ -45,7 +45,7 @@ pub enum EquationError {
     /// t''.
     #[error("t is the time and cannot be a variable: call the variable x, say")]
     TimeAsVariable,
-    /// x' = y beside x'' = -x.
+    /// x' = y together with x'' = -x.
     #[error(
         "`{equation}` is an equation for {rate}, but {name} has one for {name}'' already, with which {rate} is the velocity: leave one of \
          them out, or call one of the two variables something else",
@@ -110,7 +110,7 @@ pub enum EquationError {
         /// The maximum number.
         limit: usize,
     },
-    /// `x[3]` = 0 beside an equation for `x[3]''`.
+    /// `x[3]` = 0 together with an equation for `x[3]''`.
     #[error("`{equation}` gives a value to {name}, which has an equation of motion: leave one of them out")]
     ValueOfVariable {
         /// The equation, shortened.

@@ -172,7 +172,7 @@ impl<'a, R: PhaseFunctions> Solution<'a, R> {
         Some(())
     }
 
-    /// The wave beside a forced motion with which neither xₙⱼ nor vₙⱼ has a value at ψ = 0.
+    /// The wave in addition to a forced motion with which neither xₙⱼ nor vₙⱼ has a value at ψ = 0.
     fn free_wave(
         &self,
         forced: &R::Element,

@@ -27,7 +27,7 @@ pub enum SlowFlowError {
         /// Their names.
         open: Vec<String>,
     },
-    /// Letters beside the small one.
+    /// Letters other than the small one.
     #[error("no value is given for {}: only the small parameter stays symbolic", names.join(", "))]
     WithoutValue {
         /// Their names.

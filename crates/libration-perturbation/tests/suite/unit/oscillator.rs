@@ -302,7 +302,7 @@ fn a_place_is_a_number() {
     assert!(about("1").contains("there is no equilibrium at 1"));
 }
 
-/// Reference equations, for which series and periods are known independently, beside the keys they have here.
+/// Reference equations, for which series and periods are known independently, with the keys they have here.
 const REFERENCES: &[(&str, &str)] = &[
     ("pendulum", "theta'' + sin(theta) = 0"),
     ("duffing", "x'' + x + x^3 = 0"),

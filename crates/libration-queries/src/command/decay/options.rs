@@ -67,7 +67,7 @@ pub(super) struct SlowFlowOptions {
 }
 
 impl SlowFlowOptions {
-    /// The powers of amplitude and damping, if it is asked for.
+    /// The powers of amplitude and damping, if it is requested.
     pub(super) fn orders(self) -> Option<[usize; 2]> {
         Some([self.order?, self.damping_order.unwrap_or(DAMPING_ORDER)])
     }

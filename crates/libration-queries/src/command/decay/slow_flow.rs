@@ -1,4 +1,4 @@
-//! The slow flow beside a decay: what is asked of it, and what is said.
+//! The slow flow compared with a decay: options and output.
 
 use crate::output::field::{Field, Fields};
 use crate::output::number::short;
@@ -20,7 +20,7 @@ pub(crate) struct SlowTurn {
     pub(crate) phase_error: f64,
 }
 
-/// The cycle of the slow flow beside one of the integrated motion, in seconds.
+/// The cycle of the slow flow with one of the integrated motion, in seconds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlowCycle {
     pub(crate) duration: f64,

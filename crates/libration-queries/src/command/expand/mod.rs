@@ -162,7 +162,7 @@ struct Answer<C = Rational> {
     /// Letters and constants, where parameters are letters.
     letters: Option<Letters<C>>,
     expansion: Expansion<C>,
-    /// The order that was asked for, when Ctrl-C was pressed before it was reached.
+    /// The order that was requested, when Ctrl-C was pressed before it was reached.
     interrupted: Option<usize>,
 }
 
@@ -289,7 +289,7 @@ impl Expand {
         self.gauge.clone().unwrap_or(Gauge::Fundamental)
     }
 
-    /// The equation whose slow flow is asked for, by an option or by a key that only damped systems have.
+    /// The equation whose slow flow is requested, by an option or by a key that only damped systems have.
     fn slow_flow(&self) -> Result<Option<Asked>, QueryError> {
         match self.oscillator.asked_of_system(self.small.as_deref()) {
             Some(asked) => asked.map(Some),

@@ -24,7 +24,7 @@ pub(super) struct Answer {
     subject: Subject,
     law: ScalingLaw,
     harmonics: Vec<HarmonicRatio>,
-    /// The amplitude that was asked for, with the frequency there.
+    /// The amplitude that was requested, with the frequency there.
     at: Option<(f64, f64)>,
 }
 

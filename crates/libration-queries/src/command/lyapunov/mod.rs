@@ -18,7 +18,7 @@ use std::sync::Mutex;
 
 pub(crate) use write::answers;
 
-/// More intervals than this are never asked for.
+/// More intervals than this are never requested.
 const MOST_INTERVALS: usize = 100_000_000;
 
 /// The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion is chaotic

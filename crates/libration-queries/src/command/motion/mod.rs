@@ -94,7 +94,7 @@ impl Motion {
     }
 }
 
-/// The approximate motions beside the exact one, with what they need.
+/// The approximate motions with the exact one, with what they need.
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     pub(crate) approximations: Vec<ApproximateMotion>,

@@ -1,4 +1,4 @@
-//! Many amplitudes: one row each, with the errors of the formulas asked for.
+//! Many amplitudes: one row each, with the errors of the formulas requested.
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};

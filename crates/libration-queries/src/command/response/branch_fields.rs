@@ -20,7 +20,7 @@ pub(super) struct Place<'a> {
     pub(super) of: &'a Numbered<'a>,
     pub(super) point: &'a BranchPoint,
     pub(super) special: Option<&'a SpecialPoint>,
-    /// The parameter there, where more digits were asked for.
+    /// The parameter there, where more digits were requested.
     pub(super) precise: Option<&'a Decimal>,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Numbered<'a> {
 }
 
 impl Place<'_> {
-    /// The parameter to the digits that were asked for.
+    /// The parameter to the digits that were requested.
     pub(super) fn digits_text(&self) -> Option<String> {
         let (precise, special) = (self.precise?, self.special?);
         let name = &self.of.answer.parameter;

@@ -51,7 +51,7 @@ pub(super) struct Happening {
     pub(super) time: f64,
     pub(super) kind: String,
     pub(super) state: Vec<f64>,
-    /// The values of the columns that were asked for.
+    /// The values of the columns that were requested.
     pub(super) columns: Option<Vec<f64>>,
     /// Error of time and state, where it is estimated; NaN where they are not determined.
     pub(super) error: Option<Moment>,

@@ -243,7 +243,7 @@ impl Simulate {
     }
 }
 
-/// Writes the answer into its file, and beside a CSV file how it is gone on from; how it ended, and what was drawn.
+/// Writes the output into its file, and with a CSV file the record for its continuation; then how it ended, and what was drawn.
 fn write_file(
     motion: SimulatedMotion<'_>,
     form: Form,

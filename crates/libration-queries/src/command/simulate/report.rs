@@ -17,7 +17,7 @@ pub(super) trait AnswerWriter {
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()>;
 }
 
-/// A state of the motion, with the values of the columns that were asked for.
+/// A state of the motion, with the values of the columns that were requested.
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,

@@ -30,7 +30,7 @@ pub(super) struct Figure<'a> {
     pub(super) sizes: &'a figure::Sizes,
     /// Axes of the picture, if it does not show the coordinates against time.
     pub(super) axes: Option<[StateAxis; 2]>,
-    /// `true` if the bodies move beside the curves.
+    /// `true` if the bodies move next to the curves.
     pub(super) animate: bool,
 }
 

@@ -4,7 +4,7 @@ use crate::arguments::{constant, plain_name, progression};
 use crate::output::number;
 use libration::expression::Expression;
 
-/// More values than this are never asked for.
+/// More values than this are never requested.
 const MOST_VALUES: usize = 1_000_000;
 
 /// A name with its values, each as the question is given it.

@@ -40,7 +40,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use store::Store;
 
-/// More points than this are never asked for in one chunk.
+/// More points than this are never requested in one chunk.
 const MOST_POINTS: usize = 1_000_000_000;
 
 /// Run a command over a parameter grid, in chunks that survive interruptions

@@ -13,7 +13,7 @@ const LAGS: usize = 60;
 const BARS: u32 = 32;
 const WIDEST: f64 = 4.0;
 
-/// The autocorrelation of the residuals with the range noise would keep to, and their histogram beside the normal one.
+/// The autocorrelation of the residuals with the range noise would keep to, and their histogram with the normal one.
 pub(crate) fn residuals(correlation: &Autocorrelation, residuals: &[f64]) -> Picture {
     let panels = vec![autocorrelation(correlation, residuals.len()), histogram(residuals)];
     Picture { aspect: 0.8, ..Picture::new("Residuals compared with white noise", panels) }

@@ -29,7 +29,7 @@ pub(super) enum Datum {
     Unknown(String),
     /// A count, words, a list, an object, or null without a note.
     Value(Value),
-    /// Said beside the fields before it.
+    /// Said with the fields before it.
     Note(String),
     /// Left out of JSON.
     Absent,

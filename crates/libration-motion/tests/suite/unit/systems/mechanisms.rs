@@ -17,7 +17,7 @@ pub(super) struct Mechanism {
     pub(super) springs: &'static str,
     /// The generalised force on each coordinate that has no potential.
     pub(super) forces: &'static [&'static str],
-    /// Values that the masses need beside the parameters.
+    /// Values that the masses need in addition to the parameters.
     pub(super) defined: &'static [(&'static str, &'static str)],
 }
 

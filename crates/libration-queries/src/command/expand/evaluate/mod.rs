@@ -1,4 +1,4 @@
-//! `libration expand --evaluate`: a series in numbers, term by term, beside the exact value.
+//! `libration expand --evaluate`: a series in numbers, term by term, with the exact value.
 
 mod fields;
 mod table;

@@ -8,7 +8,7 @@ use crate::output::table::Column;
 use libration_lab::fit::swings::FittedPendulum;
 use libration_lab::fit::{DampingKind, Uncertain, alternatives};
 
-/// The few numbers that were asked for.
+/// The few numbers that were requested.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
     let period = answer.swings.small_angle_period();
     let (name, value) = sheet::gravity_or_length(answer);

@@ -153,7 +153,7 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    /// The start, if none is asked for or it is the same.
+    /// The start, if none is requested or it is the same.
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {

@@ -22,7 +22,7 @@ pub(crate) struct Question {
     pub(crate) events: Vec<String>,
     /// `true` if errors of the states are estimated.
     pub(crate) errors: bool,
-    /// Formulas that stand beside the state.
+    /// Formulas that stand in addition to the state.
     pub(crate) columns: Vec<String>,
 }
 

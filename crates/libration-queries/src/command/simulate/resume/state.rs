@@ -35,7 +35,7 @@ impl State {
         Some(Self { question: Question::from_json(&value["question"])?, mark })
     }
 
-    /// Reads the file that stands beside one of samples.
+    /// Reads the record next to a file of samples.
     pub(super) fn read(path: &Path) -> Result<Self, ResumeError> {
         /// A state has a hundred bytes for each of its numbers.
         const LARGEST: usize = 1 << 20;
