@@ -100,7 +100,7 @@ pub(crate) fn is_ended_early() -> bool {
     CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_ended_early()))
 }
 
-/// The host of threads that work for nobody.
+/// The host of threads outside a run.
 #[derive(Debug)]
 pub struct Nobody;
 

@@ -50,7 +50,7 @@ pub enum MovingForm {
     },
 }
 
-/// A thing to draw.
+/// A shape to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// Role of the shape.

@@ -47,8 +47,8 @@ const LONGEST: usize = 8;
 const RAMP: u32 = 16;
 /// Largest time of settling, in periods of the drive: a transient of quality 300 falls to 3e-5 in it.
 const MOST_PERIODS: usize = 1000;
-/// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
-/// thousandth, which no picture shows.
+/// Relative difference after a period below which a motion has settled. Next to a fold, where a thousand periods of a transient may remain,
+/// its error is a thousandth, which no picture shows.
 const SETTLED: f64 = 1e-6;
 /// Smallest distance, in parts of its size, of a motion that takes several periods from itself after fewer; a nearer one may be a transient that
 /// turns to and fro, and is followed further.

@@ -1,4 +1,4 @@
-//! The same from the energy that is lost: a road that knows nothing of conditions.
+//! The same law from the loss of energy, independent of the conditions.
 
 use std::collections::BTreeMap;
 

@@ -100,7 +100,7 @@ pub enum DerivationError {
     /// No limit cycle that is expanded in fractions.
     #[error("the amplitude at which the limit cycle begins is not a fraction: the derivation is exact")]
     NoCycle,
-    /// Two roads that should meet: an error of this program.
+    /// Two methods that should agree: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
     Disagreement {
         /// The quantity that does not agree.

@@ -1,4 +1,4 @@
-//! The elliptic road: from the energy to the period as an integral, a series and a mean.
+//! The derivation by elliptic integrals: from the energy to the period as an integral, a series and a mean.
 
 mod energy;
 mod mean;

@@ -1,4 +1,4 @@
-//! The road to a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
+//! The derivation of a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
 
 mod cycle;
 mod known;

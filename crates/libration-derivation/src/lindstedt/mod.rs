@@ -1,4 +1,4 @@
-//! The perturbation road: Lindstedt and Poincaré's method with the gauge left open, step by step.
+//! The derivation by perturbation: Lindstedt and Poincaré's method with the gauge left open, step by step.
 
 pub(crate) mod accuracy;
 mod amplitude;

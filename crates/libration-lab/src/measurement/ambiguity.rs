@@ -8,7 +8,7 @@ use super::options::ReadOptions;
 use super::sheet::Sheet;
 use super::text::is_blank_or_comment;
 
-/// Refuses a text whose commas mean one thing or another, unless it is said which.
+/// Refuses a text with ambiguous commas, unless their meaning is given.
 pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result<(), MeasurementError> {
     let rows: Vec<&str> = text
         .lines()

@@ -266,8 +266,8 @@ impl<'a> Newton<'a> {
         end.map(|size| f64::EPSILON * size).collect()
     }
 
-    /// The part of its norm by which the monodromy matrix may be off: as another integration tells, and as the error of the start changes it, by its
-    /// own size over that of the orbit.
+    /// The error of the monodromy matrix relative to its norm: from the difference of another integration, and from the error of the start
+    /// relative to the size of the orbit.
     fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
         let norm = |matrix: &dyn Fn(usize, usize) -> f64| {
             let entries = (0..start.len()).flat_map(|i| (0..start.len()).map(move |j| (i, j)));

@@ -96,7 +96,7 @@ impl StateLayout {
         self.accelerated.len() == self.coordinates()
     }
 
-    /// One thing for each number of a state, from those of the coordinates and those of their velocities.
+    /// One item for each state component, from those of the coordinates and those of their velocities.
     pub fn arrange<T>(
         &self,
         coordinates: impl IntoIterator<Item = T>,

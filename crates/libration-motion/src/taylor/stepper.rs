@@ -181,8 +181,8 @@ impl<const N: usize> Kernel for StepEnds<'_, '_, N> {
     }
 }
 
-/// The unit of time for series with steps of this length: a power of two, larger by so much that terms that are small in
-/// a step do not underflow.
+/// The unit of time for series with steps of this length: a power of two, large enough that terms that are small in a step do not
+/// underflow.
 pub(super) fn unit_for(length: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGER: f64 = 64.0;

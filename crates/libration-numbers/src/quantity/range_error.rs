@@ -2,7 +2,7 @@
 
 use super::QuantityError;
 
-/// More elements than anybody can look at, and few enough to be held in memory.
+/// Largest number of elements, which memory can hold.
 pub(super) const MOST_ELEMENTS: u64 = 10_000_000;
 
 /// Reason why a text is not a range.

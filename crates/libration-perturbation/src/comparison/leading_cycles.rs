@@ -231,7 +231,7 @@ fn extremum(
     Ok(found.filter(Work::is_some))
 }
 
-/// The work where something about it vanishes; nobody is asked again after a stop.
+/// The work at a zero of a function of it; no further work is computed after a cancellation.
 fn at_zero(
     work: &WorkOverOrbits<'_>,
     ends: [(f64, f64); 2],

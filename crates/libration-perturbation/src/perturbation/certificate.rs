@@ -1,4 +1,4 @@
-//! Exact checks of a family's series by a road that knows no harmonics.
+//! Exact checks of a family's series by a method without harmonics.
 //!
 //! # Method
 //! Up to order 15 everything is computed again in plain rationals, with √ω0² where the velocity enters and ω0 is irrational. Above that order, for

@@ -212,7 +212,7 @@ fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     QueryError::usage(about, &error).with_item(parameter)
 }
 
-/// Adds to a reason why there is no motion that the drive of the system is off, if it is.
+/// Adds to a reason why there is no motion that the drive of the system is zero, where it is.
 pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
     match &model.idle_drives()[..] {
         [] => reason.to_string(),

@@ -61,7 +61,7 @@ const USAGE: &str = "libration plan --g-to <PART> --length <LENGTH> --angle-nois
 #[derive(Clone, Debug)]
 struct Choices(Vec<Amplitude>);
 
-/// More than these nobody tries.
+/// Largest number of amplitudes.
 const MOST: usize = 1000;
 
 fn amplitudes(text: &str) -> Result<Choices, String> {

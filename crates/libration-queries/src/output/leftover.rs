@@ -30,7 +30,7 @@ fn unfinished(path: &Path) -> Vec<PathBuf> {
     names.filter(|name| is_one(name)).map(|name| path.with_file_name(name)).collect()
 }
 
-/// An unfinished file that nobody writes any more; nobody else takes it as long as this lives.
+/// An unfinished file of an ended run, locked for other runs as long as this value lives.
 #[derive(Debug)]
 pub(crate) struct Leftover {
     pub(crate) path: PathBuf,

@@ -51,8 +51,8 @@ pub enum ContinuationError {
     Decay(#[from] DecayError),
 }
 
-/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top, (2/π)·ln(8e15)/2;
-/// a motion that rotates for so much longer is not a swing.
+/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top,
+/// (2/π)·ln(8e15)/2; a motion that rotates for this long is not a swing.
 const LONGEST: f64 = 100.0;
 /// Step of differences relative to an uncertainty, upwards, since coefficients of damping are never negative: a derivative that changes by a
 /// tenth over an uncertainty errs by half a hundredth.

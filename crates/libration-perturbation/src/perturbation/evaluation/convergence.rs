@@ -77,7 +77,7 @@ impl Convergence {
     }
 }
 
-/// 1/ρ and how far it may be off.
+/// 1/ρ and its uncertainty.
 #[derive(Clone, Copy, Debug)]
 struct Inverse {
     value: f64,

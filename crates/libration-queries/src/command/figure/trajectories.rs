@@ -131,7 +131,7 @@ impl Trajectories {
         Ok(runs)
     }
 
-    /// The motions that are done before somebody presses Ctrl-C.
+    /// The motions that are done before a cancellation.
     fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, QueryError> {
         let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(POINTS - 1));
         done(runs, |run| {
@@ -147,7 +147,7 @@ impl Trajectories {
         })
     }
 
-    /// The spectra of the motions that are done before somebody presses Ctrl-C.
+    /// The spectra of the motions that are done before a cancellation.
     fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, QueryError> {
         done(runs, |run| {
             let mut motion = DenseSolution::default();
@@ -162,7 +162,7 @@ impl Trajectories {
     }
 }
 
-/// The results of the runs that are done before somebody presses Ctrl-C: at least one.
+/// The results of the runs that are done before a cancellation: at least one.
 fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result<Vec<T>, QueryError> {
     let mut done = vec![];
     for run in runs {
