@@ -1,5 +1,5 @@
-//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can tell apart,
-//! each joined with a dash pattern or a marker so that no two curves differ by colour alone.
+//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can distinguish, each joined with a dash pattern or
+//! a marker so that no two curves differ by colour alone.
 
 use crate::chart::{Look, Mark};
 

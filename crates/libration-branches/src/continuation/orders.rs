@@ -1,4 +1,4 @@
-//! Sub- and superharmonic answers, found from the free oscillations.
+//! Sub- and superharmonic responses, found from the free oscillations.
 //!
 //! # Method
 //! Isolas are found from outside. At each of sixteen values the free oscillations with p/q of the drive frequency are released from rest. The work
@@ -39,7 +39,7 @@ pub enum OrderFinding {
     NoWork,
     /// The largest fraction of the energy lost to damping that the drive supplies at any phase, to first order.
     TooWeak(f64),
-    /// Balanced oscillations lead to no answer as drive and damping grow from zero to what they are.
+    /// Balanced oscillations lead to no response as drive and damping grow from zero to what they are.
     NotReached,
     /// Responses were found.
     Found,

@@ -1,4 +1,4 @@
-//! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
+//! The responses of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
 use super::branch::{Branch, Origin, Walked};
 use super::error::NoBranch;

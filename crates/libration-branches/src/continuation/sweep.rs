@@ -40,10 +40,10 @@ pub struct SweepPoint {
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// The longest answers that are recognised, in periods of the drive.
+/// The longest responses that are recognised, in periods of the drive.
 const LONGEST: usize = 8;
-/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both answers of the driven pendulum at 0.8, which without them
-/// jumps down from the one at 0.9.
+/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both responses of the driven pendulum at 0.8, which
+/// without them jumps down from the one at 0.9.
 const RAMP: u32 = 16;
 /// Largest time of settling, in periods of the drive: a transient of quality 300 falls to 3e-5 in it.
 const MOST_PERIODS: usize = 1000;
@@ -72,7 +72,7 @@ impl Response {
     /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
     /// an end has no stable solution there is no sweep from there.
     ///
-    /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
+    /// Equation, parameter and range are those of the response. `watch` is checked at each step; where it stops the motions are given so far.
     ///
     /// # Errors
     /// As [`Response::over`]; equations without a drive.
@@ -116,7 +116,7 @@ impl Response {
         Ok(sweeps)
     }
 
-    /// The state of a stable answer at an end of the range.
+    /// The state of a stable response at an end of the range.
     fn stable_at(&self, end: f64) -> Option<&[f64]> {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);

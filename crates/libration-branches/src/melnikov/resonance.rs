@@ -85,10 +85,10 @@ impl PerturbedPendulum {
         self.resonances_watched(largest, &Watch::none()).unwrap_or_default()
     }
 
-    /// The same, asking at each resonance, and at each step of its integrals, whether to go on.
+    /// The same with a watch, which is checked at each resonance, and at each step of its integrals.
     ///
     /// # Errors
-    /// Being told not to.
+    /// A cancellation by the watch.
     pub fn resonances_watched(
         &self,
         largest: u32,

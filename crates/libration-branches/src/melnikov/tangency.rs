@@ -51,10 +51,10 @@ impl Threshold {
         self.tangency_watched(equation, parameter, &Watch::none())
     }
 
-    /// The same, asking at each step of the integrations whether to go on.
+    /// The same with a watch, which is checked at each step of the integrations.
     ///
     /// # Errors
-    /// As [`Self::tangency`], and being told not to.
+    /// As [`Self::tangency`], and a cancellation by the watch.
     pub fn tangency_watched(
         &self,
         equation: &Equation,

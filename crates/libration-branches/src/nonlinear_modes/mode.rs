@@ -97,10 +97,10 @@ impl NonlinearMode {
         Self::follow_watched(equation, modes, number, coordinate, amplitudes, &Watch::none())
     }
 
-    /// The same, asking at each step of each integration whether to go on.
+    /// The same with a watch, which is checked at each step of each integration.
     ///
     /// # Errors
-    /// As [`Self::follow`], and being told not to.
+    /// As [`Self::follow`], and a cancellation by the watch.
     pub fn follow_watched(
         equation: &Equation,
         modes: &NormalModes,

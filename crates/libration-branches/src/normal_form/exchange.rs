@@ -83,10 +83,10 @@ impl NormalForm {
         self.exchange_watched(state, &Watch::none())
     }
 
-    /// The same, asking at each step of the integration whether to go on.
+    /// The same with a watch, which is checked at each step of the integration.
     ///
     /// # Errors
-    /// As [`Self::exchange`], and being told not to.
+    /// As [`Self::exchange`], and a cancellation by the watch.
     pub fn exchange_watched(&self, state: &[f64], watch: &Watch<'_>) -> Result<Exchange, NoExchange> {
         let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
         let amplitudes = self.amplitudes_of(state).ok_or(NoExchange::TooFar)?;
@@ -124,10 +124,10 @@ impl NormalForm {
         self.measured_exchange_watched(equation, state, exchange, &Watch::none())
     }
 
-    /// The same, asking at each step of the integration whether to go on.
+    /// The same with a watch, which is checked at each step of the integration.
     ///
     /// # Errors
-    /// As [`Self::measured_exchange`], and being told not to.
+    /// As [`Self::measured_exchange`], and a cancellation by the watch.
     pub fn measured_exchange_watched(
         &self,
         equation: &Equation,

@@ -96,10 +96,10 @@ impl NormalForm {
         Self::about_watched(equation, guess, order, detuning, &Watch::none())
     }
 
-    /// The same, asking at each order whether to go on.
+    /// The same with a watch, which is checked at each order.
     ///
     /// # Errors
-    /// As [`Self::about`], and being told not to.
+    /// As [`Self::about`], and a cancellation by the watch.
     pub fn about_watched(
         equation: &Equation,
         guess: &[f64],

@@ -1,4 +1,4 @@
-//! Commas that may stand between cells or within numbers: told apart where the file does it, refused where it does not.
+//! Commas that may stand between cells or within numbers: distinguished where the file does it, refused where it does not.
 
 use super::MeasurementError;
 use super::choices::{Choice, Suggestion};

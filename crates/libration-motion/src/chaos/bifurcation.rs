@@ -84,7 +84,7 @@ pub fn bifurcation_diagram(
     bifurcation_diagram_watched(family, values, start, continuation, effort, &Watch::none())
 }
 
-/// The columns as [`bifurcation_diagram`] gives them; `watch` is asked at each step of each motion, and told how many columns are
+/// The columns as [`bifurcation_diagram`] gives them; `watch` is checked at each step of each motion, and receives the number of columns
 /// done. Where it stops the columns that are complete are given.
 ///
 /// # Errors

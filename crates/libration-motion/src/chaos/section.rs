@@ -139,7 +139,7 @@ pub fn section(
     section_watched(equation, start, section, points, effort, &Watch::none())
 }
 
-/// The points as [`section`] gives them; `watch` is asked at each step. Where it stops the points until then are given, with
+/// The points as [`section`] gives them; `watch` is checked at each step. Where it stops the points until then are given, with
 /// [`Cause::Interrupted`].
 ///
 /// # Errors

@@ -86,7 +86,7 @@ const MOST_ROUNDS: usize = 40;
 const LARGEST_CHANGE: f64 = 0.3;
 /// While an orbit misses its start by less than this part of its size, and rounds no longer halve it, nothing more is to be gained.
 const NEARLY_CLOSED: f64 = 1e-10;
-/// An orbit whose start is known to no more than this part of its size is not told apart from its neighbours.
+/// An orbit whose start is known to no more than this part of its size is not distinguished from its neighbours.
 const UNDETERMINED: f64 = 0.01;
 
 /// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.

@@ -68,8 +68,8 @@ pub(super) struct Neighbourhood<'a> {
     at: &'a Constant,
 }
 
-/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power
-/// is too weak there to be told from the rounding of [`PRECISION`] bits.
+/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power is too weak there to
+/// be distinguished from the rounding of [`PRECISION`] bits.
 const TRIED: [usize; 3] = [40, 20, 8];
 /// Forces of fewer than two to this power may be rounding.
 const NOISE: isize = -460;
@@ -95,7 +95,7 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// The sign of the force; zero where it is not told from zero.
+    /// The sign of the force; zero where it is not distinguished from zero.
     fn sign(&self, side: Towards, n: usize) -> Option<i8> {
         let sign = |positive: bool| if positive { 1 } else { -1 };
         match self.value(side, n)? {

@@ -96,8 +96,8 @@ impl Ensemble {
         self.states_at_watched(time, &Watch::none()).unwrap_or_default()
     }
 
-    /// The same; `watch` is asked before each step of as many motions as there are lanes, and told how many are there. What was done until
-    /// it stops is kept, so that another call goes on there.
+    /// The same; `watch` is checked before each step of as many motions as there are lanes, and receives the number of those that are there. What was done
+    /// until it stops is kept, so that another call goes on there.
     ///
     /// # Errors
     /// It was stopped.

@@ -99,7 +99,7 @@ fn lcm(common: UBig, denominator: &UBig) -> UBig {
     }
 }
 
-/// The first coefficients of outer(inner(x)), the inner series without constant term, asking `go_on` at each step; `None` when told not to.
+/// The first coefficients of outer(inner(x)), the inner series without constant term, checking `go_on` at each step; `None` when cancelled.
 ///
 /// Reference: M. S. Paterson, L. J. Stockmeyer, SIAM J. Comput. 2, 60 (1973), doi:10.1137/0202007.
 pub fn composition(

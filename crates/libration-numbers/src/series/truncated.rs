@@ -34,8 +34,8 @@ fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usiz
     all
 }
 
-/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is asked at each step; `None` when
-/// it says no.
+/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is checked at each step; `None` when
+/// it cancels.
 pub fn composition<R: Ring>(
     ring: &R,
     outer: &[R::Element],

@@ -145,7 +145,7 @@ impl ErrorTable {
         self.all_crossovers_watched(&Watch::none())
     }
 
-    /// The crossovers of all pairs; `watch` is asked after each pair. Where it stops those until then are given.
+    /// The crossovers of all pairs; `watch` is checked after each pair. Where it stops those until then are given.
     #[must_use]
     pub fn all_crossovers_watched(&self, watch: &Watch<'_>) -> Vec<Crossover> {
         let count = self.curves.len();

@@ -63,7 +63,7 @@ pub fn expand(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Ex
     expand_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// Expands as [`expand`] does, and asks `watch` at each order.
+/// Expands as [`expand`] does, and checks `watch` at each order.
 ///
 /// # Errors
 /// As [`expand`], or [`ExpansionError::Interrupted`] with the orders that are certain.

@@ -113,8 +113,8 @@ impl OscillatorOptions {
         }
     }
 
-    /// The oscillator, with letters where parameters have no value; these keep none.
-    /// The inner error is that of a strength that is left open, for which a slow flow may be the answer.
+    /// The oscillator, with letters where parameters have no value; these keep none. The inner error is that of a strength that is left
+    /// open, for which a slow flow may be the result.
     pub(crate) fn chosen_with_letters(
         &self,
         letters: &[String],

@@ -1,4 +1,4 @@
-//! `libration fields`: what the fields of answers mean.
+//! `libration fields`: what the fields of results mean.
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_response,
@@ -39,7 +39,7 @@ const LAST: &[Row] = &[(
     "reason why numbers of the same object are null; left out where there is none. In CSV the cell of a number that is not known or not finite is empty",
 )];
 
-/// The answers of all commands, in the order of the help.
+/// The results of all commands, in the order of the help.
 fn catalogue() -> Vec<Answers> {
     [
         period::answers(),
@@ -123,7 +123,7 @@ impl FieldsQuestion {
         Ok(())
     }
 
-    /// The answers requested; `fit` stands for all fits.
+    /// The results requested; `fit` stands for all fits.
     fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
         let is_asked = |it: &Answers| {

@@ -9,7 +9,7 @@ use super::simulation::{Trace, label, scale};
 use super::style;
 use libration::systems::Model;
 
-/// More motions than this are not told apart.
+/// More motions than this are not distinguished.
 pub(crate) const MOST_CURVES: usize = 12;
 
 /// Motions with their labels.

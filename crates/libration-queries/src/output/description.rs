@@ -1,6 +1,6 @@
 //! Descriptions of the fields of results: name, unit, meaning.
 
-/// A field of an answer. Parts of a name in capitals stand for names that the question decides.
+/// A field of a result. Parts of a name in capitals stand for names that the question decides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Description {
     /// Name with its path in JSON: `results[].formulas[].ratio`.
@@ -17,7 +17,7 @@ impl Description {
     }
 }
 
-/// The fields of one kind of answer.
+/// The fields of one kind of result.
 #[derive(Clone, Debug)]
 pub(crate) struct Answers {
     /// The command as it is typed, without `libration`.

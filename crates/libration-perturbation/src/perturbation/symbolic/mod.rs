@@ -75,7 +75,7 @@ pub fn expand_symbolically(
     expand_symbolically_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// Expands as [`expand_symbolically`] does, and asks `watch` at each order.
+/// Expands as [`expand_symbolically`] does, and checks `watch` at each order.
 ///
 /// # Errors
 /// As [`expand_symbolically`], or [`SymbolicExpansionError::Interrupted`] with the orders that were found.

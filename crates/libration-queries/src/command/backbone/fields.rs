@@ -8,7 +8,7 @@ use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{certainty, radius_certainty};
 use libration::comparison::{BackbonePoint, ExactValue, OrbitFrequency};
 
-/// A point of the backbone of an answer.
+/// A point of the backbone of a result.
 pub(super) struct Point<'a> {
     answer: &'a Answer,
     pub(super) point: &'a BackbonePoint,

@@ -243,7 +243,7 @@ impl Expand {
         Ok(out.write_all(&answer)?)
     }
 
-    /// Writes the answer, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the answer.
+    /// Writes the result, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the result.
     fn answer_in_numbers(
         &self,
         out: &mut dyn Write,

@@ -20,7 +20,7 @@ pub(super) struct Subject {
     read_as: Option<String>,
 }
 
-/// An answer about an oscillator.
+/// A result about an oscillator.
 pub(super) trait About {
     fn subject(&self) -> &Subject;
 }

@@ -45,7 +45,7 @@ impl Input {
         Ok(measured)
     }
 
-    /// The name of the run, the file, or both: whatever tells the trace from the others.
+    /// The name of the run, the file, or both: whatever distinguishes the trace from the others.
     fn name(&self, trace: &Trace, path: &Path) -> String {
         let file = short_name(path);
         match trace.name() {

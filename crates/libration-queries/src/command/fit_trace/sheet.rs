@@ -1,4 +1,4 @@
-//! The answer as a sheet with tables, for people at a terminal.
+//! The result as a sheet with tables, for people at a terminal.
 
 use super::answer::Answer;
 use super::fields::{self, DampingModel};

@@ -12,7 +12,7 @@ use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use std::io::{self, Write};
 
-/// The answer for many amplitudes.
+/// The result for many amplitudes.
 pub(super) struct Swings<'a> {
     pub(super) question: &'a Period,
     pub(super) amplitudes: &'a Amplitudes,

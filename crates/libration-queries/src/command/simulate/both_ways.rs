@@ -40,7 +40,7 @@ impl SimulatedMotion<'_> {
         Err(QueryError::usage(refused, reason))
     }
 
-    /// Writes the whole answer when the motion is known.
+    /// Writes the whole result when the motion is known.
     pub(super) fn write_both_ways(
         &self,
         system: &System,

@@ -1,4 +1,4 @@
-//! The answer as lines of numbers below their names.
+//! The result as lines of numbers below their names.
 
 use super::events::Happening;
 use super::fields;

@@ -1,4 +1,4 @@
-//! The answer as one JSON document.
+//! The result as one JSON document.
 
 use super::events::Happening;
 use super::fields;

@@ -35,7 +35,7 @@ use run::Outcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// The fields of answers about one motion, and about many.
+/// The fields of results about one motion, and about many.
 pub(crate) fn answers() -> Vec<Answers> {
     vec![fields::answers(), each::answers()]
 }

@@ -44,7 +44,7 @@ pub(super) struct Outcome {
 }
 
 impl SimulatedMotion<'_> {
-    /// Writes the answer as far as the integration comes, and draws the picture.
+    /// Writes the result as far as the integration comes, and draws the picture.
     pub(super) fn write(
         &self,
         form: Form,

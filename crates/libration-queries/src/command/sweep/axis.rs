@@ -43,7 +43,7 @@ impl Axis {
         Ok(Self { name, values, numbers, unit })
     }
 
-    /// A value as it stands in answers: in the unit of the axis, or as it was typed.
+    /// A value as it stands in results: in the unit of the axis, or as it was typed.
     pub(crate) fn shown(&self, place: usize) -> String {
         match &self.numbers {
             Some(numbers) => number::exact(numbers[place]),

@@ -1,4 +1,4 @@
-//! The numbers that a sweep keeps of each answer, by the ways to them in JSON.
+//! The numbers that a sweep keeps of each result, by the ways to them in JSON.
 
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ enum Step {
     Entries(usize, usize),
 }
 
-/// More numbers of an answer than this are never kept.
+/// More numbers of a result than this are never kept.
 const MOST: usize = 1_000_000;
 
 impl Kept {
@@ -61,7 +61,7 @@ impl Kept {
         }
     }
 
-    /// Its numbers in an answer, NaN where there is none; truth is 1, its opposite 0.
+    /// Its numbers in a result, NaN where there is none; truth is 1, its opposite 0.
     pub fn numbers(&self, answer: &Value) -> Vec<f64> {
         let mut numbers = vec![];
         follow(Some(answer), &self.steps, &mut numbers);

@@ -13,10 +13,10 @@ use serde_json::Value;
 /// The version of what is written of a plan and of its chunks.
 pub(crate) const FORMAT: u64 = 1;
 
-/// The columns that say whether there is an answer, behind those of the numbers.
+/// The columns that say whether there is a result, behind those of the numbers.
 pub(crate) const BESIDE: [&str; 2] = ["status", "message"];
 
-/// A question, its axes and what is kept of each answer.
+/// A question, its axes and what is kept of each result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plan {
     pub(crate) template: Template,
@@ -46,7 +46,7 @@ pub(crate) struct Asked<'a> {
 }
 
 impl Plan {
-    /// Asks a few points, until one has an answer, which shows what there is to keep.
+    /// Asks a few points, until one has a result, which shows what there is to keep.
     pub(crate) fn new(asked: Asked<'_>, described_in: Described) -> Result<Self, QueryError> {
         let Asked { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
@@ -127,7 +127,7 @@ impl Plan {
             .then(|| format!("its chunks have {} points", self.grid.block.iter().product::<usize>()))
     }
 
-    /// The numbers kept of one answer.
+    /// The numbers kept of one result.
     pub(crate) fn numbers(&self, answer: &Value) -> Vec<f64> {
         self.kept.iter().flat_map(|field| field.kept.numbers(answer)).collect()
     }
@@ -164,7 +164,7 @@ fn read_plan(written: &Value) -> Option<Plan> {
     Some(Plan { template: Template(texts(&written["question"])?), axes, kept, grid })
 }
 
-/// The first answer that some points of the grid have.
+/// The first result that some points of the grid have.
 fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, QueryError> {
     let mut first = None;
     for point in grid.scattered() {

@@ -1,4 +1,4 @@
-//! The answer at one point of a sweep.
+//! The result at one point of a sweep.
 
 use crate::call::{self, Call};
 use crate::command;
@@ -9,7 +9,7 @@ use std::ffi::OsString;
 use std::io;
 use std::sync::Arc;
 
-/// The answer to a question as JSON, in this process.
+/// The result to a question as JSON, in this process.
 pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     let mut words: Vec<OsString> = words.iter().map(Into::into).collect();
     let end = words.iter().position(|word| word == "--").unwrap_or(words.len());

@@ -18,10 +18,10 @@ pub(super) enum Content<A> {
     Text(Of<A, String>),
 }
 
-/// The values of an answer by their places, those of fields and the texts that people see.
+/// The values of a result by their places, those of fields and the texts that people see.
 pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
 
-/// The value of a field in one answer.
+/// The value of a field in one result.
 pub(super) enum Datum {
     /// Not finite: null with a note.
     Number(f64),

@@ -1,4 +1,4 @@
-//! The fields of an answer as a whole: a record of JSON, lines of CSV, rows of tables, sheets, descriptions.
+//! The fields of a result as a whole: a record of JSON, lines of CSV, rows of tables, sheets, descriptions.
 
 use super::Field;
 use super::content::{Content, Datum};
@@ -8,7 +8,7 @@ use crate::output::json::Record;
 use crate::output::table::Column;
 use serde_json::Value;
 
-/// The fields of an answer `A`, in their order.
+/// The fields of a result `A`, in their order.
 pub struct Fields<A> {
     plans: Plans,
     contents: Vec<Content<A>>,
@@ -27,7 +27,7 @@ impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
 }
 
 impl<A> Fields<A> {
-    /// Empties these fields: no list of them has to be known to the compiler for every answer.
+    /// Empties these fields: no list of them has to be known to the compiler for every result.
     fn taken_from(list: &mut [Field<A>]) -> Self {
         let mut fields = Self { plans: Plans::default(), contents: vec![] };
         for field in list {
@@ -45,7 +45,7 @@ impl<A> Fields<A> {
         self
     }
 
-    /// The value at a place in an answer.
+    /// The value at a place in a result.
     fn values<'a>(&'a self, answer: &'a A) -> impl Fn(usize) -> Datum + 'a {
         |place| self.contents[place].in_answer(answer)
     }

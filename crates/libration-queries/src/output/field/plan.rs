@@ -87,7 +87,7 @@ impl Plan {
     }
 }
 
-/// The fields of an answer in their order.
+/// The fields of a result in their order.
 #[derive(Default)]
 pub(super) struct Plans(Vec<Plan>);
 

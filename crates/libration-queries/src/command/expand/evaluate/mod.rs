@@ -49,8 +49,8 @@ struct Quotient {
     pole_before: Option<f64>,
 }
 
-/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and tells what the answer lacks when Ctrl-C
-/// was pressed.
+/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and tells what the result lacks when Ctrl-C was
+/// pressed.
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,

@@ -22,7 +22,7 @@ pub(super) use model::{DampingModel, coefficients, models, of_model, shown as sh
 pub(super) use parameter::{of_parameter, rows as parameters, shown as shown_parameters};
 pub(super) use trace::{of_row, of_trace, rows, traces};
 
-/// The whole answer.
+/// The whole result.
 pub(super) fn record(answer: &Answer<'_>) -> Record {
     let record = of_fit().record(answer);
     let record = match &answer.swings.pendulum {

@@ -8,7 +8,7 @@ use crate::output::number::{rounded, with_uncertainty};
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::Cycles;
 
-/// A trace of an answer.
+/// A trace of a result.
 pub(in super::super) struct TraceOf<'a> {
     answer: &'a Answer<'a>,
     place: usize,

@@ -63,7 +63,7 @@ impl Listed<'_> {
         }
     }
 
-    /// The name, or else what tells it from the others.
+    /// The name, or else what distinguishes it from the others.
     pub(super) fn label(&self, table: &MotionTable) -> String {
         let cells = |meaning| table.cells_of(self.row, meaning);
         let said = cells(Meaning::Parameter).chain(cells(Meaning::Initial));

@@ -74,7 +74,7 @@ impl Simulate {
         answer.into_result(motions.len())
     }
 
-    /// Writes the answer where it is wanted.
+    /// Writes the result where it is wanted.
     fn write_each(
         &self,
         answer: &Answer<'_>,
@@ -118,7 +118,7 @@ impl Simulate {
         }
     }
 
-    /// Refuses more than is kept, or can be told apart.
+    /// Refuses more than is kept, or can be distinguished.
     fn check_size(&self, motions: &[Listed<'_>]) -> Result<(), QueryError> {
         let points = if self.figure.is_some() { POINTS as usize + 1 } else { 0 };
         let of_one = |listed: &Listed<'_>| {

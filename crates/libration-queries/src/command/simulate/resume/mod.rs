@@ -1,7 +1,7 @@
-//! An earlier answer that is to be gone on from.
+//! An earlier result that is to be gone on from.
 //!
-//! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is
-//! behind it, whole or cut short, is computed again, so that the answer is that of one run to its last byte.
+//! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is behind it,
+//! whole or cut short, is computed again, so that the result is that of one run to its last byte.
 
 pub(crate) mod checksum;
 mod mark;
@@ -28,7 +28,7 @@ pub(super) use state::{Keeper, State};
 
 use rows::Rows;
 
-/// The most bytes of an earlier JSON answer: memory ends before. CSV files are read line by line.
+/// The most bytes of an earlier JSON result: memory ends before. CSV files are read line by line.
 const LARGEST: usize = 1 << 30;
 
 /// The content of an earlier result.
@@ -81,8 +81,8 @@ pub(super) enum ResumeError {
 }
 
 impl Earlier {
-    /// Finds what there is of an answer to this question: the file, or what a run that was ended by force has left beside its
-    /// place, whichever goes farther.
+    /// Finds what there is of a result to this question: the file, or what a run that was ended by force has left beside its place,
+    /// whichever goes farther.
     pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,

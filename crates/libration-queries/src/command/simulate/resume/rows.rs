@@ -1,4 +1,4 @@
-//! The samples and events of an earlier answer, one after the other.
+//! The samples and events of an earlier result, one after the other.
 
 use super::{Checksum, Mark, Question, ResumeError};
 use crate::command::simulate::events::Happening;

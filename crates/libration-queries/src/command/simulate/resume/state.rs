@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The question and how far the answer is certain; nowhere before the first step that only its own length ends.
+/// The question and how far the result is certain; nowhere before the first step that only its own length ends.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) question: Question,
