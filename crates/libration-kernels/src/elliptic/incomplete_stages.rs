@@ -180,7 +180,7 @@ impl IncompleteStages {
         }
     }
 
-    /// Steps until the last element of the block needs none; those that need none stay as they are.
+    /// Repeats the duplication until every element of the block has converged; those that have converged are unchanged.
     #[inline(always)]
     fn duplicate<F: OfAngle>(&mut self) {
         loop {

@@ -67,14 +67,14 @@ impl StateLayout {
         self.velocities.get(number).copied().flatten()
     }
 
-    /// The number whose rate of change the equation of a coordinate tells: its velocity, or the coordinate itself.
+    /// The component whose rate of change the equation of a coordinate gives: its velocity, or the coordinate itself.
     #[must_use]
     #[inline(always)]
     pub fn driven(&self, coordinate: usize) -> usize {
         self.velocity(coordinate).unwrap_or(coordinate)
     }
 
-    /// The coordinate whose equation tells the rate of change of a number; `None` of coordinates that have a velocity.
+    /// The coordinate whose equation gives the rate of change of a component; `None` for coordinates that have a velocity.
     #[must_use]
     pub fn driving(&self, number: usize) -> Option<usize> {
         match number.checked_sub(self.coordinates()) {
