@@ -45,7 +45,7 @@ use subject::{About, Subject};
 ///
 /// Under weak damping or excitation of symbolic strength, the result is the slow flow: A′, the rate of the amplitude, and ψ′, the rate
 /// of the phase, as polynomials in the amplitude and the strength, with the motion x(A, ψ). Powers of the velocity may be even,
-/// x'*abs(x'), and zero, sign(x'). Where a limit cycle has no expansion in a symbolic strength, the slow flow is the result without `--damping-order`.
+/// x'*abs(x'), and zero, sign(x'). Where a limit cycle has no expansion in a symbolic strength, the slow flow is the result without --damping-order too.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7
