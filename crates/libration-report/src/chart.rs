@@ -49,13 +49,13 @@ pub struct Hanging {
 pub struct MovingDot {
     /// The number of the panel.
     pub panel: usize,
-    /// The colour of what it follows.
+    /// The colour of the curve that the dot follows.
     pub colour: &'static str,
     /// Positions at evenly spaced times.
     pub places: Vec<(f64, f64)>,
 }
 
-/// One pair of axes with what is drawn in them.
+/// One pair of axes with its series.
 #[derive(Clone, Debug)]
 pub struct Panel {
     /// Across.
@@ -161,7 +161,7 @@ impl Picture {
         Self { title: title.to_owned(), parameters: vec![], panels, aspect: 0.6, animation: None }
     }
 
-    /// The picture with what it was made with under its title.
+    /// The picture with its parameters under the title.
     #[must_use]
     pub fn with_parameters(self, parameters: impl IntoIterator<Item = String>) -> Self {
         Self { parameters: parameters.into_iter().collect(), ..self }

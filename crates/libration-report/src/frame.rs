@@ -121,7 +121,7 @@ fn widest_left(picture: &Picture) -> f64 {
     left.fold(0.0, f64::max)
 }
 
-/// The room for what moves.
+/// The space of the animation.
 #[derive(Clone, Copy, Debug)]
 enum Room {
     /// Nothing moves.

@@ -22,7 +22,7 @@ pub fn exchange() -> MutexGuard<'static, Exchange> {
 }
 
 impl Exchange {
-    /// Takes what the page has given as text.
+    /// Takes the input of the page as text.
     ///
     /// # Errors
     /// In words, where it is none.

@@ -4,7 +4,7 @@ use super::family::{Family, Image};
 use super::space::Space;
 use libration_motion::internals::periodic::NewtonStep;
 
-/// A state and the parameter behind it, with what the motion makes of them.
+/// A state followed by the parameter, with their image under the motion.
 #[derive(Clone, Debug)]
 pub(super) struct Corrected {
     /// The unknowns of the motion, then the parameter.

@@ -16,7 +16,7 @@ pub struct BranchPoint {
     pub period: f64,
     /// The angle that rotates in the period, if one does.
     pub rotation: Option<Rotation>,
-    /// The least and the greatest value of each coordinate; of an angle that rotates, of what it is ahead of an even rotation from t = 0 on.
+    /// The least and the greatest value of each coordinate; of a rotating angle, of its lead over a uniform rotation from t = 0 on.
     pub ranges: Vec<[f64; 2]>,
     /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
     /// one of them is exactly 1, that of a deviation along the motion.

@@ -26,7 +26,8 @@ use libration_numbers::watch::Watch;
 pub struct Tangency {
     /// The value of the parameter.
     pub value: f64,
-    /// Its error: the last corrections of the value and of the separation, what starts at twice the distance from the saddle change, and rounding.
+    /// The error of the value: the last corrections of the value and of the separation, the change with starts at twice the distance from
+    /// the saddle, and rounding.
     pub error: f64,
     /// The phase Ωt of the drive at which the motion that they share passes the bottom.
     pub phase: f64,

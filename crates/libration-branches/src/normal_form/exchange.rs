@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 pub struct Exchange {
     /// Period in seconds after which the amplitudes are as they were.
     pub period: f64,
-    /// The error of the period as that of the slow flow, by what a tenth of the time changes.
+    /// The error of the period as that of the slow flow, from its change over a tenth of the time.
     pub error: f64,
     /// The least and the greatest |aⱼ| of each mode on the way.
     pub amplitudes: Vec<[f64; 2]>,
@@ -29,7 +29,7 @@ pub struct Exchange {
 pub struct MeasuredExchange {
     /// 2π over the mean frequency with which the amplitudes go around.
     pub period: f64,
-    /// Its error, by what a tenth of the time changes.
+    /// The error of the period, from its change over a tenth of the time.
     pub error: f64,
 }
 

@@ -32,7 +32,7 @@ pub struct NormalForm {
     pub order: usize,
     /// The terms that stay: the frequencies' changes with the amplitudes, and resonances.
     pub slow_terms: Vec<SlowTerm>,
-    /// The smallest divisors of what was taken out, in their order: where one is small, amplitudes must be smaller.
+    /// The smallest divisors of the removed terms, in their order: where one is small, amplitudes must be smaller.
     pub small_divisors: Vec<Divisor>,
     /// The modal coordinate of each mode beyond the amplitude itself, in floating-point numbers.
     transform: Vec<Polynomial<Complex>>,

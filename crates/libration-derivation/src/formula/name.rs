@@ -2,7 +2,7 @@
 
 use super::Formula;
 
-/// A letter with what is written at it: θ, θ₀, θ′, a₂ₙ₊₁.
+/// A letter with its subscript and primes: θ, θ₀, θ′, a₂ₙ₊₁.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// The letter itself, in Unicode; several letters are a word and printed upright.

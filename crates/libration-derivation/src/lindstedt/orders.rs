@@ -218,8 +218,7 @@ fn check_order(question: &Question, order: usize) -> Result<(), DerivationError>
     Ok(())
 }
 
-/// Puts fractions for all letters into the ansatz, such as solve nothing, and compares what the equation of motion then is with the sums
-/// of the contributions.
+/// Substitutes arbitrary fractions for all symbols in the ansatz, and compares the equation of motion with the sums of the contributions.
 pub fn check_contributions(
     question: &Question,
     contributions: &Contributions,

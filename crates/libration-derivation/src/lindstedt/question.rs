@@ -36,7 +36,7 @@ pub struct Solution {
 }
 
 impl Question {
-    /// Prepares an oscillator, an order and a gauge, or refuses what is not exact.
+    /// Prepares an oscillator, an order and a gauge; refuses values that are not exact.
     pub fn new(
         oscillator: &Oscillator,
         order: usize,

@@ -59,7 +59,7 @@ use descent::Descent;
 use jacobi::Quotients;
 use nearer::Nearer;
 
-/// A modulus k with its complement k′ = √(1 − k²) and what belongs to it.
+/// A modulus k with its complement k′ = √(1 − k²), its integrals and nome.
 #[derive(Clone, Copy, Debug)]
 pub struct Modulus {
     modulus: DoubleDouble,

@@ -8,7 +8,7 @@ use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, EquationError, Expression};
 use libration_numbers::watch::{Stage, Watch};
 
-/// Equations with one parameter that is varied, and what is looked at.
+/// Equations with one varied parameter, and the section of their motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Family<'a> {
     /// The equations, with values for all other parameters.

@@ -31,7 +31,7 @@ pub struct Harmonics {
     pub terms: Vec<Harmonic>,
     /// No harmonic that is left out is larger, as the last quarter of those that the samples distinguish suggests.
     pub remainder: f64,
-    /// The error of each coefficient: twice that of the states, and what the sums round.
+    /// The error of each coefficient: twice that of the states, and the rounding of the sums.
     pub error: f64,
     /// Number of times in a period at which the orbit was sampled.
     pub samples: usize,

@@ -47,7 +47,7 @@ pub struct Block<const N: usize> {
     terms: usize,
 }
 
-/// The lengths of steps in units of their time, and what these lack in the unit of the equations.
+/// The lengths of steps in units of their time, and the remainders in the unit of the equations.
 #[derive(Clone, Copy, Debug)]
 pub struct Lengths<const N: usize> {
     pub(super) units: [f64; N],

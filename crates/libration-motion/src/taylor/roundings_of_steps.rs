@@ -91,7 +91,7 @@ fn moment(step: &Step<'_>, time: f64) -> Moment {
     Moment { time, state: step.state_at(time) }
 }
 
-/// The accelerations and rates of change of a system, and what stands in each |…|.
+/// The accelerations and rates of change of a system, and the argument of each |…|.
 #[derive(Debug)]
 pub(super) struct Formulas {
     formulas: Linearised,

@@ -113,7 +113,7 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPo
     Some(SeriesPowers::new(ring, &powers))
 }
 
-/// The powers of a series without constant term, which is what it takes to compose with it.
+/// The powers of a series without constant term, for compositions with it.
 #[derive(Clone, Debug)]
 pub struct SeriesPowers<E> {
     /// The coefficients of each power of the variable in the powers of the series, from the highest that has one down; in those of one

@@ -181,7 +181,7 @@ trait Unwrap: Copy {
     fn angle(self, at: &Evaluated) -> f64;
 }
 
-/// Libration: what is gone does not count.
+/// A libration, in which earlier turns do not count.
 #[derive(Clone, Copy)]
 struct Swinging;
 

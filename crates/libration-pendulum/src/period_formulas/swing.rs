@@ -5,7 +5,7 @@ use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::quantity::Angle;
 
-/// An amplitude within [0, π), given by what is smaller of it and its complement.
+/// An amplitude within [0, π), given by the smaller of it and its complement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SwingAmplitude {
     /// θ0.

@@ -135,7 +135,7 @@ pub fn expand_with_pi_watched(
     }
 }
 
-/// An oscillator and what is asked about it.
+/// An oscillator and the expansion requested.
 struct Question<'a> {
     oscillator: &'a Oscillator,
     order: usize,

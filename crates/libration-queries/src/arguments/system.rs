@@ -33,7 +33,7 @@ pub(crate) struct PendulumSystemOptions {
     gravity: Option<f64>,
 }
 
-/// A system as far as options say what it is.
+/// A system as far as its options are given.
 #[derive(Clone, Debug)]
 pub(crate) struct GivenSystem<'a> {
     options: &'a SystemOptions,

@@ -5,7 +5,7 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
-/// Options for the layout of a table, in place of what is inferred from the file.
+/// Options for the layout of a table, in place of inferred settings.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
     /// Separator of the columns [default: detected]

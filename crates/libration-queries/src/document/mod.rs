@@ -60,7 +60,7 @@ pub struct DocumentTable {
     pub rows: Vec<Vec<String>>,
 }
 
-/// A picture with what there is to see in it.
+/// A picture with its caption.
 #[derive(Clone, Debug)]
 pub struct DocumentFigure {
     /// Part of the name of its file, where it has one of its own.

@@ -13,7 +13,7 @@ use super::{positions, runs, stamps, turns, units};
 /// A column with more numbers than this numbers no runs.
 const MOST_RUNS: usize = 1000;
 
-/// Some rows of a sheet, as columns of what the file holds.
+/// Some rows of a sheet, as columns of the file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     name: String,

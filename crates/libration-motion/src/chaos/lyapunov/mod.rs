@@ -33,7 +33,7 @@ pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,
-    /// Its standard error from ten blocks, or what the second half of the time has changed, if that is more.
+    /// The standard error of the exponent from ten blocks, or its change in the second half of the time, if larger.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
     pub verdict: LyapunovVerdict,

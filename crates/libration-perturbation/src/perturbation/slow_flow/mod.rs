@@ -199,7 +199,7 @@ pub fn slow_flow_watched(
     Question::new(&force, [order, parameter_order], gauge)?.answer(watch)
 }
 
-/// An oscillator under a weak force, and what is asked about it.
+/// An oscillator under a weak force, and the slow flow requested.
 struct Question<'a> {
     force: &'a WeakForce,
     tape: Tape,

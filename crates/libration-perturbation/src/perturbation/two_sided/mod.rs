@@ -36,7 +36,7 @@ use libration_numbers::{
 /// Highest order with exact coefficients; a coefficient has some order³/12 terms in the computation, a product the square of it.
 pub(crate) const MAX_PI_ORDER: usize = 15;
 
-/// A force with two sides, and what is asked about it.
+/// A force with two sides, and the expansion requested.
 #[derive(Debug)]
 pub(crate) struct TwoSided<'a> {
     /// Force as a function of the distance from the equilibrium.

@@ -103,8 +103,7 @@ impl PeriodMajorant {
 }
 
 impl MajorantAt<'_> {
-    /// A bound of what is missing when the series in powers of the amplitude ends with this power. Infinite where the bounding
-    /// series has no value.
+    /// A bound on the remainder of the series in powers of the amplitude after this power. Infinite where the bounding series has no value.
     #[must_use]
     pub fn after(&self, power: usize) -> f64 {
         self.0.after(power)

@@ -6,7 +6,7 @@ use libration::systems::EnergyAccount;
 use libration::taylor::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 use serde_json::{Value, json};
 
-/// The end of a step that ends there whatever the last of the times is, with what was written until then.
+/// The end of a step that does not depend on the last of the times, with the output up to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mark {
     pub(crate) checkpoint: Checkpoint,
