@@ -47,7 +47,7 @@ fn equation(input: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Written formulas have further brackets, and may exceed the depth that is read.
+/// Accepts the error that a formula is too deep: written formulas have additional brackets. Returns any other error.
 fn is_too_deep(written: &str, error: EquationError) -> Result<(), String> {
     match error {
         EquationError::Formula(ParseError { fault: Fault::TooDeep { .. }, .. }) => Ok(()),

@@ -7,7 +7,7 @@ from . import _native
 
 
 def main() -> int:
-    """Answers the command line; the exit status."""
+    """Runs the command line; returns the exit status."""
     # Python's own handler would only be heard when the command has ended.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     return _native.program(sys.argv[1:])

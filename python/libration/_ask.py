@@ -1,7 +1,7 @@
-"""How questions of the command are put in Python's words, and what comes back.
+"""Commands of the program with Python's names and values, and their output.
 
-What is given goes down as text, in the notation of the command; what it means, and what is wrong
-with it, the command says.
+What is given goes down as text, in the notation of the command; the command gives its
+meaning and its errors.
 """
 
 import os
@@ -81,7 +81,7 @@ def _quoted(cell: str) -> str:
 
 
 class Parameter(NamedTuple):
-    """Something that a question is given."""
+    """A parameter of a command."""
 
     name: str
     kind: str
@@ -115,7 +115,7 @@ class Parameter(NamedTuple):
 
 
 class Question(NamedTuple):
-    """A question of the command, such as ``fit trace``."""
+    """A command of the program, such as ``fit trace``."""
 
     words: str
     about: str
@@ -125,7 +125,7 @@ class Question(NamedTuple):
 
 @cache
 def catalogue() -> dict[str, Question]:
-    """All questions by their words."""
+    """All commands by their words."""
     return {
         words: Question(words, about, remarks, [_parameter(words, it) for it in given])
         for words, about, remarks, given in _native.questions()
@@ -159,7 +159,7 @@ class Asked(NamedTuple):
 
 
 def asked(words: str, given: Mapping[str, Any]) -> Asked:
-    """The words of a question; what is None is left to the command."""
+    """The words of a command line; what is None is left to the command."""
     options: list[str] = []
     inherited: list[str] = []
     arguments: list[str] = []
@@ -272,12 +272,12 @@ def text_of(value: Any) -> str:
 def answered(
     question: Asked, form: Iterable[str], progress: Say = False
 ) -> tuple[str, BaseException | None]:
-    """The answer in a form, and Ctrl-C if that has ended it early.
+    """The output in a form, and Ctrl-C if that has ended it early.
 
     Raises
     ------
     UsageError, NoAnswer
-        What the command has to say against the question.
+        The error messages of the command.
     """
     count = len(question.command.split())
     words = [*question.words[:count], *form, *question.words[count:]]
@@ -291,7 +291,7 @@ def answered(
 
 
 def text(words: str, given: Mapping[str, Any], progress: Say = False) -> str:
-    """The answer of a question that writes text."""
+    """The output of a command that writes text."""
     answer, error = answered(asked(words, given), [], progress)
     if error is not None:
         raise Interrupted(answer or None) from error

@@ -1,4 +1,4 @@
-"""Pictures of answers with matplotlib: what stands on the axes."""
+"""Pictures of results with matplotlib: the content of the axes."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
-    """The picture of an answer."""
+    """The picture of a result."""
     command = answer._asked.command
     if command not in PICTURES:
         drawn = any(parameter.name == "figure" for parameter in catalogue()[command].parameters)
@@ -24,7 +24,7 @@ def draw(answer: "Answer", ax: "Axes | None") -> "Axes":
             if drawn
             else f"there are some of {', '.join(PICTURES)}"
         )
-        raise TypeError(f"there is no plot of an answer to `{command}`: {instead}")
+        raise TypeError(f"there is no plot of the result of `{command}`: {instead}")
     return PICTURES[command](answer, ax)
 
 
@@ -116,9 +116,9 @@ def _orbit(answer: "Answer", ax: "Axes | None") -> "Axes":
 
 def _resonance(answer: "Answer", ax: "Axes | None") -> "Axes":
     if "exchange" not in answer:
-        raise TypeError("there is a picture of an exchange of energy only: give initial")
+        raise TypeError("there is a picture only for an exchange of energy: give initial")
     ends = np.asarray(answer["exchange"]["amplitudes"])
-    ax = _plot.axes(ax, ("mode", "amplitude on the way"))
+    ax = _plot.axes(ax, ("mode", "amplitude"))
     places = np.arange(1, len(ends) + 1)
     ax.vlines(places, ends[:, 0], ends[:, 1])
     ax.plot(places, ends, linestyle="", marker="_")
@@ -144,7 +144,7 @@ def _melnikov(answer: "Answer", ax: "Axes | None") -> "Axes":
 def _response(answer: "Answer", ax: "Axes | None") -> "Axes":
     rotates = any(branch["turns"] for branch in answer.branches)
     name = answer["coordinate"]
-    label = f"{name} from even rotation" if rotates else f"largest |{name}|"
+    label = f"{name} from uniform rotation" if rotates else f"largest |{name}|"
     ax = _plot.axes(ax, (answer["parameter"], label))
     kinds = list(dict.fromkeys(branch["kind"] for branch in answer.branches))
     for branch in answer.branches:
@@ -299,7 +299,7 @@ def _spectrum(answer: Any, ax: "Axes | None") -> "Axes":
     traces = answer.traces
     if not len(traces) or "spectrum_hz" not in traces[0]:
         raise TypeError(
-            "there is no picture of what a file holds, but of its harmonics: "
+            "there is no picture of the contents of a file, but one of its harmonics: "
             "lab.spectrum(recording).plot()"
         )
     is_angle = traces[0]["unit"] == "rad"

@@ -1,6 +1,6 @@
-"""The plan of a sweep: what it asks and keeps, and where its chunks are in a store.
+"""The plan of a sweep: its command, the numbers kept, and its chunks in a store.
 
-A chunk can be answered on any machine.
+A chunk can be computed on any machine.
 """
 
 import json
@@ -18,7 +18,7 @@ from .errors import NoAnswer
 
 @dataclass(frozen=True)
 class Plan:
-    """What a sweep asks and keeps: enough to answer any of its chunks anywhere."""
+    """The command of a sweep and the numbers kept: enough to compute any of its chunks anywhere."""
 
     text: str
     """As the library writes it."""
@@ -65,11 +65,11 @@ class Plan:
             lengths = (shape + entries, chunk + entries)
             variables.append(Variable(field["name"], names + further, *lengths, "float64", about))
         flags = {
-            "long_name": "whether there is an answer",
+            "long_name": "outcome of the point",
             "flag_values": [-1, 0, 1, 2],
             "flag_meanings": "not_asked_yet answer no_answer not_understood",
         }
-        why = {"long_name": "why there is no answer"}
+        why = {"long_name": "reason why there is no result"}
         variables.append(Variable("message", names, shape, chunk, "string", why))
         variables.append(Variable("status", names, shape, chunk, "int8", flags))
         return variables
@@ -86,7 +86,7 @@ class Plan:
         return coordinates
 
     def about(self) -> dict[str, Any]:
-        """Where the answers are from."""
+        """Provenance of the results."""
         question = shlex.join(["libration", *self["question"]])
         own = {name: self[name] for name in ("version", "format")}
         return {"question": question, **own, "source": "libration sweep"}
@@ -99,7 +99,7 @@ def begin(plan: Plan, store: Path) -> None:
         files = {variable.file([0]): variable.encoded(values), **files}
     is_begun = any((store / path).exists() for path in ("zarr.json", next(iter(files))))
     if not is_begun and any(place.is_file() for place in store.rglob("*")):
-        raise NoAnswer(f"{store} holds something else than a sweep: give a new directory")
+        raise NoAnswer(f"{store} contains something other than a sweep: give a new directory")
     for path, content in files.items():
         place = store / path
         if not place.exists():
@@ -121,7 +121,7 @@ def _difference(store: Path, plan: Plan) -> str:
 
 
 def answer_chunk(plan: Plan, store: Path, number: int, go_on: Any = None) -> int:
-    """Answers a chunk and writes it; how many points it has."""
+    """Computes a chunk and writes it; returns its number of points."""
     numbers, status, messages = _native.sweep_chunk(plan.text, number, go_on)
     block, place = plan.block(number), plan.place(number)
     variables, column = plan.answers(), 0

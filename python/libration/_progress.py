@@ -1,4 +1,4 @@
-"""How far long calls are, and how they end early."""
+"""Progress and cancellation of long calls."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -7,12 +7,12 @@ from typing import Any, TypeAlias
 from .errors import Interrupted
 
 Tell: TypeAlias = Callable[[int, int | None], object]
-"""Is told how much is done, and of how much where that is known."""
+"""A function of the work done, and of the total where it is known."""
 
 
 @contextmanager
 def told(progress: "bool | Tell", what: str) -> Iterator["Tell | None"]:
-    """The function that a long call tells: the one given, or a bar of tqdm where installed."""
+    """The progress function of a long call: the one given, or a bar of tqdm where installed."""
     if progress is True:
         try:
             from tqdm.auto import tqdm
@@ -29,7 +29,7 @@ def told(progress: "bool | Tell", what: str) -> Iterator["Tell | None"]:
 def spoken(
     progress: "bool | Callable[[str], object]", what: str
 ) -> Iterator["Callable[[str], object] | None"]:
-    """Whom a question of the command tells in words how far it is."""
+    """The function that receives the progress of a command in words."""
     if progress is True:
         try:
             from tqdm.auto import tqdm

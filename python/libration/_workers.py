@@ -1,4 +1,4 @@
-"""Who answers the chunks of a sweep: threads of this process, or a cluster of dask."""
+"""Workers on the chunks of a sweep: threads of this process, or a cluster of dask."""
 
 import os
 import threading
@@ -10,7 +10,7 @@ from typing import Any
 from ._plan import Plan, answer_chunk
 from .errors import NoAnswer
 
-KEPT = "whole chunks are kept, and the same call goes on from there"
+KEPT = "complete chunks are kept, and the same call continues from there"
 PAUSE = 0.1
 """Seconds between two looks at whether Ctrl-C was pressed."""
 

@@ -1,4 +1,4 @@
-"""Answers of the command as objects: the fields of its JSON, columns as arrays.
+"""Results of the command as objects: the fields of its JSON, columns as arrays.
 
 >>> import libration as lb
 >>> answer = lb.decay("60deg", linear=0.1, cycles=3)
@@ -36,7 +36,7 @@ Column: TypeAlias = "NDArray[Any]"
 
 
 class Fields(Mapping[str, Any]):
-    """An object of an answer: ``fields["name"]`` is what the JSON has, ``fields.name`` the same
+    """An object of a result: ``fields["name"]`` is what the JSON has, ``fields.name`` the same
     with lists as arrays and `Rows`.
     """
 
@@ -65,10 +65,10 @@ class Fields(Mapping[str, Any]):
         return _seen(self._fields[name])
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError("answers do not change")
+        raise AttributeError("results cannot be changed")
 
     def __delattr__(self, name: str) -> None:
-        raise AttributeError("answers do not change")
+        raise AttributeError("results cannot be changed")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._fields]
@@ -125,7 +125,7 @@ class Rows(Sequence[Fields]):
         return self[name]
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError("answers do not change")
+        raise AttributeError("results cannot be changed")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.names]
@@ -159,7 +159,7 @@ class Rows(Sequence[Fields]):
 
 
 class Answer(Fields):
-    """The answer to a question: ``answer["field"]`` is what the JSON of the command has,
+    """The result of a command: ``answer["field"]`` is what the JSON of the command has,
     ``answer.field`` the same with arrays and `Rows`.
     """
 
@@ -175,7 +175,7 @@ class Answer(Fields):
 
     @property
     def question(self) -> str:
-        """The question as the words of a command line."""
+        """The command line, as words."""
         return shlex.join(["libration", *self._asked.words])
 
     @property
@@ -224,12 +224,12 @@ class Answer(Fields):
         Parameters
         ----------
         size : str
-            Where it is to stand: "page", "column" or "slide".
+            Its purpose: "page", "column" or "slide".
         """
         return Picture(self._asked, "figure", size)
 
     def plot(self, ax: "Axes | None" = None) -> "Axes":
-        """Draws the answer with matplotlib, where the command has a picture for it."""
+        """Draws the result with matplotlib, where the command has a picture for it."""
         return draw(self, ax)
 
     def _repr_html_(self) -> str:
@@ -247,7 +247,7 @@ A = TypeVar("A", bound=Answer)
 
 
 def answer(kind: type[A], words: str, given: Mapping[str, Any]) -> A:
-    """The answer to a question with what a function was given, ``progress`` among it; empty where
+    """The result of a command with the arguments of a function, ``progress`` among it; empty where
     it was written to a file.
 
     Raises
@@ -291,7 +291,7 @@ def _array(values: list[Any]) -> Any:
 
 @cache
 def descriptions() -> dict[str, list[tuple[str, str, str]]]:
-    """Name, unit and meaning of the fields of each command, as `libration fields` says."""
+    """Name, unit and meaning of the fields of each command, as in `libration fields`."""
     text, _, _ = _native.ask(["fields", "--json"])
     found: dict[str, list[tuple[str, str, str]]] = {}
     for command in json.loads(text)["commands"]:

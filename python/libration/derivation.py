@@ -26,7 +26,7 @@ class Derivation:
     """A derivation; a notebook shows it, each section folded."""
 
     given: dict[str, Any] = field(repr=False)
-    """What it was asked with."""
+    """The arguments of the call."""
     markdown: str = field(repr=False)
     """The text, with formulas between dollars."""
 
@@ -54,12 +54,12 @@ class Derivation:
         return questions.derive(**self.given, format="ipynb")
 
     def save(self, file: Path) -> None:
-        """Writes it to a file whose ending says how: .md, .html, .tex or .ipynb."""
+        """Writes it to a file in the format of its extension: .md, .html, .tex or .ipynb."""
         forms = {".md": "markdown", ".html": "html", ".tex": "latex", ".ipynb": "ipynb"}
         ending = os.path.splitext(os.fspath(file))[1].lower()
         if ending not in forms:
             known = ", ".join(forms)
-            raise ValueError(f"`{os.fspath(file)}` has no known ending: give one of {known}")
+            raise ValueError(f"`{os.fspath(file)}` has no known extension: give one of {known}")
         questions.derive(**self.given, format=forms[ending], output=file)  # type: ignore[arg-type]
 
     def _repr_html_(self) -> str:
@@ -96,7 +96,7 @@ def derive(
     Parameters
     ----------
     method : str
-        Which: "elliptic", "formulas", "perturbation", "averaging" or "limit-cycle".
+        The method: "elliptic", "formulas", "perturbation", "averaging" or "limit-cycle".
     oscillator : str, optional
         A key of the catalogue, or an equation.
     order, damping_order, small, gauge, set, about, amplitude, length, gravity, exercises, progress

@@ -1,4 +1,4 @@
-"""Exceptions, with the library's messages: what was got, why it cannot be, and what would do."""
+"""Exceptions, with the library's messages: the value received, the reason, and what would work."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -19,7 +19,7 @@ __all__ = [
 
 
 class LibrationError(ValueError):
-    """Any refusal of this package."""
+    """The base class of the exceptions of this package."""
 
     parameters: Sequence[str] = ()
     """The names in Python of the arguments that the error is about; may be empty."""
@@ -28,9 +28,9 @@ class LibrationError(ValueError):
     ``set={"c": ...}``; else None.
     """
     hint: str | None = None
-    """A call that has a result in place of this one; None where none is known."""
+    """A call that has a result instead of this one; None where none is known."""
     suggestion: str | None = None
-    """A value of the argument that would do; None where none is known."""
+    """A value of the argument that would work; None where none is known."""
 
     @property
     def parameter(self) -> str | None:
@@ -43,11 +43,11 @@ class ExpansionError(LibrationError):
 
 
 class FormulaError(LibrationError):
-    """A question that a period formula has no answer to."""
+    """A request that no period formula meets."""
 
 
 class NoAnswer(LibrationError):
-    """A question that is understood and has no answer; a file that cannot be read or written."""
+    """A valid query without a result; a file that cannot be read or written."""
 
 
 class MissingFile(NoAnswer, FileNotFoundError):
@@ -55,18 +55,18 @@ class MissingFile(NoAnswer, FileNotFoundError):
 
 
 class PendulumError(LibrationError):
-    """A pendulum or a motion that cannot be."""
+    """An invalid pendulum or motion."""
 
 
 class QuantityError(LibrationError):
-    """A text or a number that is not the angle, length or acceleration asked for."""
+    """A text or a number that is not the angle, length or acceleration required."""
 
 
 class SimulationError(LibrationError):
-    """A motion that cannot begin, or did not come to its end: ``partial`` is what was found."""
+    """A motion that cannot begin, or did not reach its end: ``partial`` is its part up to there."""
 
     partial: Any = None
-    """The `Simulation` until then; None where there is none."""
+    """The `Simulation` up to then; None where there is none."""
 
 
 class UnknownKeyError(LibrationError, KeyError):
@@ -76,7 +76,7 @@ class UnknownKeyError(LibrationError, KeyError):
 
 
 class UsageError(LibrationError):
-    """A question that is not understood."""
+    """An invalid query."""
 
     @classmethod
     def about(cls, parameter: str, reason: str) -> "UsageError":
@@ -87,9 +87,9 @@ class UsageError(LibrationError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in a long call; ``partial`` is what was done, None where nothing is certain yet."""
+    """Ctrl-C in a long call; ``partial`` is what was done, None where nothing is confirmed yet."""
 
     def __init__(self, partial: Any = None) -> None:
         super().__init__("interrupted; what was done is the attribute `partial` of this exception")
         self.partial = partial
-        """What was done, of the type of the call's answer."""
+        """What was done, of the type of the call's result."""

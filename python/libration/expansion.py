@@ -39,7 +39,7 @@ class Series:
     coefficients: tuple[Fraction | Polynomial, ...]
     """By ascending powers, from the zeroth."""
     variable: str
-    """The name of what is raised to powers, such as ``"A"``."""
+    """The name of the variable, such as ``"A"``."""
 
     def __len__(self) -> int:
         return len(self.coefficients)
@@ -48,7 +48,7 @@ class Series:
         return self.coefficients[power]
 
     def __call__(self, x: float, **letters: float) -> float:
-        """The sum of the terms, with values for letters; `Expansion.evaluate` has a bound."""
+        """The sum of the terms, with values for symbols; `Expansion.evaluate` has a bound."""
         total = 0.0
         for c in reversed(self.coefficients):
             total = total * x + (c(**letters) if isinstance(c, Polynomial) else float(c))
@@ -104,7 +104,7 @@ class Evaluation(Record, Shown):
     value: float | NDArray[np.float64]
     """The sum of all terms, rounded to a float."""
     remainder: float | NDArray[np.float64]
-    """A bound on what is left out, or an estimate where it is not proven, without the rounding;
+    """A bound on the remainder, or an estimate where it is not proven, without the rounding;
     infinite where the series is not known to converge.
     """
     is_proven: bool
@@ -125,7 +125,7 @@ class Evaluation(Record, Shown):
         if np.ndim(self.value) > 0:
             return f"{self.value} (left out: {bound} {self.remainder})"
         if self.remainder == np.inf:
-            return f"{self.value!r} (no bound on what is left out)"
+            return f"{self.value!r} (no bound on the remainder)"
         kind = "" if self.is_proven else ", an estimate"
         return f"{self.value!r} (left out: {bound} {self.remainder:.2g}{kind})"
 
@@ -144,13 +144,13 @@ class Expansion(Record):
     displacement: str
     """The name of the displacement."""
     order: int
-    """The highest power of the displacement, of a limit cycle also of the frequency, which else
-    has one power less.
+    """The highest power of the displacement, for a limit cycle also of the frequency,
+    which otherwise has one power less.
     """
     frequency: Series
     """Ω/ω0."""
     period: Series | None
-    """T/T0; None of a limit cycle."""
+    """T/T0; None for a limit cycle."""
     harmonics: dict[int, Series]
     """aₖ by k; bₖ where `phase_origin` is "passage", of limit cycles both are in `gauge_series`."""
     half_swing: "tuple[Series, Series] | None"
@@ -158,13 +158,13 @@ class Expansion(Record):
     epsilon: Series | None
     """The parameter of the gauge by powers of the amplitude."""
     gauge: str | None
-    """What ε means; None of a limit cycle."""
+    """Meaning of ε; None for a limit cycle."""
     gauge_series: GaugeSeries
     """The same by powers of ε, or of the strength."""
     phase_origin: str
-    """What the motion does at t = 0: "turning_point", "passage" or "first_harmonic"."""
+    """State of the motion at t = 0: "turning_point", "passage" or "first_harmonic"."""
     equilibrium: Fraction | Polynomial
-    """Where it rests."""
+    """The equilibrium."""
     omega0_squared: Fraction | Polynomial
     """ω0², the squared frequency of small oscillations."""
     unit_squared: Fraction | Polynomial
@@ -254,7 +254,7 @@ class Expansion(Record):
         ax : matplotlib.axes.Axes
             The axes to draw into; new ones, if they are not given.
         amplitudes : array_like
-            Where; from 0 to 1, if they are not given.
+            Amplitudes; from 0 to 1, if they are not given.
 
         Returns
         -------
@@ -263,10 +263,10 @@ class Expansion(Record):
         Raises
         ------
         ExpansionError
-            Coefficients have letters.
+            Coefficients contain symbols.
         """
         if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
-            raise ExpansionError("the coefficients have letters: give these values with set")
+            raise ExpansionError("the coefficients contain symbols: give them values with set")
         at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(amplitudes).astype(float)
         ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
         coefficients = enumerate(self.frequency.coefficients)
@@ -302,18 +302,18 @@ def expand(
     oscillator : str or sympy.Eq or sympy.Expr
         An equation of motion, such as ``"x'' + x + a*x^3 = 0"``, a key of the catalogue, such as
         ``"pendulum"`` or ``"van_der_pol"``, or an equation of SymPy for a function of one variable
-        (an expression is one that is zero). Parameters without a value stay letters.
+        (an expression is one that is zero). Parameters without a value are symbolic.
     order : int
         Up to this power of the amplitude, from 1 to 1000.
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as
         the decimals that they print as.
     letters : sequence of str
-        Parameters of a named oscillator that stay letters.
+        Symbolic parameters of a named oscillator.
     about : float or str
-        Near which equilibrium; that nearest to zero if it is not given.
+        The equilibrium; the one nearest to zero if it is not given.
     gauge : str
-        What the parameter ε means: ``"fundamental"``, ``"x_max"``, ``"half_swing"``, ``"energy"``,
+        Meaning of the parameter ε: ``"fundamental"``, ``"x_max"``, ``"half_swing"``, ``"energy"``,
         ``"nome"``, or ``"A1=1,A3=-1/192"``.
     progress : bool or callable
         True for a bar, where tqdm is installed; or a function of how much is done and of how much
@@ -326,8 +326,8 @@ def expand(
     Raises
     ------
     ExpansionError
-        Text that is not an equation, an equation without a stable equilibrium, an order or a gauge
-        that cannot be.
+        Text that is not an equation, an equation without a stable equilibrium, an invalid order
+        or gauge.
     Interrupted
         Ctrl-C; its ``partial`` is the expansion to a lower order, if there is one.
 

@@ -1,4 +1,4 @@
-"""Fits of measurements: what they found, with uncertainties.
+"""Fits of measurements: their results, with uncertainties.
 
 >>> import libration as lb
 >>> table = {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}

@@ -1,4 +1,4 @@
-"""The laboratory: what instruments wrote, and what it says.
+"""The laboratory: files of instruments and fits of their data.
 
 >>> import numpy as np
 >>> import libration as lb
@@ -43,7 +43,7 @@ __all__ = [
 
 
 class Recording(Answer):
-    """What a file holds: all that `libration inspect` says of it, and its numbers.
+    """The contents of a file: the results of `libration inspect`, and its numbers.
 
     Fits take it in place of the file, read in the same way.
     """
@@ -58,14 +58,14 @@ class Recording(Answer):
 
 
 def read(file: Path | Columns, **reading: Given | bool) -> Recording:
-    """Reads what an instrument wrote: text in any dialect, Excel, archives; or columns.
+    """Reads the file of an instrument: text in any dialect, Excel, archives; or columns.
 
     Parameters
     ----------
     file : str or path or mapping or pandas.DataFrame
         The file, or columns by names with units, such as ``{"t (s)": t, "theta (deg)": angle}``.
     **reading
-        What is not to be detected, such as ``angle=2, unit="deg"``: the parameters of
+        Settings in place of detected ones, such as ``angle=2, unit="deg"``: the parameters of
         `libration.questions.inspect`, with the same names.
 
     Returns
@@ -77,7 +77,7 @@ def read(file: Path | Columns, **reading: Given | bool) -> Recording:
     NoAnswer
         The file cannot be read.
     UsageError
-        It does not have what is asked for.
+        It does not have the requested columns or runs.
     TypeError
         There is no such parameter.
 
@@ -113,7 +113,7 @@ def recording(
     y: ArrayLike | None = None,
     uncertainty: ArrayLike | None = None,
 ) -> Recording:
-    """A recording from arrays, in seconds, radians and metres; it goes the same road as a file.
+    """A recording from arrays, in seconds, radians and metres; it is read like a file.
 
     Parameters
     ----------
@@ -159,22 +159,22 @@ def spectrum(
 ) -> Answer:
     """The harmonics of measured swings, compared with a pendulum of the same first harmonic.
 
-    Windows of a few swings are fitted by least squares beside the phase of the first harmonic, so
+    Windows of a few swings are fitted by least squares, with the phase of the first harmonic, so
     that amplitudes may fall, and rows may be uneven, missing or wrong; uncertainties are from the
-    noise about each harmonic. ``.plot()`` draws the spectrum with both. Even harmonics tell of an
-    asymmetry, odd ones that differ of another torque or a wrong scale of the angle; ``remarks``
-    says so.
+    noise about each harmonic. ``.plot()`` draws the spectrum with both. Even harmonics show an
+    asymmetry, odd ones that differ show another torque or a wrong scale of the angle; ``remarks``
+    states it.
 
     Parameters
     ----------
     file : str or path or mapping or Recording
         A file, columns by names with units, or what was read of them.
     harmonics : int, optional
-        The highest harmonic, 7 unless told.
+        The highest harmonic; default 7.
     swings : int, optional
-        How many swings are taken together as a window, 5 unless told, and 3 at least.
+        The number of swings in a window; default 5, at least 3.
     **reading
-        What is not to be detected: as for `read`.
+        Settings in place of detected ones, as for `read`.
 
     Returns
     -------
@@ -186,7 +186,7 @@ def spectrum(
     NoAnswer
         There are too few swings, none that can be seen above the noise, or the file cannot be read.
     UsageError
-        It does not have what is asked for.
+        It does not have the requested columns or runs.
     TypeError
         There is no such parameter.
 

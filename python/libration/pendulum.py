@@ -128,7 +128,7 @@ class Pendulum(Shown):
 
 
 class State(NamedTuple):
-    """Where a pendulum is, and how fast."""
+    """The angle and the velocity of a pendulum."""
 
     angle: Any
     """In radians, unwrapped: it grows with each turn."""
@@ -183,8 +183,8 @@ class Motion(Shown):
     ------
     PendulumError, QuantityError
         A start that floating-point numbers cannot tell from the separatrix, or from the upright
-        position; a velocity that is not finite, or above 2e150 times the angular frequency; an
-        angle that is none.
+        position; a velocity that is not finite, or above 2e150 times the angular frequency; a
+        text that is not an angle.
 
     Examples
     --------
@@ -196,7 +196,7 @@ class Motion(Shown):
     """
 
     pendulum: Pendulum
-    """Whose motion it is."""
+    """The pendulum of the motion."""
     angle: float | str
     """At t = 0, as it was given: radians, or a text."""
     velocity: float | str = 0.0

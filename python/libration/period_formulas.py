@@ -1,4 +1,4 @@
-"""The formulas of the literature for the period, each with its exact error.
+"""The published formulas for the period, each with its exact error.
 
 >>> import libration as lb
 >>> bernoulli = lb.formulas["bernoulli"]
@@ -34,21 +34,21 @@ class PeriodFormula:
     key: str
     """Its name in the catalogue."""
     name: str = field(init=False, compare=False)
-    """What people call it."""
+    """Its usual name."""
     authors: str = field(init=False, repr=False, compare=False)
-    """Who published it."""
+    """Its authors."""
     year: int | None = field(init=False, repr=False, compare=False)
     """Of publication, where it is known."""
     source: str = field(init=False, repr=False, compare=False)
-    """Where it was published; what rests on memory alone begins with "attributed to"."""
+    """Its source; one that was not verified begins with "attributed to"."""
     latex: str = field(init=False, repr=False, compare=False)
     """The formula for T/T0, as LaTeX."""
     domain: str = field(init=False, repr=False, compare=False)
-    """Where it is good and how it ends, in words."""
+    """The domain in which it is good and its limit at the end, in words."""
     complexity: int = field(init=False, repr=False, compare=False)
     """The effort: an operation counts 1, a root 2, a function 3."""
     defined_below: float = field(init=False, repr=False, compare=False)
-    """The amplitude in radians from which on it has no value."""
+    """The amplitude in radians at and above which it has no value."""
     _formula: "_native.PeriodFormula" = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -133,7 +133,7 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
             )
         raise FormulaError(
             f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: "
-            "give a larger tolerance, or take the exact libration.period_ratio"
+            "give a larger tolerance, or use the exact libration.period_ratio"
         )
 
 

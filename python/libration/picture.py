@@ -48,7 +48,7 @@ class Picture:
         self._drawn(os.fspath(file), [])
 
     def to_dict(self) -> dict[str, Any]:
-        """What is drawn, as numbers: the JSON of the command."""
+        """The content of the picture as numbers: the JSON of the command."""
         with tempfile.TemporaryDirectory() as folder:
             text = self._drawn(os.path.join(folder, "picture.svg"), ["--json"])
             fields: dict[str, Any] = json.loads(text)
@@ -63,5 +63,5 @@ def _sized(question: Asked, size: str | None) -> tuple[str, ...]:
 
 
 def drawn(words: str, given: Mapping[str, Any]) -> Picture:
-    """The picture that a question asks for, with what a function was given."""
+    """The picture of a command, with the arguments of a function."""
     return Picture(asked(words, given), "output", None, given.get("progress") or False)

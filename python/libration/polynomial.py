@@ -1,4 +1,4 @@
-"""Coefficients with letters: sums of products of powers of letters, with fractions before them."""
+"""Symbolic coefficients: sums of products of powers of symbols, with fractions before them."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -23,15 +23,15 @@ class Polynomial:
     """
 
     terms: tuple[tuple[Fraction, tuple[tuple[str, Fraction], ...]], ...]
-    """For each term the fraction before it, and letters with their exponents."""
+    """For each term its fraction, and its symbols with their exponents."""
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """The letters that occur, in the order of the alphabet."""
+        """The symbols that occur, in alphabetical order."""
         return tuple(sorted({letter for _, powers in self.terms for letter, _ in powers}))
 
     def __call__(self, **values: float) -> float:
-        """The value where the letters have these values."""
+        """The value for these values of the symbols."""
         missing = [letter for letter in self.letters if letter not in values]
         if missing:
             wanted = ", ".join(self.letters)

@@ -55,7 +55,7 @@ class States(Record):
 
 @dataclass(frozen=True, eq=False)
 class Events(States):
-    """What happened on the way."""
+    """The times and states of an event."""
 
     contact: tuple[str, ...]
     """How the formula became zero: "rising", "falling", "grazing" or "start"."""
@@ -66,7 +66,7 @@ class Simulation(States, Shown):
     """A motion; `simulate` makes it.
 
     Calling it with times between its ends, a number or an array of any shape, gives `States` there,
-    as accurate as those at the times asked for.
+    as accurate as those at the requested times.
     """
 
     title: str
@@ -76,15 +76,15 @@ class Simulation(States, Shown):
     units: tuple[str, ...]
     """Of the numbers of a state; empty where they are not known."""
     events: dict[str, Events]
-    """By the formulas that were looked for."""
+    """The events by their formulas."""
     steps: int
-    """How many steps it took."""
+    """The number of steps."""
     end: float
     """The last time that was reached: that of the event that ended the motion, if one did."""
     success: bool
     """Whether the motion came to its end: the last time, or the event that was to end it."""
     message: str
-    """How the motion ended, in words."""
+    """The end of the motion, in words."""
     _question: Any = field(repr=False, compare=False)
     _motion: Any = field(repr=False, compare=False)
 
@@ -113,14 +113,14 @@ class Simulation(States, Shown):
         return States(times, states.reshape(*times.shape, len(self.names)), self.names)
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The states at the times asked for, by time."""
+        """The states at the requested times, by time."""
         import pandas
 
         columns = {name: self[name] for name in self.names}
         return pandas.DataFrame(columns, index=pandas.Index(self.t, name="t"))
 
     def to_xarray(self) -> "xarray.Dataset":
-        """The states at the times asked for, with their units."""
+        """The states at the requested times, with their units."""
         import xarray
 
         columns = {
@@ -135,7 +135,7 @@ class Simulation(States, Shown):
         (system, values, start, looked_for, ending, tolerance), times = self._question
         if any(way != "any" for _, way in looked_for):
             raise NoAnswer(
-                "the command looks for events in both directions: "
+                "the command finds events in both directions: "
                 'leave out "rising" and "falling"'
             )
         until, direction = ending or (None, None)
@@ -187,12 +187,12 @@ def simulate(
         angles or quantities as text; ``{"x[i]": "sin(pi*i/33)"}`` for all of a chain. What is not
         given is at rest.
     times : array_like
-        Where the states are wanted: away from 0 in one direction, or ascending on both sides of it.
+        The times of the states: away from 0 in one direction, or ascending on both sides of it.
         A number is one time.
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``.
     events : str or list of str or dict
-        Formulas whose zeros are looked for, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with
+        Formulas whose zeros are events, such as ``"theta'"`` or ``"x = 0.5"``; in a dict with
         what counts, "rising", "falling" or "any".
     until : str or tuple
         The formula whose first zero ends the motion, and what counts.
@@ -209,7 +209,7 @@ def simulate(
     Raises
     ------
     SimulationError
-        Equations, names or times that cannot be; a motion that stops at a singularity, whose part
+        Invalid equations, names or times; a motion that stops at a singularity, whose part
         until there is the exception's ``partial``.
     Interrupted
         Ctrl-C; its ``partial`` is the motion until then.

@@ -1,4 +1,4 @@
-"""One question at all points of a grid, in a store that survives what happens on the way.
+"""A command over a parameter grid, in a store that survives interruptions.
 
 >>> import tempfile
 >>> import numpy as np
@@ -43,33 +43,33 @@ def sweep(
     progress: bool | Tell = False,
     **given: Any,
 ) -> "xarray.Dataset":
-    """Asks a question at all points of a grid, and keeps numbers of the answers in a Zarr store.
+    """Runs a command over a parameter grid, and keeps numbers of the results in a Zarr store.
 
-    It is asked on all cores or on a cluster. The store is written chunk by chunk, each whole or not
-    at all. Called again with the same arguments it goes on where it was, whatever has stopped it; a
+    It runs on all cores or on a cluster. The store is written chunk by chunk, each whole or not
+    at all. Called again with the same arguments it continues, whatever has stopped it; a
     finished store is read. Its bytes are the same for any number of workers and of interruptions.
 
     Parameters
     ----------
     question : str or list of str
-        A question of the command ``libration``: with its options,
+        A command of ``libration``: with its options,
         ``"lyapunov driven_pendulum --set c=1/2 --intervals 30"``, or alone, ``"lyapunov"``, with
-        what it is given as keywords.
+        its parameters as keywords.
     over : dict
         The axes: arrays, lists of numbers or texts, or a text as the command takes it, such as
-        ``"1:1.5:0.01"`` or ``"1deg:179deg:1deg"``. The values go where the question has ``{name}``,
-        or to its option or argument of this name, or they are initial values or parameters of its
+        ``"1:1.5:0.01"`` or ``"1deg:179deg:1deg"``. The values replace ``{name}`` in the command, or
+        go to its option or argument of this name, or they are initial values or parameters of its
         system.
     store : path
         The directory, such as ``"sweep.zarr"``; one that holds another sweep is refused.
     keep : list of str or dict, optional
-        The numbers to keep, by their ways in the JSON of the answer, such as ``"exponent_per_s"``
+        The numbers to keep, by their paths in the JSON of the result, such as ``"exponent_per_s"``
         or ``"samples[-1].state[0]"``; a list has a range, such as ``"points[0:100].state[1]"``, and
         is a further dimension. In a dict by their names. All numbers that stand alone, if nothing
         is given; where all stand in lists, some have to be.
     chunk : int, optional
-        How many points a chunk has at most; about 256 chunks, if it is not given. What is killed is
-        lost from the beginning of its chunk.
+        The largest number of points in a chunk; about 256 chunks, if it is not given. When killed,
+        a sweep loses the unfinished chunks.
     client : distributed.Client, optional
         A cluster, whose workers must see the store under the same path: one task for each chunk.
         The cores of this machine, if none is given.
@@ -77,24 +77,24 @@ def sweep(
         True for a bar, where tqdm is installed; or a function of how many points are done and of
         how many.
     **given
-        The parameters of the question, as its function in `libration.questions` takes them:
+        The parameters of the command, as its function in `libration.questions` takes them:
         ``system="driven_pendulum", set={"c": "1/2"}, intervals=30``.
 
     Returns
     -------
     xarray.Dataset
-        The numbers with their units and meanings, backed by the store; ``status``, 0 with an answer
-        and otherwise 1 (no answer) or 2 (not understood); and ``message``, which says why there is
-        none. Numbers without an answer are NaN.
+        The numbers with their units and meanings, backed by the store; ``status``, 0 with a result
+        and otherwise 1 (no result) or 2 (usage error); and ``message``, the reason why
+        there is none. Numbers without a result are NaN.
 
     Raises
     ------
     UsageError, NoAnswer
-        A question that no point has an answer to; a store that holds something else; a disk that is
-        full, when all whole chunks are kept.
+        A command without a result at any point; a store that contains something else; a full disk,
+        where all complete chunks are kept.
     Interrupted
         Ctrl-C; its ``partial`` is the dataset until then, whose ``status`` is -1 where nothing is
-        done, or None before the first answer.
+        done, or None before the first result.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def sweep(
         example = '{"amplitude": ["10deg", "20deg"]}'
         raise UsageError.about("over", f"there is no axis: give one by its name, such as {example}")
     if chunk is not None and chunk < 1:
-        reason = f"got {chunk}: give how many points a chunk has at most, 1 or more"
+        reason = f"got {chunk}: give the largest number of points in a chunk, 1 or more"
         raise UsageError.about("chunk", reason)
     words = _words(question, given)
     for name, values in over.items():

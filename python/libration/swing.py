@@ -1,4 +1,4 @@
-"""A pendulum that swings in a notebook, drawn beside the small swings of the same length.
+"""A pendulum that swings in a notebook, drawn with the small swings of the same length.
 
 It needs anywidget: ``pip install 'libration[notebook]'``.
 
@@ -34,9 +34,9 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
     """A pendulum that swings; `Motion.swing` makes it.
 
     The bob is drawn at the exact angles, in real time where a period takes between half a second
-    and ten, and else slowed down or sped up, which is said. Dragging the bob, and the sliders
-    below, set the start; the motion that follows is calculated here and drawn anew. A pale second
-    pendulum does what the formula of small swings says.
+    and ten, and otherwise slowed down or sped up, as stated there.
+    Dragging the bob, and the sliders below, set the start; the motion that follows is calculated
+    here and drawn anew. A pale second pendulum follows the small-angle approximation.
 
     Raises
     ------
@@ -63,12 +63,12 @@ class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base,
 
     @property
     def motion(self) -> Motion:
-        """What is drawn."""
+        """The motion that is drawn."""
         return self._motion
 
     @property
     def pendulum(self) -> Pendulum:
-        """Whose motion it is."""
+        """The pendulum of the motion."""
         return self._motion.pendulum
 
     @traitlets.validate("angle", "velocity")
@@ -99,7 +99,7 @@ def caption(motion: Motion) -> str:
     if motion.regime == "rotation":
         return f"rotation: a turn takes {motion.period:.6g} s"
     if motion.regime == "separatrix":
-        return "separatrix: it nears the upright position, and never reaches it"
+        return "separatrix: it approaches the upright position, and never reaches it"
     if motion.amplitude is None:
         return motion.regime
     excess = 100 * float(_native.period_excess(motion.amplitude))

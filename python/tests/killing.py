@@ -124,7 +124,7 @@ def round_of(victim: str, place: Path, seed: int) -> dict[str, bytes]:
         if victim == "worker":
             assert running.returncode == 0, message.decode()
         elif running.returncode not in (0, -signal.SIGKILL):
-            assert b"the same call goes on from there" in message, message.decode()
+            assert b"the same call continues from there" in message, message.decode()
         if victim != "client":
             cluster.close()
             cluster = Cluster(place)

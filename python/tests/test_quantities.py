@@ -12,7 +12,7 @@ from libration._ask import asked, catalogue
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 # Values that are texts, names or files.
-OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND", "QUESTION")
+OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND")
 NUMBERS = [
     (question, it)
     for question in catalogue().values()

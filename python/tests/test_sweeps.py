@@ -269,7 +269,7 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
         [sys.executable, "-c", FULL, str(place)], capture_output=True, text=True
     )
     assert "NoAnswer: cannot write" in output.stderr
-    assert "goes on from there" in output.stderr, output.stderr
+    assert "continues from there" in output.stderr, output.stderr
     assert killing.chunks_done(place) == 0
     drafts = [file for file in tmp_path.rglob("*.part")]
     assert drafts == []
@@ -299,7 +299,7 @@ def test_what_is_kept_and_where_is_checked(tmp_path: Path) -> None:
         ({"over": {}}, "there is no axis"),
         ({"over": over, "chunk": 0}, "1 or more"),
         ({"over": over, "keep": {"a/b": "modes[0].angular_frequency_rad_per_s"}}, "has no `/`"),
-        ({"over": over}, "all numbers of these answers stand in lists"),
+        ({"over": over}, "all numbers of these results stand in lists"),
         ({"over": over, "keep": ["modes[0].freq"]}, "they have lists that"),
     ]:
         with pytest.raises(lb.errors.UsageError, match=told):

@@ -56,6 +56,9 @@ test("the report can be saved where there is one", () =>
     await settled(room);
     await give(room, "swing_synthetic.csv");
     assert.equal(await report.count(), 1);
+    const { bytes } = await saved(room, "Save the report");
+    const [, script] = /<script>\n([^]*?)<\/script>/.exec(bytes.toString());
+    assert.doesNotThrow(() => new Function(script), "the script of the report can be parsed");
     await enter(room, "Damping", "honey");
     assert.equal(await report.count(), 0);
   }));

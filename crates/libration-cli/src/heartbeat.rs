@@ -39,7 +39,7 @@ fn beat(work: &Receiver<()>, terminal: &Terminal) {
     while work.recv_timeout(Heartbeat::BEAT) == Err(RecvTimeoutError::Timeout) {
         let seconds = begin.elapsed().as_secs();
         if seconds > 1 && terminal.is_silent(Heartbeat::BEAT / 2) {
-            terminal.show(Some(&format!("at work for {seconds} s; Ctrl-C ends it")));
+            terminal.show(Some(&format!("running for {seconds} s; Ctrl-C stops it")));
         }
     }
     terminal.show(None);

@@ -47,7 +47,7 @@ pub enum Block {
     Remark(Prose),
     /// A formula with its check.
     Equation {
-        /// It is the first, second, … formula of its step.
+        /// Number of the formula in its step, from 1.
         number: usize,
         /// The formula.
         equation: CheckedEquation,

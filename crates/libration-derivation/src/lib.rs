@@ -1,8 +1,21 @@
 //! Worked derivations: every step in sentences and formulas, and every formula checked as it is written.
 //!
-//! A [`Derivation`] is data. Its formulas are trees that are printed and evaluated: what a reader sees is what was
-//! checked, exactly with fractions where that is possible, else in 77 digits at several amplitudes, or against the
-//! library's exact solution. A [`CheckedEquation`] cannot be made without passing its check.
+//! # Terms
+//! A [`Derivation`] is data: **steps** of sentences and formulas. A **formula** is a tree that is both printed and evaluated, so
+//! that the text a reader sees is the one checked. A [`CheckedEquation`] exists only if its **check** has passed: exactly with
+//! fractions where possible, otherwise in 77 digits at several amplitudes, or against the exact solution of the library.
+//!
+//! # Tasks
+//!
+//! | item | task |
+//! |---|---|
+//! | [`elliptic()`] | the exact period of the pendulum: energy, elliptic integral, series, arithmetic–geometric mean |
+//! | [`formulas`] | the published formulas for the period |
+//! | [`perturbation`] | Lindstedt's series of a conservative oscillator, order by order |
+//! | [`averaging()`] | amplitude and phase under weak damping or excitation |
+//! | [`limit_cycle()`] | a limit cycle, by powers of its excitation |
+//! | [`paper`] | every equation of two published derivations, verified or corrected |
+//! | [`to_markdown`], [`to_html`], [`to_latex`], [`to_notebook`] | a derivation as a document |
 //!
 //! ```
 //! use libration_derivation::{elliptic, to_markdown};
@@ -10,6 +23,9 @@
 //! assert!(to_markdown(&derivation).contains("K"));
 //! # Ok::<(), libration_derivation::DerivationError>(())
 //! ```
+//!
+//! # Errors
+//! [`DerivationError`] states the formula that failed its check, or the reason why an oscillator has no derivation of this kind.
 
 mod formula;
 mod prose;

@@ -42,7 +42,7 @@ impl Prose {
         Self(vec![Span::Formula(formula)])
     }
 
-    /// This followed by more.
+    /// The text followed by more.
     pub(super) fn and(mut self, more: Self) -> Self {
         self.0.extend(more.0);
         self

@@ -169,7 +169,7 @@ impl Trials {
         Ok(comparison.equation(statement, place, Against::OtherSide).with_letters(letters))
     }
 
-    /// Only the swings to this amplitude in degrees, for what converges slowly above it.
+    /// The swings up to this amplitude in degrees, for formulas that converge slowly above it.
     pub(super) fn up_to(&self, degrees: i64) -> Self {
         let limit = Rational::from(degrees);
         let low = |trial: &&Trial| trial.amplitude.value().is_some_and(|amplitude| amplitude <= limit);
@@ -393,7 +393,7 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// This case's value with the larger difference of the two.
+    /// The value of this case with the larger difference of the two.
     fn with(self, other: Self) -> Self {
         Self { difference: self.difference.max(other.difference), ..self }
     }

@@ -102,7 +102,7 @@ impl InstructionSet {
     }
 }
 
-/// With these, all registers of the other sets are twice as many.
+/// Returns `true` if the processor has AVX-512, with which there are twice as many registers.
 fn has_avx512() -> bool {
     is_x86_feature_detected!("avx512f")
         && is_x86_feature_detected!("avx512dq")

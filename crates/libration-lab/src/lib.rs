@@ -1,11 +1,46 @@
-//! The laboratory of `libration`: reads what instruments recorded of a pendulum, and fits g, the period and the damping to it.
+//! The laboratory of `libration`: reads the files of instruments, and fits the exact law of the pendulum to their data.
 //!
-//! | module | answers |
-//! |---|---|
-//! | [`measurement`] | an instrument's file as columns with quantities and units, and its traces |
-//! | [`fit`] | fits of the exact law to measured periods, swings, lengths and passages of a gate: T0, a test of the law, gravity, damping |
+//! # Terms
+//! A **recording** is the content of a file: its **sheets** of columns with quantities and units. A **trace** is one run of
+//! angles or angular velocities in time, a **cycle** one period of it. A **finding** is a setting inferred from the file,
+//! with the **choice** that overrides it. Uncertainties are **standard uncertainties**; the **expanded uncertainty** of g is
+//! that of its **budget**. **β** tests the exact law: the measured rise of the period with the amplitude over the exact one.
 //!
-//! Both read bytes and return values: files, the screen and the clock belong to the caller.
+//! # Tasks
+//!
+//! | module | tasks | begin with |
+//! |---|---|---|
+//! | [`measurement`] | columns, traces, photogate times and faults of a file | [`Recording`](measurement::Recording), [`Trace`](measurement::Trace) |
+//! | [`fit`] | measured swings: ω0, damping, g, warnings and advice | [`swings`](fit::swings::swings) |
+//! | | periods against amplitude; periods against length | [`periods`](fit::periods()), [`lengths`](fit::lengths()) |
+//! | | photogate times; responses of a driven oscillator; harmonics of swings | [`gates`](fit::gates), [`response`](fit::response), [`spectrum`](fit::spectrum) |
+//! | | budget of the uncertainty of g; plan of a measurement | [`budget`](fit::budget()), [`plan`](fit::plan) |
+//!
+//! # A swing
+//! Without a length, the fit gives that of the simple pendulum with the same period in standard gravity:
+//!
+//! ```
+//! use libration::pendulum::Pendulum;
+//! use libration::watch::Watch;
+//! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
+//! use libration_lab::measurement::{Observable, Trace};
+//!
+//! let motion = Pendulum::from_angular_frequency(4.0)?.released_from("40deg".parse()?)?;
+//! let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
+//! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
+//! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
+//! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
+//! let fitted = swings(&[trace], &undamped, &Watch::none())?;
+//! let FittedPendulum::Length(length) = fitted.pendulum else { return Err("a length was given".into()) };
+//! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
+//! assert!(fitted.advice.contains(&Advice::GiveLength));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Errors and accuracy
+//! A file that leaves a setting open is an error with the choices that would decide it. A fit that the data do not determine is
+//! an error; doubts about a result are **warnings** with stable names. Uncertainties include the scatter of the rows, their
+//! correlation, and the difference of models that the data do not exclude. Files, screen and clock belong to the caller.
 
 pub mod fit;
 pub mod measurement;

@@ -52,7 +52,7 @@ pub fn on_cores<T: Sync, R: Send>(
         }
         drop(questions);
         for answer in asked {
-            // Whoever does not wait for an answer is done.
+            // A receiver that no longer waits needs nothing.
             let _ = answer.send(watch.go_on().is_ok());
         }
     });

@@ -42,7 +42,7 @@ pub enum Stage {
     },
     /// An expansion is checked by another method.
     Check,
-    /// The motion asked for, 0, or another one beside it.
+    /// The motion requested, 0, or another one next to it.
     Motion {
         /// The number of the motion.
         number: usize,
@@ -68,7 +68,7 @@ enum Asked<'w> {
 }
 
 impl Watch<'static> {
-    /// Nobody is asked, and nothing stops the call.
+    /// A watch that never cancels, and reports no progress.
     #[must_use]
     pub const fn none() -> Self {
         Self::asking(Asked::Nobody)
@@ -87,7 +87,7 @@ impl<'w> Watch<'w> {
         Self { asked, progress: Cell::new(progress), stopped: Cell::new(false) }
     }
 
-    /// For a part of the work, whose own progress is nobody's concern.
+    /// A watch for a part of the work, which cancels but does not report the progress of the part.
     #[must_use]
     pub fn part(&self) -> Watch<'_> {
         Watch::asking(Asked::Whole(self))

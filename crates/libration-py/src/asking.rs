@@ -50,7 +50,7 @@ impl Host for Conversation {
     }
 }
 
-/// The answer, the notes beside it, and why there is none or not all of it.
+/// The answer, the notes next to it, and why there is none or not all of it.
 type Answered = (String, Vec<String>, Option<PyErr>);
 
 /// Answers the arguments of a command line; `input` is what a file called `-` holds.

@@ -153,10 +153,10 @@ impl NativeExpansion {
         Ok(fields)
     }
 
-    /// At an amplitude, or a strength: value, remainder, whether that is proven, and powers, terms, sums.
+    /// The evaluation at an amplitude, or a strength: value, remainder and its proof, powers, terms, sums.
     fn evaluate(&self, at: f64, quantity: &str) -> PyResult<Evaluation> {
         let Found::Numbers { oscillator, expansion } = &self.0 else {
-            return Err(refusal::<Refused>("the coefficients have letters: give these values with set"));
+            return Err(refusal::<Refused>("the coefficients contain symbols: give them values with set"));
         };
         let quantity: SeriesQuantity = quantity.parse().map_err(refusal::<Refused>)?;
         let relation = SeriesComparison::new(oscillator, expansion, quantity);

@@ -34,7 +34,7 @@ pub(crate) struct NativeSimulation {
     model: Model,
     start: Vec<f64>,
     solution: Solution,
-    /// Before the start, and after it.
+    /// The solutions before the start and after it.
     dense: [DenseSolution; 2],
 }
 
@@ -58,8 +58,8 @@ pub(crate) fn simulate(
     let end = solution.end.time;
     let reason = match cause {
         Some(Cause::Interrupted) if is_full => Some(format!(
-            "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: ask for shorter parts, or \
-             libration.questions.simulate, which keeps the states at the times alone",
+            "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: simulate shorter parts, or \
+             use libration.questions.simulate, which keeps only the states at the times",
             solution.steps
         )),
         Some(Cause::Interrupted) | None => None,

@@ -28,7 +28,7 @@ pub(crate) type Batch<const N: usize, const M: usize> =
 /// Elements that go to a batch together. What a modulus alone decides is prepared once in a batch, which takes `ellipj` 3.3 µs, as much as 260
 /// elements. Six arrays of such blocks lie in the second-level cache.
 const BLOCK: usize = 2048;
-/// For calls with no more, which shall not clear so much memory: six arrays take 2 µs, as much as 160 elements of `ellipj`.
+/// Block length of calls with few elements, which clear less memory: six full arrays take 2 µs, as much as 160 elements of `ellipj`.
 const MIDDLE_BLOCK: usize = 256;
 /// Block for calls with one number or a few.
 const SMALL_BLOCK: usize = 8;
@@ -116,7 +116,7 @@ impl Strided {
         self.first.wrapping_offset(self.step.wrapping_mul(element.cast_signed())).cast()
     }
 
-    /// Goes through the array. Where elements of this type lie beside each other, the step is one that the compiler knows, which lets it take
+    /// Goes through the array. Where elements of this type lie next to each other, the step is one that the compiler knows, which lets it take
     /// several at once.
     #[inline(always)]
     fn walk<T>(self, visit: impl FnOnce(Self)) {

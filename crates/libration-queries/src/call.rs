@@ -51,7 +51,7 @@ impl Call {
         &self.arguments
     }
 
-    /// Says it beside the answer, unless it is said already.
+    /// Says it with the result, unless it is said already.
     pub(crate) fn note(&self, sentence: &str) {
         let mut notes = self.notes.lock().unwrap_or_else(PoisonError::into_inner);
         if !notes.iter().any(|note| note == sentence) {
@@ -100,7 +100,7 @@ pub(crate) fn is_ended_early() -> bool {
     CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_ended_early()))
 }
 
-/// The host of threads that work for nobody.
+/// The host of threads outside a run.
 #[derive(Debug)]
 pub struct Nobody;
 

@@ -38,10 +38,10 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Host: Send + Sync {
-    /// Takes the next part of the answer, or of the file that stands in its place.
+    /// Takes the next part of the result, or of the file that stands in its place.
     ///
     /// # Errors
-    /// Where no more can be taken, which ends the answer.
+    /// Where no more can be taken, which ends the result.
     fn write(&self, bytes: &[u8]) -> io::Result<()>;
 
     /// The content of a file called `-`.
@@ -66,7 +66,7 @@ pub trait Host: Send + Sync {
     /// Takes a file that the question has written, as a whole.
     ///
     /// # Errors
-    /// Where it cannot be taken, which is then why there is no answer.
+    /// Where it cannot be taken, which is then why there is no result.
     fn keep(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = (path, bytes);
         Err(io::ErrorKind::Unsupported.into())
@@ -77,7 +77,7 @@ pub trait Host: Send + Sync {
         SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default()
     }
 
-    /// A sentence about the question beside its answer, such as how an equation was read.
+    /// Receives a note about a query, such as the reading of its equation.
     fn note(&self, sentence: &str) {
         let _ = sentence;
     }
@@ -87,7 +87,7 @@ pub trait Host: Send + Sync {
         let _ = how_far;
     }
 
-    /// From now on the answer can be ended early, and keeps what is done.
+    /// Begins to listen for a cancellation, after which the output keeps what is done.
     ///
     /// # Errors
     /// Where nobody could ask for that; the question is then refused.

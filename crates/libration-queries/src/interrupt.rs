@@ -1,4 +1,4 @@
-//! The early end of a long answer, which keeps what is done.
+//! The early end of a long result, which keeps what is done.
 //!
 //! # Method
 //! Every library call that may take long has a variant `…_watched` that checks a `libration::watch::Watch` at each step, order or piece; the

@@ -1,7 +1,46 @@
 //! The queries of libration, for front ends: the words of a command line in, results out.
 //!
-//! [`ask`] runs a query in the process that calls it, and leaves its streams, signals and environment alone: what a query reads and writes passes
-//! through the [`Host`] of the front end. [`questions`] lists the queries with their parameters.
+//! # Terms
+//! A **query** is a command of the program, such as `period` or `fit trace`; a **run** executes one with its words. The **host**
+//! is the environment of a run: the front end that receives its output and notes, provides its files, and may cancel it.
+//!
+//! # Tasks
+//!
+//! | item | task |
+//! |---|---|
+//! | [`ask`] | run a query; the bytes are those of the program |
+//! | [`Host`] | receive output, notes and progress, provide files, cancel |
+//! | [`questions()`] | list the queries with their parameters, as data |
+//! | [`Run`], [`command()`] | run a query whose words the front end parses with clap |
+//! | [`ensemble`] | the motions of `simulate --each`, to be advanced by the caller |
+//! | [`SweepPlan`] | the chunks of a sweep, to be computed on any machine |
+//!
+//! ```
+//! use libration_queries::Host;
+//! use std::io;
+//! use std::sync::{Arc, Mutex};
+//!
+//! #[derive(Default)]
+//! struct Memory(Mutex<Vec<u8>>);
+//!
+//! impl Host for Memory {
+//!     fn write(&self, bytes: &[u8]) -> io::Result<()> {
+//!         self.0.lock().map_err(|_| io::ErrorKind::Other)?.extend_from_slice(bytes);
+//!         Ok(())
+//!     }
+//! }
+//!
+//! let memory = Arc::new(Memory::default());
+//! libration_queries::ask(["fourier", "60deg", "--json"].map(Into::into), memory.clone())?;
+//! let output = memory.0.lock().map_err(|_| "a thread has failed")?;
+//! assert!(output.starts_with(b"{"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Errors
+//! A [`QueryError`] has a kind (no result, usage error, cancelled) with the exit status of the program, the parameters that it is
+//! about, its message, and where known a hint: a value or another query that would work. A run touches no streams, signals or
+//! environment of its process, only the files that its words name.
 
 mod arguments;
 mod call;

@@ -13,10 +13,10 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::{available_parallelism, scope};
 use std::time::Duration;
 
-/// Between two looks at work that goes on.
+/// Interval between two checks of running work.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Without threads the thread that asks does everything itself, and shows progress where the work asks whether it may go on.
+/// `false` where the calling thread does all work itself, and shows progress where the work checks for cancellation.
 const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 
 /// The results for all items, in their order. Which core did which, and how many there are, changes nothing.
@@ -124,8 +124,8 @@ fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
     to_do.lock().ok()?.recv().ok()
 }
 
-/// The results for the items, in their order, but for those that are not done when somebody asks for an early end; meanwhile a
-/// line of progress counts `what`. Work asks its watch whether it may go on.
+/// The results for the items, in their order, except for those that are not done at a cancellation; meanwhile a line of progress counts
+/// `what`. The work checks its watch for a cancellation.
 pub fn map_until_asked<T: Sync, R: Send>(
     items: &[T],
     what: &str,
@@ -145,7 +145,7 @@ pub fn map_until_asked<T: Sync, R: Send>(
     results
 }
 
-/// The result of some work; `None` when somebody asks for an early end before.
+/// The result of some work; `None` if it is cancelled before.
 pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Send) -> Option<R> {
     let how_far = || what.to_owned();
     with_progress(how_far, || unless_asked(&how_far, work))

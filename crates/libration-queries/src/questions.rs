@@ -13,7 +13,7 @@ pub struct Question {
     pub about: String,
     /// Remarks, empty where there are none.
     pub remarks: String,
-    /// In the order of the help.
+    /// Parameters in the order of the help.
     pub parameters: Vec<Parameter>,
 }
 

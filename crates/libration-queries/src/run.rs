@@ -65,8 +65,8 @@ pub fn ask(arguments: impl IntoIterator<Item = OsString>, host: Arc<dyn Host>) -
     }
 }
 
-/// The motions that `simulate … --each FILE` asks for, at their start, with their system: to be asked for their states at one time after the
-/// other, as long as one likes. The times of the query are not used.
+/// The motions of `simulate … --each FILE` at their start, with their system; they give their states at one time after the other, as long as
+/// requested. The times of the query are not used.
 ///
 /// # Errors
 /// As [`ask`]; another question, motions with different parameters, and events.

@@ -1,4 +1,4 @@
-//! Sweeps for programs that keep the answers themselves: the plan, and what is kept of the answers at the points of a chunk.
+//! Sweeps for programs that keep the results themselves: the plan, and what is kept of the results at the points of a chunk.
 
 use crate::call::{self, Call};
 use crate::command::{self, SweepAsked, SweepAxis, SweepPlanned};
@@ -54,13 +54,13 @@ pub struct SweepChunk {
 }
 
 impl SweepPlan {
-    /// The plan of a question, given as the words of a command line, over these axes. Some points are asked until one has an answer.
+    /// The plan of a question, given as the words of a command line, over these axes. Some points are asked until one has a result.
     ///
-    /// `keep` names numbers of the answers as `--keep` does; all that stand alone where it is empty. `chunk` is how many points a chunk has
+    /// `keep` names numbers of the results as `--keep` does; all that stand alone where it is empty. `chunk` is how many points a chunk has
     /// at most.
     ///
     /// # Errors
-    /// Where axes, question and what is kept do not fit, and where no point that was asked has an answer.
+    /// Where axes, question and what is kept do not fit, and where no point that was asked has a result.
     pub fn new(
         question: &[String],
         axes: &[(String, AxisValues)],

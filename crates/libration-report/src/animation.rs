@@ -1,4 +1,4 @@
-//! Moving parts: bodies on their square beside the axes or above them, and dots on the curves in them.
+//! Moving parts: bodies on their square next to the axes or above them, and dots on the curves in them.
 
 use crate::chart::{Hanging, Mechanism, MovingDot, Picture};
 use crate::frame::Frame;
@@ -10,7 +10,7 @@ const ROD: f64 = 0.14;
 const AXLE: f64 = 0.16;
 const BODY: f64 = 0.5;
 const DOT: f64 = 0.38;
-/// From one rail to the next.
+/// Distance from one rail to the next.
 const RAIL: f64 = 3.0 * BODY;
 
 /// All moving shapes of a picture on its canvas.
@@ -28,7 +28,7 @@ pub(crate) fn moving(picture: &Picture, frame: &Frame, em: f64) -> Vec<Moving> {
 /// The square in which bodies move.
 struct Stage {
     middle: Place,
-    /// From its middle to where the middle of a body may come.
+    /// Distance from the middle of the drawing to which the middle of a body may come.
     reach: f64,
     em: f64,
 }

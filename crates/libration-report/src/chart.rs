@@ -3,24 +3,24 @@
 /// A picture: panels one below the other, with a title above.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Over the whole picture; broken into lines where it is long.
+    /// Title over the whole picture; broken into lines where it is long.
     pub title: String,
     /// Parameters of the picture, such as `g = 9.80665 m/s²`; a line under the title.
     pub parameters: Vec<String>,
     /// The panels from the top.
     pub panels: Vec<Panel>,
-    /// The height of all axes as a part of their width, where no height is asked for.
+    /// The height of all axes as a part of their width, where no height is requested.
     pub aspect: f64,
-    /// Animation beside the axes, for pictures that can move.
+    /// Animation next to the axes, for pictures that can move.
     pub animation: Option<Animation>,
 }
 
-/// Bodies that move beside the axes, and dots that follow curves in them, again and again.
+/// Bodies that move next to the axes, and dots that follow curves in them, again and again.
 #[derive(Clone, Debug)]
 pub struct Animation {
     /// Duration of one cycle, in seconds.
     pub seconds: f64,
-    /// Mechanism that moves beside the axes.
+    /// Mechanism that moves next to the axes.
     pub mechanism: Mechanism,
     /// Dots that move in the axes.
     pub dots: Vec<MovingDot>,
@@ -29,9 +29,9 @@ pub struct Animation {
 /// Bodies at evenly spaced times.
 #[derive(Clone, Debug)]
 pub enum Mechanism {
-    /// In a plane, on rods: places to the right and upwards, all in one unit of length.
+    /// Bodies in a plane, on rods: positions to the right and upwards, in one unit of length.
     Plane(Vec<Hanging>),
-    /// On level rails, one above the other: their places, a list for each body.
+    /// Bodies on level rails, one above the other: their positions, a list for each body.
     Rails(Vec<Vec<f64>>),
 }
 
@@ -49,20 +49,20 @@ pub struct Hanging {
 pub struct MovingDot {
     /// The number of the panel.
     pub panel: usize,
-    /// The colour of what it follows.
+    /// The colour of the curve that the dot follows.
     pub colour: &'static str,
     /// Positions at evenly spaced times.
     pub places: Vec<(f64, f64)>,
 }
 
-/// One pair of axes with what is drawn in them.
+/// One pair of axes with its series.
 #[derive(Clone, Debug)]
 pub struct Panel {
     /// Across.
     pub x: Axis,
     /// Upwards.
     pub y: Axis,
-    /// In the order in which they are drawn: the last stands in front.
+    /// Series in the order of drawing: the last is in front.
     pub series: Vec<Series>,
     /// The part of the height of all axes it takes, relative to the other panels.
     pub share: f64,
@@ -103,7 +103,7 @@ pub enum Units {
     Degrees,
     /// π/4, π/2, π and so on, where π on the axis is this number.
     HalfTurns(f64),
-    /// These words stand at 1, 2, 3 and so on.
+    /// Words at 1, 2, 3 and so on.
     Names(Vec<String>),
 }
 
@@ -138,7 +138,7 @@ pub struct Look {
     pub colour: &'static str,
     /// The width of a line, or half of a marker.
     pub width: f64,
-    /// From 0, which cannot be seen, to 1.
+    /// Opacity, from 0 (invisible) to 1.
     pub opacity: f64,
     /// A line, markers or a band.
     pub mark: Mark,
@@ -161,7 +161,7 @@ impl Picture {
         Self { title: title.to_owned(), parameters: vec![], panels, aspect: 0.6, animation: None }
     }
 
-    /// The picture with what it was made with under its title.
+    /// The picture with its parameters under the title.
     #[must_use]
     pub fn with_parameters(self, parameters: impl IntoIterator<Item = String>) -> Self {
         Self { parameters: parameters.into_iter().collect(), ..self }

@@ -18,9 +18,10 @@ pub(crate) fn picture(picture: &Picture) -> String {
             self::panel(panel, across)
         })
         .collect();
-    let moves = picture.animation.as_ref().map(|animation| {
-        format!("It moves in a drawing of its own, once in {} s.", short(animation.seconds))
-    });
+    let moves = picture
+        .animation
+        .as_ref()
+        .map(|animation| format!("An animated drawing repeats every {} s.", short(animation.seconds)));
     parameters.into_iter().chain(panels.into_iter().rev()).chain(moves).collect::<Vec<_>>().join(" ")
 }
 

@@ -16,7 +16,7 @@ const SHORT_TICK: f64 = 0.2;
 /// Widths of lines of the axes.
 const FRAME_LINE: f64 = 0.07;
 const TICK_LINE: f64 = 0.055;
-/// From the middle of digits to their base line.
+/// Distance from the middle of digits to their base line.
 const HALF_DIGIT: f64 = 0.365;
 
 /// Lays the picture out in a format.

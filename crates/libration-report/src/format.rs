@@ -13,9 +13,9 @@ const PAGE: f64 = 170.0 * UNITS_PER_MM;
 /// The size of a picture, in units of 1/96 inch, and of its letters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureFormat {
-    /// From the left to the right.
+    /// Width of the picture.
     pub width: f64,
-    /// From the top to the bottom; by the shape of the picture where it is not given.
+    /// Height of the picture; by its shape where none is given.
     pub height: Option<f64>,
     /// The size of the letters.
     pub text: f64,

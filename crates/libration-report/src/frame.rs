@@ -12,24 +12,24 @@ use crate::ticks::{self, Ticks};
 pub(crate) const PADDING: f64 = 0.6;
 pub(crate) const TITLE: f64 = 1.1;
 const UNDER_WORDS: f64 = 0.25;
-/// Above the axes: half of the label of a tick at the top.
+/// Margin above the axes, for half of the label of a tick at the top.
 const TOP: f64 = 0.6;
-/// From the axes to the base line of the labels below, and the height of these labels.
+/// Distance from the axes to the base line of the labels below, and the height of these labels.
 pub(crate) const TICK_BASE: f64 = 1.35;
 const TICK_LABELS: f64 = 1.6;
 /// Below axes whose ticks the next panel names.
 const BOTTOM: f64 = 0.35;
-/// Between the labels of ticks and the axis beside them.
+/// Gap between the labels of ticks and their axis.
 pub(crate) const TICK_GAP: f64 = 0.4;
-/// Between two labels of ticks side by side.
+/// Gap between two adjacent labels of ticks.
 const LABELS_APART: f64 = 0.7;
-/// Between the name of an axis and the labels of its ticks.
+/// Gap between the name of an axis and the labels of its ticks.
 pub(crate) const NAME_GAP: f64 = 0.35;
 /// Right of the last tick's label.
 const EDGE: f64 = 0.2;
 /// Right of the axes at least.
 const RIGHT: f64 = 0.7;
-/// About the part of the width that axes have.
+/// Approximate fraction of the width that axes have.
 const AXES: f64 = 0.85;
 /// Axes that are shorter show nothing.
 const SHORTEST: f64 = 6.0;
@@ -37,8 +37,8 @@ const SHORTEST: f64 = 6.0;
 /// The side of the square in which something moves: a part of the width, but not less than this.
 const STAGE: f64 = 0.28;
 const SMALLEST_STAGE: f64 = 9.0;
-/// It is beside the axes where at least this part of the width is left for them, else above: in a column of a journal what is left are
-/// three ticks.
+/// Least fraction of the width that a legend next to the axes leaves for them; otherwise the legend is above: in a column of a journal
+/// three ticks would be left.
 const BESIDE: f64 = 0.5;
 
 /// A space at which no line is broken.
@@ -115,13 +115,13 @@ fn least_width(picture: &Picture) -> f64 {
     widest_left(picture) + axes + right(picture) + PADDING
 }
 
-/// From the left edge of the picture to the axes at most.
+/// Largest distance from the left edge of the picture to the axes.
 fn widest_left(picture: &Picture) -> f64 {
     let left = picture.panels.iter().map(|panel| left(panel, shortest(panel), ticks::labels(&panel.y)));
     left.fold(0.0, f64::max)
 }
 
-/// The room for what moves.
+/// The space of the animation.
 #[derive(Clone, Copy, Debug)]
 enum Room {
     /// Nothing moves.
@@ -154,20 +154,20 @@ impl Room {
     }
 }
 
-/// The least height of the axes of a panel: the name beside them takes two lines or three.
+/// The least height of the axes of a panel: the name next to them takes two lines or three.
 fn shortest(panel: &Panel) -> f64 {
     let ticks = ticks::least_length(&panel.y, y_extent);
     ticks.max(SHORTEST).max(0.5 * width(&panel.y.label, 1.0))
 }
 
-/// From the left edge of the picture to the axes.
+/// Distance from the left edge of the picture to the axes.
 fn left(panel: &Panel, height: f64, labels: impl Iterator<Item = String>) -> f64 {
     let name: f64 = named(&panel.y, height).iter().map(|_| LINE).sum();
     let widest = labels.map(|label| width(&label, 1.0)).fold(0.0, f64::max);
     PADDING + name + NAME_GAP + widest + TICK_GAP
 }
 
-/// From the axes to the right edge, without the padding: half of the label of a tick at the end.
+/// Distance from the axes to the right edge, without the padding: half of the label of a tick at the end.
 fn right(picture: &Picture) -> f64 {
     let labels = picture.panels.iter().flat_map(|panel| ticks::labels(&panel.x));
     labels.map(|label| 0.5 * width(&label, 1.0) + EDGE - PADDING).fold(RIGHT - PADDING, f64::max)
@@ -218,7 +218,7 @@ impl Words {
         }
     }
 
-    /// Above all panels, and above what moves there.
+    /// Height above all panels and above the animation.
     fn head(&self) -> f64 {
         let title: f64 = self.title.iter().map(|_| TITLE * LINE).sum();
         let parameters: f64 = self.parameters.iter().map(|_| LINE).sum();

@@ -9,16 +9,16 @@ use crate::style::INK;
 /// Long enough to show the dashes.
 const SAMPLE: f64 = 2.6;
 const MARKER_SAMPLE: f64 = 1.0;
-/// Between a sample and its name.
+/// Gap between a sample and its name.
 const GAP: f64 = 0.4;
-/// Between an entry and the next beside it.
+/// Gap between an entry and the next one.
 const APART: f64 = 1.2;
 
 /// The layout of the entries of a panel's legend, in sizes of a letter.
 #[derive(Clone, Debug)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,
-    /// From the top of the first row to the end of the last.
+    /// Height from the top of the first row to the end of the last.
     pub(crate) height: f64,
 }
 

@@ -2,9 +2,9 @@
 
 use super::advances::RUNS;
 
-/// From the base line to the top of the highest letters, in parts of the size of the font.
+/// Height of the highest letters above the base line, in parts of the size of the font.
 pub(crate) const ASCENT: f64 = 0.76;
-/// From one base line to the next.
+/// Distance from one base line to the next, in parts of the size of the font.
 pub(crate) const LINE: f64 = 1.2;
 
 /// The width of a text in `DejaVu Sans` of this size.

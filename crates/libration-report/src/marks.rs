@@ -112,7 +112,7 @@ fn bars(
     (!pieces.is_empty()).then(|| line(ShapeRole::Bars, pieces, &thin, em / USUAL_LETTER))
 }
 
-/// From the lower ends of the uncertainties to the right and back along the upper ones.
+/// The outline of a band: along the lower ends of the uncertainties to the right, and back along the upper ones.
 fn band(series: &Series, panel: &Panel, place: &dyn Fn(Place) -> Place) -> Shape {
     let edge = |point: &Point, side: f64| {
         let y = point.y + side * point.y_uncertainty.unwrap_or(0.0);

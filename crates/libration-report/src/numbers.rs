@@ -48,7 +48,7 @@ fn signed(text: &str) -> String {
     text.replace('-', "−")
 }
 
-/// An `f64` has no more decimal places than these that anybody could tell apart.
+/// Largest number of decimal places of an `f64`.
 fn places(count: i32) -> usize {
     const MOST: i32 = 17;
     usize::try_from(count.clamp(0, MOST)).unwrap_or(0)

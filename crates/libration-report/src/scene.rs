@@ -6,9 +6,9 @@ pub type Place = (f64, f64);
 /// A drawing with its words for those who cannot see it.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// From the left to the right, in units of 1/96 inch.
+    /// Width in units of 1/96 inch.
     pub width: f64,
-    /// From the top to the bottom.
+    /// Height in units of 1/96 inch.
     pub height: f64,
     /// Title of the drawing.
     pub title: String,
@@ -50,7 +50,7 @@ pub enum MovingForm {
     },
 }
 
-/// A thing to draw.
+/// A shape to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// Role of the shape.
@@ -59,7 +59,7 @@ pub struct Shape {
     pub form: Form,
     /// Colour as `#RRGGBB`.
     pub colour: &'static str,
-    /// From 0 to 1.
+    /// Opacity, from 0 to 1.
     pub opacity: f64,
 }
 
@@ -72,7 +72,7 @@ pub enum ShapeRole {
     Tick,
     /// The label of a tick below the axes.
     XTickLabel,
-    /// The label of a tick beside the axes.
+    /// The label of a tick next to the axes.
     YTickLabel,
     /// A name of an axis.
     AxisLabel,

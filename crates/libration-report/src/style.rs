@@ -1,5 +1,5 @@
-//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can tell apart,
-//! each joined with a dash pattern or a marker so that no two curves differ by colour alone.
+//! The looks of curves and points: Okabe and Ito's colours, which colour-blind readers can distinguish, each joined with a dash pattern or
+//! a marker so that no two curves differ by colour alone.
 
 use crate::chart::{Look, Mark};
 
@@ -80,7 +80,7 @@ pub fn measurements_of(number: usize, count: usize) -> Look {
     Look { width, ..markers(number) }
 }
 
-/// The look of what happens at single times of a motion, beside curves of the first colours.
+/// The look of events of a motion, next to curves of the first colours.
 pub fn turning_points(count: usize) -> Look {
     Look { colour: COLOURS[4], ..measurements(count) }
 }

@@ -106,7 +106,7 @@ fn animated(attribute: &str, values: &[String], seconds: f64) -> String {
     )
 }
 
-/// On dark screens, not on paper, each colour becomes its dark one.
+/// The style of dark screens, where each colour becomes its dark counterpart; paper is unaffected.
 fn dark_style() -> String {
     let rules = DARK.iter().map(|(light, dark)| {
         format!("[fill=\"{light}\"]{{fill:{dark}}}[stroke=\"{light}\"]{{stroke:{dark}}}")
@@ -213,7 +213,7 @@ pub fn dots(places: &[Place]) -> String {
     path
 }
 
-/// To hundredths of a unit.
+/// A number rounded to hundredths of a unit.
 pub fn rounded(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -3,7 +3,7 @@
 use crate::golden::Row;
 use crate::ulp::Truth;
 
-/// The largest error of a state beside the digits of its row.
+/// The largest error of a state compared with the digits of its row.
 pub fn error(state: &[f64], row: Row) -> f64 {
     let truths: Vec<Truth> = row.text("state").split(' ').map(Truth::from_decimal).collect();
     assert_eq!(state.len(), truths.len());

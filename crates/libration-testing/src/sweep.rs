@@ -61,14 +61,15 @@ pub fn part_and<T>(
     cases.into_iter().enumerate().filter(is_run).map(|(_, case)| case).collect()
 }
 
-/// Between which a number lies that random draws give.
+/// Limits between which a number from random draws lies.
 #[derive(Clone, Debug)]
 pub struct Limits {
-    /// For the sample of the default run, whatever its seed.
+    /// Limits for the sample of the default run with any seed.
     pub usual: Range<f64>,
-    /// For the full sample, whatever its seed.
+    /// Limits for the full sample with any seed.
     pub full: Range<f64>,
-    /// For the full sample of the test's own seed. It is always the same, so that these limits may be narrower than chance asks for.
+    /// Limits for the full sample with the seed of the test. The sample is always the same, so that these limits may be narrower than
+    /// chance requires.
     pub own: Range<f64>,
 }
 

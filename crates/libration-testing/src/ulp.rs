@@ -19,7 +19,7 @@ impl Truth {
         Self { hi, lo }
     }
 
-    /// From a decimal of any length, such as `0.1772e-2` or `inf`.
+    /// The number of a decimal of any length, such as `0.1772e-2` or `inf`.
     pub fn from_decimal(text: &str) -> Self {
         let hi: f64 = text.parse().unwrap();
         let lo = if hi.is_finite() { rest(text, hi) } else { 0.0 };

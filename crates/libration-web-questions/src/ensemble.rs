@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 struct Followed {
     ensemble: Ensemble,
     bodies: Option<Bodies>,
-    /// The last time that was asked for, and the states there.
+    /// The last time that was requested, and the states there.
     time: f64,
     states: Vec<f64>,
 }
@@ -65,7 +65,7 @@ fn begin(model: &Model, mut ensemble: Ensemble) {
     *followed() = Some(Followed { ensemble, bodies, time: 0.0, states });
 }
 
-/// The states at a time in s, not before those that were asked for before: of each motion the numbers of its state, one behind the other, NaN
+/// The states at a time in s, not before those that were requested before: of each motion the numbers of its state, one behind the other, NaN
 /// where it has ended.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]

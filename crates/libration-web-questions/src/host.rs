@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// With the files of one question; that which is called `-` is the standard input.
+/// The host of a query with its files; the file called `-` is the standard input.
 #[derive(Debug)]
 pub(crate) struct PageHost {
     files: BTreeMap<PathBuf, Vec<u8>>,

@@ -27,7 +27,7 @@ pub(crate) fn output(bytes: &[u8]) {
     unsafe { page_output(bytes.as_ptr(), bytes.len()) }
 }
 
-/// A sentence beside the answer.
+/// A sentence with the result.
 pub(crate) fn note(sentence: &str) {
     // SAFETY: as above.
     unsafe { page_note(sentence.as_ptr(), sentence.len()) }

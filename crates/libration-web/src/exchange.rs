@@ -5,11 +5,11 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// Contents of the exchange.
 #[derive(Debug)]
 pub struct Exchange {
-    /// From the page: a text in UTF-8, or the bytes of a file.
+    /// Input from the page: a text in UTF-8, or the bytes of a file.
     pub given: Vec<u8>,
-    /// For the page.
+    /// Numbers for the page.
     pub numbers: Vec<f64>,
-    /// For the page: a text, or the reason why there is no result.
+    /// Text for the page, or the reason why there is no result.
     pub text: String,
 }
 
@@ -22,7 +22,7 @@ pub fn exchange() -> MutexGuard<'static, Exchange> {
 }
 
 impl Exchange {
-    /// Takes what the page has given as text.
+    /// Takes the input of the page as text.
     ///
     /// # Errors
     /// In words, where it is none.

@@ -1,4 +1,4 @@
-//! The motion that the page shows, and approximate ones beside it.
+//! The motion that the page shows, and approximate ones next to it.
 
 use crate::exchange::exchange;
 use libration::pendulum::{ApproximateMotion, Motion, Pendulum, PendulumError, Regime};

@@ -1,10 +1,22 @@
 //! The pendulum at any amplitude: its exact period, motion and harmonics, and the published formulas for its
-//! period, each with its exact error. From there any nonlinear oscillator.
+//! period, each with its exact error. From there any nonlinear oscillator, and any system of equations of motion.
 //!
-//! Angles are radians from the downward vertical, times seconds, lengths metres. Near the top the distance
-//! π − θ is the number that matters, so an [`Angle`](quantity::Angle) carries it beside the angle: released
-//! from `pi-1e-300` a pendulum is as well described as from `60deg`.
+//! Angles are radians from the downward vertical, times seconds, lengths metres.
 //!
+//! # Terms
+//! A **libration** swings to and fro below the top, a **rotation** passes over it in one direction, and the motion on
+//! the **separatrix** between them approaches the top for ever. The **amplitude** of a libration is its largest angle.
+//! Near the top the **complement** π − |θ| is the number that matters, so an [`Angle`](quantity::Angle) carries it
+//! together with the angle: a release from `pi-1e-300` is described as well as one from `60deg`. The **small-angle
+//! period** is 2π√(l/g).
+//!
+//! An **oscillator** is one equation of the second order about an **equilibrium**, a **system** any number of equations
+//! of motion, of the first or the second order. A **perturbation series** expands the periodic motions of an oscillator
+//! in a parameter that its **gauge** defines; the **slow flow** gives the rates of amplitude and phase under weak damping
+//! or excitation. A **periodic orbit** is stable where its **Floquet multipliers** are inside the unit circle. A
+//! **branch** is a family of periodic orbits over a parameter; its bifurcations are **special points**.
+//!
+//! # The pendulum
 //! ```
 //! use libration::pendulum::{Pendulum, Regime};
 //! use libration::period_formulas::PeriodFormula;
@@ -31,7 +43,7 @@
 //! let bernoulli = PeriodFormula::by_key("bernoulli")?;
 //! assert!((bernoulli.fractional_error(&amplitude) + 0.00433).abs() < 1e-5);
 //!
-//! // The same period by perturbation theory, which knows nothing of elliptic functions: exact fractions.
+//! // The same period by perturbation theory, without elliptic functions: exact fractions.
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
 //! let oscillator = Oscillator::new(&"theta'' + sin(theta) = 0".parse()?)?;
@@ -42,30 +54,65 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | module | answers |
-//! |---|---|
-//! | [`quantity`] | what `60deg`, `pi-1e-6`, `1.200(3) m` and `1deg:179deg:1deg` mean, exactly |
-//! | [`catalogue`] | what can be asked for by name |
-//! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; the complement beside the modulus |
-//! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; single values and batches |
-//! | [`period_formulas`] | the formulas of the literature, their exact errors, where one overtakes another |
-//! | [`algebra`] | exact rationals, floats of any precision, polynomials in named variables, and the rings of all of them |
-//! | [`roots`] | where a condition ends or a function vanishes, from a bracket |
-//! | [`quadrature`] | integrals of functions of one variable, each with what it misses |
-//! | [`series`] | truncated power series over any ring |
-//! | [`expression`] | formulas and equations of motion as text, tree and tape |
-//! | [`watch`] | whether a long call may go on, and how far it is |
-//! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
-//! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
-//! | [`comparison`] | those series beside exact values |
-//! | [`taylor`] | the motion of any system of equations in time |
-//! | [`systems`] | named systems with energies and units, and equations as typed, ready to be integrated |
-//! | [`orbit`] | periodic orbits of any equations of motion: period, harmonics, stability |
-//! | [`spectrum`] | how much of each frequency is in a motion |
-//! | [`normal_modes`] | small oscillations of coupled systems, exactly where possible, and how they change with the amplitude |
-//! | [`decay`] | how the amplitude of a damped pendulum falls: averaged, for small amplitudes, integrated |
-//! | [`chaos`] | whether a motion is regular or chaotic: Poincaré sections, bifurcation diagrams, Lyapunov exponents |
+//! # Tasks
 //!
+//! | module | tasks | begin with |
+//! |---|---|---|
+//! | [`pendulum`] | period, motion in every regime, energy, action, harmonics; batches | [`Pendulum`](pendulum::Pendulum), [`period`](pendulum::period()), [`periods`](pendulum::periods()) |
+//! | [`period_formulas`] | published formulas for the period: exact errors, crossovers | [`PeriodFormula`](period_formulas::PeriodFormula) |
+//! | [`decay`] | amplitude of a damped pendulum: integrated, averaged, for small amplitudes | [`Decay`](decay::Decay) |
+//! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue | [`Oscillator`](oscillator::Oscillator), [`NamedOscillator`](oscillator::NamedOscillator) |
+//! | [`perturbation`] | exact series of frequency, harmonics and period; slow flow | [`expand`](perturbation::expand()), [`slow_flow`](perturbation::slow_flow()) |
+//! | [`comparison`] | such a series compared with exact values; frequency against amplitude | [`SeriesComparison`](comparison::SeriesComparison), [`Backbone`](comparison::Backbone) |
+//! | [`systems`] | named systems with energies and units, and typed equations | [`NamedSystem`](systems::NamedSystem), [`Model`](systems::Model) |
+//! | [`taylor`] | motion of any system in time, with events, errors and sensitivities | [`System`](taylor::System), [`integrate`](taylor::integrate()) |
+//! | [`orbit`] | periodic orbits: period, harmonics, Floquet multipliers | [`Orbit`](orbit::Orbit) |
+//! | [`spectrum`] | frequencies of a motion and their amplitudes | [`Spectrum`](spectrum::Spectrum) |
+//! | [`chaos`] | Poincaré sections, bifurcation diagrams, Lyapunov exponents | [`section`](chaos::section()), [`lyapunov_exponent`](chaos::lyapunov_exponent) |
+//! | [`continuation`] | branches of periodic orbits over a parameter: folds, jumps, stability | [`Response`](continuation::Response), [`StabilityChart`](continuation::StabilityChart) |
+//! | [`melnikov`] | thresholds of chaos of a weakly perturbed pendulum; resonances | [`PerturbedPendulum`](melnikov::PerturbedPendulum), [`Melnikov`](melnikov::Melnikov) |
+//! | [`normal_modes`] | small oscillations of coupled systems, exact where possible | [`NormalModes`](normal_modes::NormalModes) |
+//! | [`nonlinear_modes`] | these modes continued to large amplitudes | [`NonlinearMode`](nonlinear_modes::NonlinearMode) |
+//! | [`normal_form`] | slow flow of coupled modes: resonances, exchange of energy | [`NormalForm`](normal_form::NormalForm) |
+//! | [`quantity`] | exact values of `60deg`, `pi-1e-6`, `1.200(3) m`, `1deg:179deg:1deg` | [`Angle`](quantity::Angle), [`Quantity`](quantity::Quantity) |
+//! | [`expression`] | formulas and equations of motion from text | [`Equation`](expression::Equation), [`Expression`](expression::Expression) |
+//! | [`catalogue`] | keys of oscillators, systems and formulas | [`by_key`](catalogue::by_key) |
+//! | [`watch`] | progress and cancellation of long calls | [`Watch`](watch::Watch) |
+//! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; by the modulus and its complement | [`Modulus`](elliptic::Modulus), [`Jacobi`](elliptic::Jacobi) |
+//! | [`algebra`] | exact rationals, floats of any precision, polynomials, and their rings | [`Rational`](algebra::Rational), [`BigFloat`](algebra::BigFloat) |
+//! | [`series`] | truncated power series over any ring | [`PowerSeries`](series::PowerSeries) |
+//! | [`roots`] | zeros of functions and polynomials from a bracket | [`zero_between`](roots::zero_between) |
+//! | [`quadrature`] | integrals of functions of one variable, with error estimates | [`gauss_kronrod`](quadrature::gauss_kronrod) |
+//!
+//! # Any system of equations
+//! A motion in time, a limit cycle, and a branch of a driven pendulum through its folds:
+//!
+//! ```
+//! use libration::continuation::{Response, ResponseOptions, SpecialKind};
+//! use libration::orbit::Orbit;
+//! use libration::taylor::{Effort, System, integrate};
+//!
+//! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?;
+//! let start = system.start(&[("theta", 2.0)])?;
+//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15))?;
+//! assert_eq!(solution.samples.len(), 2);
+//!
+//! let cycle = Orbit::limit_cycle(&"x'' - (1 - x^2) x' + x = 0".parse()?, &[0.5, 0.0])?;
+//! assert!((cycle.period() - 6.6632868593231301896996820).abs() < 1e-12);
+//!
+//! let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
+//! let response = Response::over(&driven, "w", [0.3, 1.4], &ResponseOptions::default())?;
+//! let fold = response.branches[0].special.iter().find(|special| special.kind == SpecialKind::Fold);
+//! assert!((fold.ok_or("no fold")?.point.parameter - 0.87215756913791717).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Errors
+//! Functions of numbers return NaN outside their documented domain. Constructors check their arguments once, and return an
+//! error that states the value received, the reason, and what would work. Each activity has its own error type, such as
+//! [`PendulumError`](pendulum::PendulumError) or [`NoOrbit`](orbit::NoOrbit).
+//!
+//! # Keys
 //! Oscillators, systems and formulas have keys; an unknown one is an error that names the nearest:
 //!
 //! ```
@@ -80,7 +127,9 @@
 //! # Ok::<(), libration::catalogue::UnknownKey>(())
 //! ```
 //!
-//! Calls that may take long have a variant that ends in `_watched`, which a [`Watch`](watch::Watch) can stop, with what is done:
+//! # Cancellation
+//! Calls that may take long have a variant that ends in `_watched`, which a [`Watch`](watch::Watch) can cancel; the result is
+//! what was done until then:
 //!
 //! ```
 //! use libration::chaos::{Points, Section, section_watched};
@@ -100,11 +149,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The library reads no files, prints nothing and knows no clock. Functions of numbers return NaN outside
-//! their documented domain; constructors check their arguments once and return an error that says what was
-//! got and what would do. Results are the same bits on every platform, and each batch equals its own scalar
-//! function bit for bit. What each function promises of its accuracy stands in its documentation and is
-//! tested.
+//! # Accuracy
+//! The documentation of each function states its accuracy, which is tested: an error bound in units in the last place for
+//! functions of numbers, an uncertainty with each result of an iteration. Results are the same bits on every platform, and
+//! each batch equals its scalar function bit for bit. The library reads no files, prints nothing and uses no clock.
 
 // In reading order.
 #[doc(inline)]

@@ -1,4 +1,4 @@
-"""Every question of the command as a function. Written by scripts/questions."""
+"""Every command as a function. Written by scripts/questions."""
 
 from typing import TYPE_CHECKING
 

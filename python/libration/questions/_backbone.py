@@ -62,11 +62,11 @@ def backbone(
     Raises
     ------
     UsageError
-        What is given cannot be understood.
+        An argument is not valid.
     NoAnswer
-        There is no answer.
+        There is no result.
     Interrupted
-        Ctrl-C; its ``partial`` is what there is of the answer.
+        Ctrl-C; its ``partial`` is the result up to then.
 
     Examples
     --------

@@ -86,11 +86,11 @@ def bifurcation(
     Raises
     ------
     UsageError
-        What is given cannot be understood.
+        An argument is not valid.
     NoAnswer
-        There is no answer.
+        There is no result.
     Interrupted
-        Ctrl-C; its ``partial`` is what there is of the answer.
+        Ctrl-C; its ``partial`` is the result up to then.
 
     Examples
     --------

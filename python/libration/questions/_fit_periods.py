@@ -111,10 +111,10 @@ def fit_periods(
     Raises
     ------
     UsageError
-        What is given cannot be understood.
+        An argument is not valid.
     NoAnswer
-        There is no answer.
+        There is no result.
     Interrupted
-        Ctrl-C; its ``partial`` is what there is of the answer.
+        Ctrl-C; its ``partial`` is the result up to then.
     """
     return answer(Fit, "fit periods", locals())

@@ -1,4 +1,4 @@
-//! Our side of `bench/peers/motion`: integrates the motions that it is asked for.
+//! Our side of `bench/peers/motion`: integrates the requested motions.
 
 #[path = "../requests.rs"]
 mod requests;

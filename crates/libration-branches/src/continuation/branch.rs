@@ -56,7 +56,7 @@ pub enum Ending {
     BranchPoint,
     /// The branch ends at a Hopf point, in a state of rest.
     Rest,
-    /// It has as many points as were allowed.
+    /// The branch has the largest number of points.
     PointLimit,
     /// The period of the drive grows beyond a hundred times its least, or without a drive that of the motion beyond a hundred times its first:
     /// the branch goes on to the frequency zero.
@@ -131,7 +131,7 @@ impl Walked {
         self
     }
 
-    /// This one backwards, and then another one that begins at the same point.
+    /// The branch reversed, followed by another one that begins at the same point.
     pub(super) fn turned_into(mut self, onward: &Self) -> Self {
         let all = self.branch.points.len();
         let turned = |special: SpecialPoint| SpecialPoint { before: all - special.before, ..special };

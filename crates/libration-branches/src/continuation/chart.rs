@@ -36,7 +36,7 @@ impl Default for ChartOptions {
     }
 }
 
-/// Stability of the answers of a driven system over two of its parameters.
+/// Stability of the responses of a driven system over two of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StabilityChart {
     /// The state of rest on a grid, where the start is one at all values of the parameters.

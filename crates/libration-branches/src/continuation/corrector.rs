@@ -4,7 +4,7 @@ use super::family::{Family, Image};
 use super::space::Space;
 use libration_motion::internals::periodic::NewtonStep;
 
-/// A state and the parameter behind it, with what the motion makes of them.
+/// A state followed by the parameter, with their image under the motion.
 #[derive(Clone, Debug)]
 pub(super) struct Corrected {
     /// The unknowns of the motion, then the parameter.
@@ -20,7 +20,7 @@ pub(super) struct Corrected {
 
 /// Newton's rounds; each doubles the digits once the guess is near.
 const MOST_ROUNDS: usize = 12;
-/// A last correction below this is made, and nothing more is to be gained: its square is below the rounding.
+/// Size of a correction after which the iteration ends: the remaining error, of the order of its square, is below rounding.
 const CLOSE: f64 = 3e-9;
 /// A correction that no longer shrinks counts as rounding if it is below this.
 const ROUNDING: f64 = 1e-9;

@@ -68,7 +68,7 @@ pub(super) struct Trace<'a> {
 }
 
 impl<'a> Trace<'a> {
-    /// From near a place, in the sizes of a motion there, towards one side.
+    /// A trace from a point close to `place`, scaled by the sizes of the motion there, towards one side.
     pub(super) fn new(
         singular: Singular<'a>,
         ranges: [[f64; 2]; 2],

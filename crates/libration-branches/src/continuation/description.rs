@@ -136,8 +136,8 @@ fn apart(image: &Image, motion: &Whole, units: &[f64]) -> f64 {
     ends.map(|((a, b), unit)| ((a - b) / unit).abs()).fold(0.0, f64::max)
 }
 
-/// The eigenvalues of a map with their errors, where two integrations to different tolerances end apart by a part of the units, and the map may be
-/// off by a further part of its norm.
+/// The eigenvalues of a map with their errors, from the difference of two integrations with different tolerances, in the units, and a
+/// further error of the map relative to its norm.
 pub(super) fn multipliers(
     image: &Image,
     units: &[f64],

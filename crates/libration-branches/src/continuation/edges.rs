@@ -55,7 +55,7 @@ impl<'a> Grid<'a> {
         grid
     }
 
-    /// With the edges that were followed from the crossings.
+    /// The stability of the equilibrium over the map, with the boundaries followed from the crossings.
     pub(super) fn stability(&self, edges: &[SpecialCurve]) -> RestStability {
         let stable = |it: &Option<(Tests, bool)>| it.as_ref().map(|(_, stable)| *stable);
         let stable = self.tests.iter().map(|row| row.iter().map(stable).collect()).collect();

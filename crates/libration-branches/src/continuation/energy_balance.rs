@@ -28,9 +28,9 @@ pub(super) type Frequencies = Vec<Vec<(f64, f64)>>;
 pub(super) enum Work {
     /// Nothing that depends on the phase.
     WithoutPhase,
-    /// At no phase as much as is taken from it, but at most this part.
+    /// The drive supplies less than the damping takes at every phase: at most this fraction.
     TooWeak(f64),
-    /// It gives as much as it takes at these states, when the phase of the drive is zero.
+    /// The drive supplies what the damping takes at these states, which are those at the phase zero of the drive.
     Balanced(Vec<Vec<f64>>),
 }
 

@@ -21,18 +21,18 @@ pub enum NoBranch {
     NotDriven,
     /// Free oscillations of anything but one coordinate.
     #[error(
-        "orders are looked for from the free oscillations of one coordinate with its second derivative: these equations are others"
+        "sub- and superharmonic responses are searched from the free oscillations of one second-order equation: these equations have another form"
     )]
     NotOneOscillator,
     /// A rotation of a coordinate that is not an angle.
     #[error(
-        "the coordinate {0} does not go around: it is no angle, after whose turn the equations are the same"
+        "the coordinate {0} does not rotate: it is not an angle, after whose full turn the equations repeat"
     )]
     NotAnAngle(String),
     /// No rotation to begin with.
     #[error(
-        "no answer that goes around is found at the ends of the range, or where it is looked for (turns: {turns}, periods of the drive: \
-         {drive_periods}): look within the range, or drive more strongly"
+        "no rotating solution was found at the ends of the range or at the given value (turns: {turns}, periods of the drive: \
+         {drive_periods}): give a value within the range, or a stronger drive"
     )]
     NoRotation {
         /// The number of turns.
@@ -54,7 +54,7 @@ pub enum NoBranch {
         to: f64,
     },
     /// A start outside of the range.
-    #[error("the answers are looked for at {at:?}, which is outside of the range from {from:?} to {to:?}")]
+    #[error("the value {at:?} at which solutions are searched is outside the range from {from:?} to {to:?}")]
     Outside {
         /// The value at which they are looked for.
         at: f64,
@@ -64,7 +64,7 @@ pub enum NoBranch {
         to: f64,
     },
     /// No motion to begin with at either end.
-    #[error("no periodic motion is found at the ends of the range, or where it is looked for: {0}")]
+    #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(NoOrbit),
     /// The watch said so, before there was anything.
     #[error(transparent)]

@@ -1,4 +1,4 @@
-//! From a free oscillation that is in balance to the answer under the whole drive and damping.
+//! Continuation of a balanced free oscillation to the response under the full drive and damping.
 
 use super::branch::{Limits, Origin, Walk};
 use super::corrector::Corrector;
@@ -20,7 +20,7 @@ const MOST_POINTS: usize = 300;
 /// Largest relative difference in swing between the first driven motion and the free oscillation.
 const SAME_SWING: f64 = 0.3;
 
-/// The ways from free oscillations of one oscillator to its answers.
+/// The ways from free oscillations of one oscillator to its responses.
 pub(super) struct ToFullStrength<'w> {
     equation: Equation,
     strength: String,
@@ -34,7 +34,7 @@ impl<'w> ToFullStrength<'w> {
         Some(Self { equation, strength, family })
     }
 
-    /// The answer that a free oscillation of some amplitude becomes, as drive and damping grow together.
+    /// The response that a free oscillation of some amplitude becomes, as drive and damping grow together.
     pub(super) fn answer(&self, space: Space, state: &[f64], amplitude: f64) -> Option<BranchPoint> {
         let corrector = Corrector { family: &self.family, space, tolerance: TOLERANCES[0], stale: 1e-12 };
         let mut along = vec![0.0; state.len() + 1];
@@ -54,7 +54,7 @@ impl<'w> ToFullStrength<'w> {
         branch.points.last().filter(|it| it.parameter.to_bits() == 1.0_f64.to_bits()).cloned()
     }
 
-    /// The answer near a state at a strength, and the strength.
+    /// The response near a state at a strength, and the strength.
     fn closed(&self, space: Space, state: &[f64], strength: f64) -> Option<Vec<f64>> {
         let exact = Expression::Number(BigFloat::from_f64(strength, 53)?.to_rational());
         let equation = self.equation.with(&[(&self.strength, exact)]).ok()?;

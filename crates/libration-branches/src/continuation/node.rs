@@ -33,7 +33,7 @@ pub(super) struct Tests {
 }
 
 impl Node {
-    /// With the direction that goes with another one.
+    /// A node whose direction agrees with another one.
     pub(super) fn new(
         corrector: &Corrector<'_>,
         corrected: Corrected,

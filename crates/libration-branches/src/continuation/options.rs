@@ -14,11 +14,11 @@ pub struct ResponseOptions {
     pub at: Option<f64>,
     /// Number of drive periods after which a motion repeats itself: 1, or more for subharmonic responses; 1 without a drive.
     pub drive_periods: u32,
-    /// The angle that goes around in these periods of the drive, for rotating solutions; `None` for librating ones.
+    /// The angle that rotates in these periods of the drive, for rotating solutions; `None` for librating ones.
     pub rotation: Option<Rotation>,
-    /// Orders of sub- and superharmonic answers that are looked for besides, from the free oscillations of one coordinate that the drive keeps up
-    /// against the damping to the first order, at sixteen values within the range, by letting both grow to what they are: curves that close
-    /// within the range are found so, where nothing leads to them.
+    /// Orders of sub- and superharmonic responses that are looked for besides, from the free oscillations of one coordinate that the drive
+    /// keeps up against the damping to the first order, at sixteen values within the range, by letting both grow to what they are: curves
+    /// that close within the range are found so, where nothing leads to them.
     pub orders: Vec<ResonanceOrder>,
     /// Maximum depth of secondary branches (symmetry breaking, period doubling) that are followed.
     pub generations: usize,

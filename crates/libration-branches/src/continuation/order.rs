@@ -23,7 +23,7 @@ pub struct ResonanceOrder {
 /// Text that is not an order.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "`{0}` is no order: give two whole numbers from 1 to 100, as 1/3 for a third of the drive's frequency, or one"
+    "`{0}` is not an order: give two whole numbers from 1 to 100, such as 1/3 for a third of the drive frequency, or one"
 )]
 pub struct NoOrder(String);
 

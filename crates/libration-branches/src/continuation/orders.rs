@@ -1,4 +1,4 @@
-//! Sub- and superharmonic answers, found from the free oscillations.
+//! Sub- and superharmonic responses, found from the free oscillations.
 //!
 //! # Method
 //! Isolas are found from outside. At each of sixteen values the free oscillations with p/q of the drive frequency are released from rest. The work
@@ -37,11 +37,11 @@ pub enum OrderFinding {
     NoOscillation,
     /// The work of the drive on those that have it does not depend on their phase, to the first order.
     NoWork,
-    /// At its best phase the drive gives no more than this part of what the damping takes, to the first order.
+    /// The largest fraction of the energy lost to damping that the drive supplies at any phase, to first order.
     TooWeak(f64),
-    /// Balanced oscillations lead to no answer as drive and damping grow from zero to what they are.
+    /// Balanced oscillations lead to no response as drive and damping grow from zero to what they are.
     NotReached,
-    /// There are answers.
+    /// Responses were found.
     Found,
 }
 

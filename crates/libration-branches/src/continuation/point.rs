@@ -12,11 +12,11 @@ pub struct BranchPoint {
     pub parameter: f64,
     /// The state when the phase of the drive is zero: coordinates, then velocities. Without a drive the first coordinate turns back there.
     pub state: Vec<f64>,
-    /// After which the motion repeats itself.
+    /// The period of the motion.
     pub period: f64,
-    /// The angle that goes around in the period, if one does.
+    /// The angle that rotates in the period, if one does.
     pub rotation: Option<Rotation>,
-    /// The least and the greatest value of each coordinate; of an angle that goes around, of what it is ahead of an even rotation from t = 0 on.
+    /// The least and the greatest value of each coordinate; of a rotating angle, of its lead over a uniform rotation from t = 0 on.
     pub ranges: Vec<[f64; 2]>,
     /// The Floquet multipliers of the whole period by descending magnitude. What is below 1e-13 of the largest is rounding. Without a drive
     /// one of them is exactly 1, that of a deviation along the motion.
@@ -31,7 +31,7 @@ pub struct BranchPoint {
 }
 
 impl BranchPoint {
-    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there; of one that goes around,
+    /// The largest distance of a coordinate from zero; of an angle that swings about another bottom, from there; of one that rotates,
     /// from the even rotation that it is ahead of as much as behind.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> f64 {

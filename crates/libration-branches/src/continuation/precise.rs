@@ -21,7 +21,7 @@ pub struct PreciseSpecial {
     pub parameter: BigFloat,
     /// The state when the phase of the drive is zero: coordinates, then velocities.
     pub state: Vec<BigFloat>,
-    /// The parameter may be wrong by so much: what series of another order change in it, and rounding.
+    /// Bound on the error of the parameter: its change with series of another order, and rounding.
     pub error: f64,
 }
 

@@ -51,7 +51,7 @@ impl<'w> PreciseFlow<'w> {
         Ok(Self { own, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
     }
 
-    /// With series to an order; `None` where the motion cannot be followed.
+    /// The image of a state, by series to an order; `None` where the motion cannot be followed.
     pub(super) fn image(
         &self,
         ring: Floats,

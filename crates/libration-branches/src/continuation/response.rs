@@ -1,4 +1,4 @@
-//! The answers of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
+//! The responses of a driven system over a range of a parameter: all branches that are found from its ends, and what branches off.
 
 use super::branch::{Branch, Origin, Walked};
 use super::error::NoBranch;
@@ -239,7 +239,7 @@ impl Search<'_> {
         const SAME: f64 = 1e-7;
         let size = start.unknowns.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let is_near = |a: f64, b: f64| (a - b).abs() <= SAME * size;
-        // An answer that goes around once in several periods of the drive may begin with any of them.
+        // An answer that rotates once in several periods of the drive may begin with any of them.
         let copies = start.space.rotation.and_then(|_| self.copies(start, value));
         let copies = copies.unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |(branch, point): (&Branch, &BranchPoint)| match self.family.is_driven() {

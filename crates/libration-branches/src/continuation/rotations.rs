@@ -27,7 +27,7 @@ impl Search<'_> {
         }
     }
 
-    /// Motions that go around at a value of the parameter, each once: what Newton's method finds from all phases of the angle at the even speed, or
+    /// Motions that rotate at a value of the parameter, each once: what Newton's method finds from all phases of the angle at the even speed, or
     /// where the motion from there goes.
     pub(super) fn rotating(&self, rotation: Rotation, value: f64) -> Result<Vec<Start>, NoBranch> {
         let space = Space { rotation: Some(rotation), ..self.space() };

@@ -117,7 +117,7 @@ impl Search<'_> {
     }
 
     pub(super) fn primary(&self, value: f64, start: &Start, into: f64) -> Result<Option<Walked>, NoBranch> {
-        /// A multiplier of a free motion that is 1 to half the digits, beside that of a deviation along the motion.
+        /// A multiplier of a free motion that is 1 to half the digits, compared with that of a deviation along the motion.
         const FAMILY: f64 = 1e-6;
         let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
         let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
@@ -137,8 +137,7 @@ impl Search<'_> {
     }
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
-        /// Largest defect, in parts of the size of the state. A motion that Newton's method has closed misses its mirror image by rounding, or by a
-        /// difference.
+        /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding, or by far more.
         const SAME: f64 = 1e-9;
         let size = state.iter().map(|x| x.abs()).fold(1e-6, f64::max);
         let belongs = |smaller: &Space| {

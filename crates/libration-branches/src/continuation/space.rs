@@ -12,7 +12,7 @@ pub struct Space {
     pub half_periods: u32,
     /// `true` if the motion is its mirror image then, in which all coordinates, or some of them, have the opposite sign.
     pub mirrored: bool,
-    /// The angle that goes around meanwhile, if one does.
+    /// The angle that rotates meanwhile, if one does.
     pub rotation: Option<Rotation>,
 }
 
@@ -86,7 +86,7 @@ impl Space {
             .collect()
     }
 
-    /// Returns whether each component of two states differs by at most a distance; angles that go around are the same a turn later.
+    /// Returns `true` if each component of two states differs by at most a distance; rotating angles are compared modulo a turn.
     pub(super) fn is_near(self, a: &[f64], b: &[f64], distance: f64) -> bool {
         let apart = |(number, far): (usize, f64)| match self.turns_of(number) {
             0 => far,

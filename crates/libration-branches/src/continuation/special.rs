@@ -243,7 +243,7 @@ impl Stretch<'_> {
     /// Crossing of branches, as far as motions next to it can be corrected: at the crossing several directions are equivalent, and corrections have
     /// no bound.
     fn crossing(&self, test: Test) -> Option<(f64, Located)> {
-        /// Nearer to the crossing nothing is told apart.
+        /// Nearer to the crossing nothing is distinguished.
         const NEAR: f64 = 1e-9;
         /// The first part of the stretch that is left out on both sides, and how often it is doubled.
         const BESIDE: f64 = 1e-4;

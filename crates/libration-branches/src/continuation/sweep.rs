@@ -33,22 +33,22 @@ pub struct SweepPoint {
     pub state: Vec<f64>,
     /// Number of drive periods after which the motion repeats itself to a millionth; `None` where it does not after a thousand periods.
     pub drive_periods: Option<u32>,
-    /// The angle that goes around in these periods, if one does.
+    /// The angle that rotates in these periods, if one does.
     pub rotation: Option<Rotation>,
     /// The least and the greatest value of each coordinate, as of a [`BranchPoint`](super::BranchPoint); where the motion does not repeat itself,
     /// in sixteen periods of the drive.
     pub ranges: Vec<[f64; 2]>,
 }
 
-/// The longest answers that are recognised, in periods of the drive.
+/// The longest responses that are recognised, in periods of the drive.
 const LONGEST: usize = 8;
-/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both answers of the driven pendulum at 0.8, which without them
-/// jumps down from the one at 0.9.
+/// Steps from one value to the next: four values between 0.7 and 1 rad/s then show both responses of the driven pendulum at 0.8, which
+/// without them jumps down from the one at 0.9.
 const RAMP: u32 = 16;
-/// In periods of the drive: a quality of 300 falls to 3e-5 meanwhile.
+/// Largest time of settling, in periods of the drive: a transient of quality 300 falls to 3e-5 in it.
 const MOST_PERIODS: usize = 1000;
-/// A motion that comes back to so much of its size has settled. Next to a fold, where a thousand periods may be left of a transient, it is off by a
-/// thousandth, which no picture shows.
+/// Relative difference after a period below which a motion has settled. Next to a fold, where a thousand periods of a transient may remain,
+/// its error is a thousandth, which no picture shows.
 const SETTLED: f64 = 1e-6;
 /// Smallest distance, in parts of its size, of a motion that takes several periods from itself after fewer; a nearer one may be a transient that
 /// turns to and fro, and is followed further.
@@ -57,7 +57,7 @@ const DISTINCT: f64 = 1e-3;
 const LOOKED_AT: u32 = 16;
 
 impl SweepPoint {
-    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that goes around without an end.
+    /// Amplitude as [`BranchPoint::amplitude`](super::BranchPoint::amplitude) defines it; `None` for an angle that rotates without an end.
     #[must_use]
     pub fn amplitude(&self, coordinate: usize, is_angle: bool) -> Option<f64> {
         let [low, high] = self.ranges[coordinate];
@@ -72,7 +72,7 @@ impl Response {
     /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
     /// an end has no stable solution there is no sweep from there.
     ///
-    /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
+    /// Equation, parameter and range are those of the response. `watch` is checked at each step; where it stops the motions are given so far.
     ///
     /// # Errors
     /// As [`Response::over`]; equations without a drive.
@@ -116,7 +116,7 @@ impl Response {
         Ok(sweeps)
     }
 
-    /// The state of a stable answer at an end of the range.
+    /// The state of a stable response at an end of the range.
     fn stable_at(&self, end: f64) -> Option<&[f64]> {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
@@ -199,7 +199,7 @@ impl Sweeping<'_> {
         Some(SweepPoint { parameter: value, state, drive_periods, rotation, ranges })
     }
 
-    /// To a part of their size.
+    /// Returns `true` if two states agree to a fraction of their size.
     fn is_same(&self, a: &[f64], b: &[f64], part: f64) -> bool {
         let size = a.iter().map(|x| x.abs().min(PI)).fold(SETTLED, f64::max);
         let mut apart = a.iter().zip(b).map(|(a, b)| a - b).enumerate();

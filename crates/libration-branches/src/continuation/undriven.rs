@@ -2,7 +2,8 @@
 
 use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};
 
-/// Without velocities in the force and with zero for each sine and cosine of the time; `None` but for one coordinate of the second order.
+/// The equation without velocities in the force and with zero for each sine and cosine of the time; `None` unless it has one coordinate and
+/// is of the second order.
 pub(super) fn undriven(equation: &Equation) -> Option<Equation> {
     let ([variable], [Order::Second]) = (equation.variables(), equation.orders()) else { return None };
     let zero = Expression::from(0);

@@ -20,7 +20,7 @@ pub(super) fn largest_swing(point: &BranchPoint) -> f64 {
 
 impl Family<'_> {
     /// The sizes of the unknowns, then that of the parameter: half of what a coordinate goes, its share of the velocity, and the period where
-    /// it is unknown. What hardly moves beside the largest swing is measured by a part of this.
+    /// it is unknown. What hardly moves compared with the largest swing is measured by a part of this.
     pub(super) fn units(&self, point: &BranchPoint, largest: f64, width: f64) -> Vec<f64> {
         const HARDLY: f64 = 0.02;
         let swing = |coordinate: usize| {

@@ -21,12 +21,12 @@ pub enum NoMelnikov {
     Open(String),
     /// No restoring force.
     #[error(
-        "the acceleration has {0} sin of the angle in it: give a pendulum that hangs at zero, whose acceleration has -omega0^2*sin in it"
+        "the acceleration contains {0} sin of the angle: give a pendulum that hangs at zero, whose acceleration has -omega0^2*sin in it"
     )]
     NoPendulum(f64),
     /// A force of the angle alone that is not a polynomial of sine and cosine.
     #[error(
-        "the acceleration {0} is no polynomial of the angle's sine and cosine: the unperturbed motion must be that of a pendulum"
+        "the acceleration {0} is not a polynomial in the angle's sine and cosine: the unperturbed motion must be that of a pendulum"
     )]
     NoAngle(String),
     /// The time stands elsewhere than in sines and cosines of commensurate frequencies.

@@ -256,6 +256,6 @@ fn at_value(
 /// The equation with this value of the parameter.
 pub(super) fn with_value(equation: &Equation, parameter: &str, value: f64) -> Result<Equation, NoMelnikov> {
     let failed = |reason: String| NoMelnikov::At { parameter: parameter.to_owned(), value, reason };
-    let number = format!("{value:?}").parse().map_err(|_| failed("no number".to_owned()))?;
+    let number = format!("{value:?}").parse().map_err(|_| failed("not a finite number".to_owned()))?;
     equation.with(&[(parameter, number)]).map_err(|error| failed(error.to_string()))
 }

@@ -85,10 +85,10 @@ impl PerturbedPendulum {
         self.resonances_watched(largest, &Watch::none()).unwrap_or_default()
     }
 
-    /// The same, asking at each resonance, and at each step of its integrals, whether to go on.
+    /// The same with a watch, which is checked at each resonance, and at each step of its integrals.
     ///
     /// # Errors
-    /// Being told not to.
+    /// A cancellation by the watch.
     pub fn resonances_watched(
         &self,
         largest: u32,
@@ -140,7 +140,7 @@ impl PerturbedPendulum {
         let pendulum = self.pendulum()?;
         let of = |log: f64| pendulum.with_energy_excess(libm::exp(log));
         let excess = |log: f64| of(log).map_or(f64::NAN, |motion| motion.frequency() - frequency);
-        /// From next to the separatrix to motions that feel no gravity.
+        /// Range of the logarithm of the energy excess: from motions next to the separatrix to those on which gravity has no effect.
         const ENDS: [f64; 2] = [-600.0, 60.0];
         let log = zero_between(ENDS.map(|log| (log, excess(log))), Tolerance::LAST_BIT, excess)?;
         of(log).ok().filter(|motion| motion.regime() == Regime::Rotation)

@@ -84,7 +84,7 @@ const LONGEST: f64 = 42.0;
 /// Steps in a unit of time, doubled so often at most.
 const DOUBLINGS: u32 = 7;
 
-/// A sum over times: its value, the sizes of its terms, and what is left out of the perturbation.
+/// A sum over times: its value, the sizes of its terms, and the part of the perturbation that is left out.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     value: Complex,

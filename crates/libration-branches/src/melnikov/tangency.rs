@@ -26,13 +26,14 @@ use libration_numbers::watch::Watch;
 pub struct Tangency {
     /// The value of the parameter.
     pub value: f64,
-    /// Its error: the last corrections of the value and of the separation, what starts at twice the distance from the saddle change, and rounding.
+    /// The error of the value: the last corrections of the value and of the separation, the change with starts at twice the distance from
+    /// the saddle, and rounding.
     pub error: f64,
     /// The phase Ωt of the drive at which the motion that they share passes the bottom.
     pub phase: f64,
     /// The velocity of that motion there, in rad/s.
     pub velocity: f64,
-    /// The phase may be wrong by so much, and the velocity likewise: what the last correction of the phase and rounding change.
+    /// Bound on the errors of phase and velocity: the last correction of the phase, and rounding.
     pub place_error: f64,
 }
 
@@ -51,10 +52,10 @@ impl Threshold {
         self.tangency_watched(equation, parameter, &Watch::none())
     }
 
-    /// The same, asking at each step of the integrations whether to go on.
+    /// The same with a watch, which is checked at each step of the integrations.
     ///
     /// # Errors
-    /// As [`Self::tangency`], and being told not to.
+    /// As [`Self::tangency`], and a cancellation by the watch.
     pub fn tangency_watched(
         &self,
         equation: &Equation,

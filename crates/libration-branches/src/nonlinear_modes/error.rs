@@ -24,7 +24,7 @@ pub enum NoNonlinearMode {
     )]
     AtRest(String),
     /// Amplitudes that are no ascending positive numbers.
-    #[error("the amplitude {0:?} does not follow: give positive numbers in ascending order")]
+    #[error("the amplitude {0:?} is not positive or not in order: give positive numbers in ascending order")]
     Amplitudes(f64),
     /// The watch said so.
     #[error(transparent)]
@@ -33,7 +33,7 @@ pub enum NoNonlinearMode {
 
 /// Loss of a mode on its way to larger amplitudes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("beyond the amplitude {reached} the mode is not followed: {reason}")]
+#[error("the mode could not be continued beyond the amplitude {reached}: {reason}")]
 pub struct LostMode {
     /// The largest amplitude that was reached.
     pub reached: f64,
@@ -48,11 +48,11 @@ pub enum Reason {
     #[error(transparent)]
     NoOrbit(#[from] NoOrbit),
     /// The orbit found belongs to another family.
-    #[error("the orbits that are found are not near the last ones")]
+    #[error("the orbits found are not close to the previous ones")]
     Jump,
     /// Rounding errors decide the period.
     #[error(
-        "the period that is found, {period:.4}, may be wrong by {uncertainty:.1e}, as next to an unstable equilibrium, where it grows without \
+        "the period found, {period:.4}, has an error of up to {uncertainty:.1e}, as next to an unstable equilibrium, where it grows without \
          bound: give a smaller amplitude"
     )]
     Unsure {
@@ -72,7 +72,7 @@ pub enum Reason {
         displacement: f64,
     },
     /// A shorter orbit, several times over.
-    #[error("the orbit that is found is {0} turns of a shorter one: give a smaller amplitude")]
+    #[error("the orbit found consists of {0} turns of a shorter one: give a smaller amplitude")]
     Repetition(u32),
 }
 

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// A family of periodic orbits that begins as a mode of small oscillations.
 #[derive(Clone, Debug)]
 pub struct NonlinearMode {
-    /// Its orbits at the amplitudes asked for, as far as it came.
+    /// Orbits at the requested amplitudes, up to the last that was reached.
     pub points: Vec<ModePoint>,
     /// Changes of stability along the mode.
     pub changes: Vec<StabilityChange>,
@@ -35,7 +35,7 @@ pub struct ModePoint {
 /// A change of stability between two amplitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StabilityChange {
-    /// It lies between these, below and above.
+    /// Amplitudes below and above the change.
     pub between: [f64; 2],
     /// `true` if the mode is stable above.
     pub stable_above: bool,
@@ -43,7 +43,7 @@ pub struct StabilityChange {
 
 /// The first orbit has this part of the least amplitude, or this amplitude where that is less.
 const FIRST: f64 = 0.02;
-/// Steps to the next amplitude asked for grow by this factor.
+/// Steps to the next amplitude requested grow by this factor.
 const GROWTH: f64 = 1.6;
 /// The longest step in parts of the last amplitude.
 const LONGEST: f64 = 0.25;
@@ -97,10 +97,10 @@ impl NonlinearMode {
         Self::follow_watched(equation, modes, number, coordinate, amplitudes, &Watch::none())
     }
 
-    /// The same, asking at each step of each integration whether to go on.
+    /// The same with a watch, which is checked at each step of each integration.
     ///
     /// # Errors
-    /// As [`Self::follow`], and being told not to.
+    /// As [`Self::follow`], and a cancellation by the watch.
     pub fn follow_watched(
         equation: &Equation,
         modes: &NormalModes,

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 pub struct Exchange {
     /// Period in seconds after which the amplitudes are as they were.
     pub period: f64,
-    /// The error of the period as that of the slow flow, by what a tenth of the time changes.
+    /// The error of the period as that of the slow flow, from its change over a tenth of the time.
     pub error: f64,
     /// The least and the greatest |aⱼ| of each mode on the way.
     pub amplitudes: Vec<[f64; 2]>,
@@ -29,7 +29,7 @@ pub struct Exchange {
 pub struct MeasuredExchange {
     /// 2π over the mean frequency with which the amplitudes go around.
     pub period: f64,
-    /// Its error, by what a tenth of the time changes.
+    /// The error of the period, from its change over a tenth of the time.
     pub error: f64,
 }
 
@@ -41,16 +41,16 @@ pub enum NoExchange {
     #[error("no two modes are in resonance to this order: each keeps its amplitude")]
     NoResonance,
     /// Too far from rest.
-    #[error("the state is too far from rest for a normal form of this order: give a smaller one")]
+    #[error("the state is too far from equilibrium for a normal form of this order: give a smaller one")]
     TooFar,
     /// Amplitudes that stay as they are.
     #[error(
-        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may tell of an exchange"
+        "to this order the amplitudes stay as they are from this state, though two modes are in resonance: a higher order may show an exchange"
     )]
     Steady,
     /// Amplitudes that do not come back.
     #[error(
-        "the amplitudes do not come back within {0} s: the exchange is slower, or there is none from this state"
+        "the amplitudes do not return within {0} s: the exchange is slower, or there is none from this state"
     )]
     TooSlow(f64),
     /// The motion ends.
@@ -83,10 +83,10 @@ impl NormalForm {
         self.exchange_watched(state, &Watch::none())
     }
 
-    /// The same, asking at each step of the integration whether to go on.
+    /// The same with a watch, which is checked at each step of the integration.
     ///
     /// # Errors
-    /// As [`Self::exchange`], and being told not to.
+    /// As [`Self::exchange`], and a cancellation by the watch.
     pub fn exchange_watched(&self, state: &[f64], watch: &Watch<'_>) -> Result<Exchange, NoExchange> {
         let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
         let amplitudes = self.amplitudes_of(state).ok_or(NoExchange::TooFar)?;
@@ -124,10 +124,10 @@ impl NormalForm {
         self.measured_exchange_watched(equation, state, exchange, &Watch::none())
     }
 
-    /// The same, asking at each step of the integration whether to go on.
+    /// The same with a watch, which is checked at each step of the integration.
     ///
     /// # Errors
-    /// As [`Self::measured_exchange`], and being told not to.
+    /// As [`Self::measured_exchange`], and a cancellation by the watch.
     pub fn measured_exchange_watched(
         &self,
         equation: &Equation,
@@ -288,7 +288,7 @@ impl Scale {
 
 /// The mean angular frequency around the middle, and its error: the largest change by leaving a tenth of the places out, at either end or half
 /// at each. The mean converges faster than any power of the length, so that nine tenths miss a few times what all miss, and half of them thousands
-/// of times as much. What is left of the tolerance of the integration after all steps is beside it.
+/// of times as much. What is left of the tolerance of the integration after all steps is next to it.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
     let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
     let step = |pair: &[f64]| {

@@ -16,7 +16,7 @@ use libration_numbers::{
 };
 
 /// Normal form: the slow change of the amplitudes of a system's modes, aⱼ′ = iωⱼaⱼ + Σ c·a^p·ā^q over the resonant monomials, where the coordinates
-/// are xₑ + Re Σ aⱼφⱼ to the first order, with the shapes φⱼ of the modes.
+/// are xₑ + Re Σ aⱼφⱼ to first order, with the shapes φⱼ of the modes.
 ///
 /// # Accuracy
 /// Exact to the order, with coefficients in square roots, where frequencies and shapes are; then the form is found in digits too, for what is
@@ -32,9 +32,9 @@ pub struct NormalForm {
     pub order: usize,
     /// The terms that stay: the frequencies' changes with the amplitudes, and resonances.
     pub slow_terms: Vec<SlowTerm>,
-    /// The smallest divisors of what was taken out, in their order: where one is small, amplitudes must be smaller.
+    /// The smallest divisors of the removed terms, in their order: where one is small, amplitudes must be smaller.
     pub small_divisors: Vec<Divisor>,
-    /// For each mode its modal coordinate beyond the amplitude itself, in digits.
+    /// The modal coordinate of each mode beyond the amplitude itself, in floating-point numbers.
     transform: Vec<Polynomial<Complex>>,
 }
 
@@ -96,10 +96,10 @@ impl NormalForm {
         Self::about_watched(equation, guess, order, detuning, &Watch::none())
     }
 
-    /// The same, asking at each order whether to go on.
+    /// The same with a watch, which is checked at each order.
     ///
     /// # Errors
-    /// As [`Self::about`], and being told not to.
+    /// As [`Self::about`], and a cancellation by the watch.
     pub fn about_watched(
         equation: &Equation,
         guess: &[f64],

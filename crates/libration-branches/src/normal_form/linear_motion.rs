@@ -7,7 +7,7 @@ use libration_numbers::{
     internals::algebra::{Quadratic, QuadraticField, Tower},
 };
 
-/// With as many roots as all frequencies and shapes ask for; `None` where one of them is known in digits only.
+/// The linear motion over a field with the roots of all frequencies and shapes; `None` where one of them is known in floating point only.
 pub(super) fn exactly(modes: &NormalModes) -> Option<LinearMotion<Tower>> {
     let rest = modes.exact_equilibrium.as_ref()?;
     let mut tower = Tower::default();
@@ -54,7 +54,7 @@ fn element(tower: &mut Tower, surd: &Surd) -> Option<Vec<Rational>> {
     Some(tower.add(&plain, &scaled))
 }
 
-/// In digits.
+/// The linear motion of normal modes, in floating-point numbers.
 pub(super) fn in_digits(modes: &NormalModes) -> LinearMotion<Doubles> {
     let pair = |z: &Complex| Quadratic { plain: z.re, root: z.im };
     LinearMotion {

@@ -12,7 +12,7 @@ use libration_numbers::{
 #[derive(Clone, Debug)]
 pub(super) struct Equilibrium {
     pub(super) at: Vec<f64>,
-    /// In fractions, where the accelerations are proved to vanish.
+    /// The equilibrium in fractions, where the accelerations are proved to vanish.
     pub(super) exact: Option<Vec<Rational>>,
 }
 

@@ -26,7 +26,7 @@ pub enum NoModes {
     },
     /// No place where the accelerations at rest vanish.
     #[error(
-        "no equilibrium is found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
+        "no equilibrium was found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
     )]
     NoEquilibrium {
         /// The guess.
@@ -64,6 +64,6 @@ pub enum SearchEnd {
     #[error("where they are not zero and their slopes do not lead to a zero")]
     NoSlope,
     /// The step limit was reached.
-    #[error("where it was given up because it does not converge")]
+    #[error("where it stopped without convergence")]
     Unsettled,
 }

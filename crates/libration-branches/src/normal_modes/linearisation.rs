@@ -15,7 +15,7 @@ pub(super) struct Linearisation<N> {
     pub(super) velocity: Vec<Vec<N>>,
 }
 
-/// In digits, and in fractions where all entries are.
+/// The linear equations in floating-point numbers, and in fractions where all entries are fractions.
 #[derive(Clone, Debug)]
 pub(super) struct Linear {
     pub(super) numbers: Linearisation<f64>,
@@ -28,8 +28,8 @@ pub(super) fn symbols(equation: &Equation) -> Vec<Symbol> {
     plain.clone().chain(plain.map(|symbol| symbol.with_primes(1))).collect()
 }
 
-/// With more coordinates frequencies and shapes are found in digits alone: the characteristic polynomial in fractions takes 0.9 s for a chain of
-/// 32 masses, 25 s for one of 64 and minutes for one of 150, most of which nobody would read.
+/// Largest number of coordinates for exact frequencies and shapes: the characteristic polynomial in fractions takes 0.9 s for a chain of 32
+/// masses, 25 s for one of 64 and minutes for one of 150.
 const MOST_EXACT: usize = 32;
 
 pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<Linear, NoModes> {

@@ -6,7 +6,7 @@ use libration_numbers::algebra::{Complex, Surd};
 /// A motion in which all coordinates change in time as e^{st}.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// s, with an imaginary part that is not negative: the frequency, beside the rate of growth.
+    /// s, with an imaginary part that is not negative: the frequency, with the rate of growth.
     pub exponent: Complex,
     /// −s² exactly, where it is known: the square of the frequency.
     pub frequency_squared: Option<Surd>,
@@ -28,13 +28,13 @@ pub struct Mode {
 /// Behaviour of a mode in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Behaviour {
-    /// It oscillates with a constant amplitude.
+    /// Oscillation with a constant amplitude.
     Oscillating,
     /// Nothing drives it back and nothing drives it away: it drifts.
     Free,
-    /// It grows exponentially, oscillating or not.
+    /// Exponential growth, oscillating or not.
     Unstable,
-    /// It dies out, oscillating or not.
+    /// Exponential decay, oscillating or not.
     Damped,
 }
 

@@ -45,7 +45,7 @@ pub struct NormalModes {
 }
 
 impl NormalModes {
-    /// About the equilibrium at or near zero.
+    /// The modes about the equilibrium at or near zero.
     ///
     /// # Errors
     /// Open parameters, the time in the accelerations, and no equilibrium at which they have derivatives.
@@ -53,7 +53,7 @@ impl NormalModes {
         Self::about(equation, &vec![0.0; equation.variables().len()])
     }
 
-    /// About the equilibrium that Newton's method finds from a guess.
+    /// The modes about the equilibrium that Newton's method finds from a guess.
     ///
     /// # Errors
     /// As [`new`](Self::new), and a guess that does not fit.

@@ -11,7 +11,7 @@ pub enum NoShift {
     NotOscillating,
     /// Modes of the same frequency.
     #[error(
-        "several modes have this frequency (1:1): the linear equations do not tell which of their combinations stay periodic at larger amplitudes"
+        "several modes have this frequency (1:1): the linear equations do not determine which of their combinations stay periodic at larger amplitudes"
     )]
     Degenerate,
     /// A resonance at which energy goes to and fro at every amplitude.

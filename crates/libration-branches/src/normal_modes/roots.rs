@@ -104,7 +104,7 @@ fn numeric_roots(polynomial: &[Rational]) -> Option<Vec<Complex>> {
     roots_in_digits(&polynomial.iter().map(ratio).collect::<Vec<f64>>(), 1e-9)
 }
 
-/// The roots of c₀ + c₁x + …; `None` where one may be off by more than this part of the largest.
+/// The roots of c₀ + c₁x + …; `None` where the error of one may exceed this fraction of the largest.
 pub(super) fn roots_in_digits(coefficients: &[f64], part: f64) -> Option<Vec<Complex>> {
     let roots = polynomial_roots(coefficients)?;
     let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);

@@ -81,7 +81,7 @@ impl<'a> Exact<'a> {
         shape.iter().all(fits).then_some(Self { square, shape, leading: mode.leading(), rest, radicand })
     }
 
-    /// In the smallest field that holds ω.
+    /// The shift, in the smallest field that contains ω.
     fn shift(&self, tape: &Tape, resonant: &[usize]) -> Result<Shift, NoShift> {
         let base = QuadraticField { base: Rationals, square: self.radicand.clone() };
         let element = |surd: &Surd| Quadratic { plain: surd.plain().clone(), root: surd.root().clone() };

@@ -441,7 +441,7 @@ fn a_branch_in_which_others_end_is_followed_once() {
     assert_eq!(periods.len(), 2, "{periods:?}");
 }
 
-/// The multipliers of points, over their stated errors, beside those of the variational equations over the whole period, integrated without symmetry
+/// The multipliers of points, over their stated errors, compared with those of the variational equations over the whole period, integrated without symmetry
 /// and to another tolerance, which have errors of their own. The quantiles stand next to the constants that they justify.
 #[test]
 fn errors_of_multipliers_hold_for_random_oscillators() {

@@ -1,5 +1,5 @@
-//! Branches of periodic motions beside numbers from two other roads: Fourier collocation with extended systems, and Taylor shooting with the
-//! equations of small deviations, both in floats of 130 bits, which agree in 30 digits where nothing else is said.
+//! Branches of periodic motions compared with two other methods: Fourier collocation with extended systems, and Taylor shooting with the
+//! variational equations, both in floats of 130 bits, which agree in 30 digits unless stated otherwise.
 
 use libration::algebra::Complex;
 use libration::continuation::{

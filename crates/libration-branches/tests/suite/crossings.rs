@@ -85,7 +85,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
     assert_eq!(none.unwrap_err(), NoBranch::Family);
 }
 
-/// The motion from rest goes seven turns around before it settles on an answer that has lost its symmetry: it is the one about the bottom.
+/// The motion from rest goes seven turns around before it settles on a response that has lost its symmetry: it is the one about the bottom.
 #[test]
 fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     let pendulum: Equation = "theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)".parse().unwrap();

@@ -111,7 +111,7 @@ fn chains_have_frequencies_with_square_roots() {
         modes(chain).iter().map(|mode| mode.frequency_squared.as_ref().unwrap().to_string()).collect();
     let expected = ["3/2 - 1/2*sqrt(5)", "5/2 - 1/2*sqrt(5)", "3/2 + 1/2*sqrt(5)", "5/2 + 1/2*sqrt(5)"];
     assert_eq!(squares, expected);
-    // 2 sin(kπ/14) is no square root of anything simple.
+    // 2 sin(kπ/14) is not the square root of anything simple.
     let six = "a''=b-2*a; b''=a-2*b+c; c''=b-2*c+d; d''=c-2*d+e; e''=d-2*e+f; f''=e-2*f";
     for (k, mode) in (1..).zip(modes(six)) {
         let exact = 2.0 * libm::sin(f64::from(k) * PI / 14.0);

@@ -1,5 +1,5 @@
-//! Sub- and superharmonic answers that are found from free oscillations; beside shooting by SciPy's DOP853 at 2.3e-14 with the equations of small
-//! deviations, and beside Fourier collocation and Taylor shooting in floats of 130 bits.
+//! Sub- and superharmonic responses found from free oscillations, compared with shooting by SciPy's DOP853 at 2.3e-14 with the variational
+//! equations, and with Fourier collocation and Taylor shooting in floats of 130 bits.
 
 use libration::continuation::{
     Branch, Ending, NoBranch, OrderFinding, Origin, Response, ResponseOptions, SpecialKind,

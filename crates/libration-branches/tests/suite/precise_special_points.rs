@@ -1,5 +1,5 @@
-//! Singular points to 25 digits, against Fourier collocation with extended systems and Taylor shooting in floats of 130 bits (driven motions), and
-//! Hill's matrix and the monodromy matrix in such floats (rest), of which both roads agree in 30 digits.
+//! Singular points to 25 digits, compared with Fourier collocation with extended systems and Taylor shooting in floats of 130 bits (driven
+//! motions), and with Hill's matrix and the monodromy matrix in such floats (equilibria); in both cases the two methods agree in 30 digits.
 
 use libration::continuation::{Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;

@@ -1,4 +1,4 @@
-//! Answers that go around in step with the drive, against an exact one and against Taylor shooting in 40 digits; slow sweeps beside branches.
+//! Answers that rotate in step with the drive, against an exact one and against Taylor shooting in 40 digits; slow sweeps beside branches.
 
 use libration::algebra::Complex;
 use libration::continuation::{

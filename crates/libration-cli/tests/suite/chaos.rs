@@ -102,7 +102,7 @@ fn what_cannot_be_is_refused_with_what_would_do() {
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x-5"],
             1,
-            &["the motion never crosses the surface", "no point is written"],
+            &["the motion does not cross the surface", "no point is written"],
         ),
         (
             &["section", "pendulum", "--initial", "theta=1", "--period", "1", "--phase", "2"],

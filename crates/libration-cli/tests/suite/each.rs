@@ -151,7 +151,7 @@ fn a_motion_that_ends_early_stops_no_other() {
     let question = ["x'' = -k/x^2", "--times", "0:1:1", "--json", "--until", "x = 1.2"];
     let output = asked("ends", text, &question);
     let told = message(&output);
-    assert!(told.contains("motion 1 (into): `x = 1.2` does not happen until t = 1.0 s"), "{told}");
+    assert!(told.contains("motion 1 (into): `x = 1.2` does not occur before t = 1.0 s"), "{told}");
     assert!(told.contains("motion 3 (far)") && !told.contains("motion 2"), "{told}");
     let until = &json(&output)["motions"][1]["until"];
     assert!((until["state"][0].as_f64().unwrap() - 1.2).abs() < 1e-12, "{until}");
@@ -223,7 +223,7 @@ fn tables_that_cannot_be_are_refused_for_the_true_reason() {
         assert!(told.contains(reason), "{options:?}: {told}");
     }
     let many: String = (0..13).fold("theta\n".to_owned(), |text, n| format!("{text}0.{n}\n"));
-    assert!(pendulum(&many, &["--figure", "a.svg"]).1.contains("at most 12 motions apart, and there are 13"));
+    assert!(pendulum(&many, &["--figure", "a.svg"]).1.contains("at most 12 motions, and there are 13"));
     let long = asked("long", &many, &["pendulum", "--times", "0:1e6:0.5"]);
     assert!(
         message(&long).contains("13 motions at 2000001 times are 78000039 numbers"),
@@ -232,7 +232,7 @@ fn tables_that_cannot_be_are_refused_for_the_true_reason() {
     );
     let chain = asked("chain", "n,x1\n3,1\n", &["fermi_pasta_ulam", "--times", "0,1"]);
     assert!(
-        message(&chain).contains("`n` says how many coordinates all motions have"),
+        message(&chain).contains("`n` sets the number of coordinates of all motions"),
         "{}",
         message(&chain)
     );

@@ -202,7 +202,7 @@ fn the_commands_of_the_readmes_run_and_do_not_flood_the_screen() {
         assert!(commands.len() >= least, "{name}: {commands:?}");
         for command in commands {
             let answer = answer(&command, &place);
-            // A script of completions and a table asked for as CSV are meant to be long.
+            // A script of completions and a table requested as CSV are meant to be long.
             let is_long = command.contains("completions") || command.contains("--csv");
             assert!(is_long || answer.lines().count() <= MOST_LINES, "{command}: {}", answer.lines().count());
         }

@@ -98,7 +98,7 @@ fn a_pure_power_has_a_scaling_law() {
     }
     assert!(text("expand pure_cubic --latex").contains(r"C &= \sqrt{2\,\pi}\,\frac{\Gamma"));
     for (words, part) in [
-        (&["expand", "x''+k*x^3=0", "--evaluate", "1"][..], "give its letters values with --set"),
+        (&["expand", "x''+k*x^3=0", "--evaluate", "1"][..], "give values to its symbols with --set"),
         (&["expand", "pure_cubic", "--evaluate", "0"], "give a finite number above zero"),
         (&["expand", "pure_cubic", "--format", "c"], "a scaling law is written as text, latex, JSON or CSV"),
     ] {
@@ -558,19 +558,19 @@ fn limit_cycles_over_exact_orbits_stand_below_the_slow_flow() {
 #[test]
 fn slow_flows_that_cannot_be_are_refused() {
     for (arguments, status, expected) in [
-        (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one open"),
+        (&["expand", "x''+0.1*x'+x=0", "--damping-order", "2"][..], 1, "leave the one without a value"),
         (&["expand", "x''+0.1*x'+x=0"], 1, "libration expand with --damping-order 2"),
-        (&["expand", "x''+c*x'+x=0"], 1, "--damping-order 2 gives how the amplitude changes"),
+        (&["expand", "x''+c*x'+x=0"], 1, "--damping-order 2 gives the rate of the amplitude"),
         (
             &["expand", "theta''+c*theta'*abs(theta')+sin(theta)=0"],
             1,
             "libration expand with --damping-order 2",
         ),
         (&["expand", "x''+x+c*x*sign(x')=0"], 1, "a polynomial in position and velocity"),
-        (&["expand", "x''+x+a*x^3+c*sign(x')=0"], 1, "letters allow no expansion"),
+        (&["expand", "x''+x+a*x^3+c*sign(x')=0"], 1, "a symbolic expansion about"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--damping-order", "2"], 2, "such as --small c"),
         (&["expand", "x''+c*x'+x+b*x^3=0", "--small", "c"], 2, "no value is given for b"),
-        (&["expand", "x''+c*x'+x=0", "--small", "k"], 2, "`k` is not a letter"),
+        (&["expand", "x''+c*x'+x=0", "--small", "k"], 2, "`k` is not a symbolic parameter"),
         (&["expand", "x''+c*x'*abs(x')+x=0", "--small", "c", "--gauge", "fundamental"], 2, "give x_max"),
         (&["expand", "damped_pendulum", "--evaluate", "1"], 2, "not a series at one amplitude"),
         (&["expand", "damped_pendulum", "--about", "pi"], 2, "nearest to zero"),

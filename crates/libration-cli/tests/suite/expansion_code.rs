@@ -223,7 +223,7 @@ fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
         assert!(code.contains(part), "{part}: {code}");
     }
     let letters = run(&["expand", "duffing", "--letters", "epsilon", "--format", "rust"]);
-    assert!(String::from_utf8(letters.stdout).unwrap().contains("with letters nothing is known of how far"));
+    assert!(String::from_utf8(letters.stdout).unwrap().contains("with symbols, the radius of convergence"));
     let order = run(&["expand", "duffing", "--order", "61", "--format", "c"]);
     let code = String::from_utf8(order.stdout).unwrap();
     assert!(code.lines().all(|line| line.len() < 132), "{code}");

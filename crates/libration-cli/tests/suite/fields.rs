@@ -199,7 +199,7 @@ pub(crate) fn assert_described(command: &str, answer: &Value) {
     assert_eq!(shown.undescribed, BTreeSet::new());
 }
 
-/// Answers that have rare fields, beside those of other tests.
+/// Answers that have rare fields, compared with those of other tests.
 const FURTHER: [&str; 57] = [
     // A limit cycle has its distance from the orbit.
     "expand|van_der_pol|--order|3|--evaluate|0.5",
@@ -348,7 +348,7 @@ fn the_fields_of_the_examples_are_described() {
     assert_eq!(shown.undescribed, BTreeSet::new(), "not described");
 }
 
-/// The words behind `libration`, as far as they say which answer is asked for.
+/// The words behind `libration`, as far as they say which answer is requested.
 fn question_in(line: &str) -> Vec<String> {
     words_of(line.split("libration ").nth(1).unwrap())
 }
@@ -392,7 +392,7 @@ fn a_command_is_named_by_its_words_and_an_unknown_one_refused() {
     assert!(text("fields fit trace").starts_with("libration fit trace --json\n"));
     let output = libration("fields derive");
     assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("`derive` has no answer with fields"), "{}", message(&output));
+    assert!(message(&output).contains("`derive` has no output with fields"), "{}", message(&output));
 }
 
 #[test]

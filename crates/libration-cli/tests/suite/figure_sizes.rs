@@ -1,4 +1,4 @@
-//! Any size that is accepted draws a right picture, and the size asked for is the size of the file.
+//! Any size that is accepted draws a right picture, and the size requested is the size of the file.
 
 use crate::command::{directory, libration, message, text};
 use crate::drawing::Drawing;

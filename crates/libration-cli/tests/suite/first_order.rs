@@ -142,7 +142,7 @@ fn chains_are_written_with_an_index() {
     }
     let output = run(&["simulate", "fput", "--set", "n=2.5", "--initial", "x1=1", "--times", "1"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("n = 2.5 is no number of bodies"), "{}", message(&output));
+    assert!(message(&output).contains("n = 2.5 is not a number of bodies"), "{}", message(&output));
 }
 
 #[test]

@@ -199,7 +199,7 @@ fn lengths_that_scatter_more_than_stated_are_enlarged_and_said_to_be() {
     close(&answer["effective_degrees_of_freedom"], 8.0, 1e-9);
     assert!(answer["warnings"].to_string().contains("Birge ratio"), "{answer}");
     let sheet = unfolded(&text(&format!("fit lengths {table}")));
-    assert!(sheet.contains("± is enlarged"), "{sheet}");
+    assert!(sheet.contains("uncertainties enlarged"), "{sheet}");
     // Without stated uncertainties the scatter is the uncertainty.
     let by_scatter = json(&format!("fit lengths {table} --columns 1,2"));
     let ratio =
@@ -238,7 +238,7 @@ fn periods_that_scatter_more_than_stated_are_enlarged_and_said_to_be() {
     assert!((0.0003 * enlarged..0.0005 * enlarged).contains(&number(exact, "t0_uncertainty_s")), "{exact}");
     assert!(answer["warnings"].to_string().contains("Birge ratio"), "{answer}");
     close(&input(&answer, "period")["degrees_of_freedom"], 4.0, 1e-9);
-    assert!(unfolded(&text(&question)).contains("± is enlarged"));
+    assert!(unfolded(&text(&question)).contains("uncertainties enlarged"));
     assert!(number(&answer, "beta_uncertainty") > 5.0 * 0.0004);
 }
 
@@ -252,7 +252,10 @@ fn rows_that_scatter_as_stated_are_not_blamed_for_the_birge_ratio() {
     let enlarged = number(&answer, "uncertainties_enlarged_by");
     assert!((1.005..1.1).contains(&enlarged), "{enlarged}");
     let sheet = unfolded(&text(&format!("fit lengths {table}")));
-    assert!(sheet.contains("± includes the Birge ratio 1.0") && sheet.contains("as stated"), "{sheet}");
+    assert!(
+        sheet.contains("uncertainties include the Birge ratio 1.0") && sheet.contains("as stated"),
+        "{sheet}"
+    );
     assert!(!sheet.contains("scatter more than stated"), "{sheet}");
     assert_eq!(answer["warning_kinds"], serde_json::json!([]));
 }

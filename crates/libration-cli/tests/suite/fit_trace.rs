@@ -16,7 +16,7 @@ fn parameter<'a>(answer: &'a Value, name: &str) -> &'a Value {
 }
 
 fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
 /// Checks that a value is within 3.5 standard uncertainties of the true one, and its uncertainty below `most`.
@@ -148,7 +148,7 @@ fn the_report_says_what_is_doubtful_beside_the_result_and_how_it_was_made() {
     for expected in ["∂g/∂x", "share", "clock", "damping", "Satterthwaite"] {
         assert!(budget.contains(expected), "{expected}: {budget}");
     }
-    let made = section(&page, "How this report was made");
+    let made = section(&page, "Origin of this report");
     for expected in
         ["fit trace", "--length 0.66m±0.002m", concat!("libration ", env!("CARGO_PKG_VERSION")), " UTC"]
     {
@@ -557,7 +557,7 @@ fn advice_is_given_where_it_would_help() {
         (tilted, "plumb line"),
         (held, "leave them out. (--from, --to)"),
         (stray, "--robust"),
-        (coarse, "take more pictures a second"),
+        (coarse, "record more frames per second"),
     ] {
         let given = advice(&swing);
         assert!(given.contains(expected), "{expected}: {given}");

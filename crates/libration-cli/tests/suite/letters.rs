@@ -72,7 +72,7 @@ fn a_root_that_is_no_product_is_said() {
     assert!(sum.contains(setting) && sum.contains("3*b/(8*omega0^2) ε²"), "{sum}");
     let product = words(&["m*x'' + 2*k*x + b*x^3 = 0", "--order", "3"]);
     assert!(
-        product.contains("where ω0² = 2*k/m, so that ω0 = sqrt(2*k/m) for positive letters"),
+        product.contains("where ω0² = 2*k/m, so that ω0 = sqrt(2*k/m) for positive symbols"),
         "{product}"
     );
     assert!(!product.contains(" Ω = "), "{product}");
@@ -154,7 +154,7 @@ fn constants_that_no_product_of_letters_is_are_named_and_explained() {
     assert_eq!(list(&it["frequency_ratio"])[4], "5*pi/(16*c1) - 15*a^2/(256*c1^2)");
     let said = words(&["x'' + sqrt(2)*x + a*x^3 = 0", "--order", "3"]);
     assert!(
-        said.contains("where ω0² = c1, so that ω0 = sqrt(c1) for positive letters, with c1 = sqrt(2)"),
+        said.contains("where ω0² = c1, so that ω0 = sqrt(c1) for positive symbols, with c1 = sqrt(2)"),
         "{said}"
     );
     let code = run(&["expand", "x'' + sqrt(2)*x + a*x^3 = 0", "--order", "3", "--format", "python"]);

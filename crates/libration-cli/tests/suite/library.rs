@@ -286,19 +286,19 @@ fn what_cannot_go_on_together_is_refused() {
         ensemble(&words, starts).map(|_| ()).unwrap_err().to_string()
     };
     let each = ["--each", "-"];
-    assert_eq!(of(&[], b""), "--each: give a file with the starts");
+    assert_eq!(of(&[], b""), "--each: give a file with the initial states");
     assert_eq!(
         of(&each, b"theta,c\n1,0.1\n1,0.2\n"),
-        "--each: motions that go on together have the same parameters: give one value for each"
+        "--each: the motions of an ensemble have the same parameters: give one value for each"
     );
     assert_eq!(
         of(&["--each", "-", "--events", "turning"], b"theta\n1\n"),
-        "--events: no events are looked for in motions that go on together"
+        "--events: events are not located in an ensemble"
     );
     assert!(of(&each, b"phi\n1\n").contains("phi"));
     assert!(of(&["--each", "-", "--tolerance", "0"], b"theta\n1\n").contains("1e-18"));
     let other = ensemble(&["period", "60deg"], b"").map(|_| ()).unwrap_err();
-    assert_eq!(other.to_string(), "only libration simulate with --each has motions that go on together");
+    assert_eq!(other.to_string(), "only libration simulate with --each has an ensemble");
 }
 
 /// The relaxation oscillation takes a minute; it is ended as soon as the second line of progress has more steps than the first.

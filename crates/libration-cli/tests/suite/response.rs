@@ -116,14 +116,14 @@ fn a_curve_that_closes_is_found_from_a_value_within_the_range() {
     assert_eq!(answer["branches"][0]["closed"], true, "{}", message(&output));
     let outside = ask("7");
     assert_eq!(outside.status.code(), Some(2));
-    assert!(message(&outside).contains("--at") && message(&outside).contains("outside of the range"));
+    assert!(message(&outside).contains("--at") && message(&outside).contains("outside the range"));
 }
 
 #[test]
 fn a_response_to_the_frequency_zero_and_over_the_top_is_named() {
     let slow = text("response driven_pendulum --set A=0.15,c=0.1 --over omega=0:1 --generations 0");
     assert!(
-        slow.split_whitespace().collect::<Vec<_>>().join(" ").contains("goes on to the frequency zero"),
+        slow.split_whitespace().collect::<Vec<_>>().join(" ").contains("continues to zero frequency"),
         "{slow}"
     );
     let over = text("response driven_pendulum --set A=0.2,c=0.1 --over omega=0.3:1.4 --generations 0");
@@ -150,7 +150,8 @@ fn answers_of_an_order_are_found_or_the_reason_is_told() {
     assert_eq!((&half["order"], &half["finding"]), (&"1/2".into(), &"no_work".into()));
     let told = ask("0.6", &[]).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        told.contains("order 1/3: the drive gives ") && told.contains(" % of what the damping takes at most"),
+        told.contains("order 1/3: to first order, the drive supplies at most ")
+            && told.contains(" % of the energy lost to damping"),
         "{told}"
     );
     for (orders, reason) in [("0/3", "two whole numbers from 1 to 100"), ("a", "two whole numbers")] {
@@ -178,16 +179,14 @@ fn answers_that_go_around_are_followed() {
     assert!((number(doubling, "parameter") - 0.847446163297482).abs() < 1e-13, "{doubling}");
     assert!(branches[0]["points"].as_array().unwrap().iter().all(|it| number(it, "amplitude_max") < 3.0));
     let words = text(question).split_whitespace().collect::<Vec<_>>().join(" ");
-    for part in [
-        "one turn in a period of the drive",
-        "2 turns in 2 periods of the drive",
-        "ahead of an even rotation",
-    ] {
+    for part in
+        ["one turn in a period of the drive", "2 turns in 2 periods of the drive", "from uniform rotation"]
+    {
         assert!(words.contains(part), "{part} in {words}");
     }
     let cases = [
         ("response driven_pendulum --over omega=0.8:1 --turns 0", 2, "whole number from 1 to 100"),
-        ("response driven_pendulum --set c=0.5,A=0.1 --over omega=0.8:1 --turns 1", 2, "drive more strongly"),
+        ("response driven_pendulum --set c=0.5,A=0.1 --over omega=0.8:1 --turns 1", 2, "a stronger drive"),
         ("response duffing --over epsilon=1:2 --turns 1", 1, "no drive"),
     ];
     for (question, status, reason) in cases {

@@ -70,7 +70,7 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     let bytes = fs::read(&part).unwrap();
     let known = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
     assert!(known < bytes.len() && known > bytes.len() / 2, "{known} of {}", bytes.len());
-    // At the end of a line, one byte beside it, within a number, and before what is known.
+    // At the end of a line, one byte next to it, within a number, and before what is known.
     for length in
         [bytes.len(), bytes.len() - 1, bytes.len() - 7, known + 20, known + 1, known, known - 1, known / 2]
     {
@@ -118,7 +118,11 @@ fn another_question_is_refused_with_what_differs() {
             ("pendulum --events crossing --times 0:9:0.5", 1, "its events are turning, not crossing"),
             ("pendulum --events turning --times 0:9:0.25", 1, "has a sample at t = 0.5 s"),
             ("pendulum --events turning --times 0:2:0.5", 1, "--times ends earlier"),
-            ("pendulum --events turning --times 0:9:0.5 --initial theta=1.1", 2, "started elsewhere"),
+            (
+                "pendulum --events turning --times 0:9:0.5 --initial theta=1.1",
+                2,
+                "started from another state",
+            ),
         ];
         for (question, status, expected) in cases {
             let output = libration(&format!("simulate {question} --resume {}", file.display()));

@@ -303,12 +303,12 @@ fn formulas_are_columns_in_every_form() {
 fn columns_that_cannot_be_are_refused() {
     for (columns, reason) in [
         ("p = m*x'", "p: the system has no `m`: it has x, x', k, and the time t"),
-        ("x = 2", "x is the name of something else"),
-        ("a = 1, a = 2", "a is the name of something else"),
+        ("x = 2", "the name x is in use already"),
+        ("a = 1, a = 2", "the name a is in use already"),
         ("e = (x", "e: at character 1: this bracket"),
-        (" = x", "`= x` is no formula"),
-        ("e = ", "`e =` is no formula"),
-        ("x, ", "`` is no formula"),
+        (" = x", "`= x` is not a formula"),
+        ("e = ", "`e =` is not a formula"),
+        ("x, ", "`` is not a formula"),
     ] {
         let question = ["simulate", "x'' = -k*x", "--set", "k=4", "--initial", "x=1", "--times", "1"];
         let output = run(&[&question[..], &["--columns", columns]].concat());
@@ -331,7 +331,7 @@ fn a_motion_ends_at_an_event() {
     assert!(unfolded(&text(&format!("{question} {until}"))).contains("ends at t = "));
     let never = libration("simulate pendulum --initial theta=1 --times 0,5 --until theta=2");
     assert_eq!(never.status.code(), Some(1));
-    assert!(message(&never).contains("`theta=2` does not happen until t = 5.0 s"), "{}", message(&never));
+    assert!(message(&never).contains("`theta=2` does not occur before t = 5.0 s"), "{}", message(&never));
     for bad in ["--until y=0", "--until theta=0 --count 0", "--count 2", "--until theta=0=1"] {
         let output = libration(&format!("simulate pendulum --initial theta=1 --times 0,5 {bad}"));
         assert_eq!(output.status.code(), Some(2), "{bad}: {}", message(&output));

@@ -47,9 +47,9 @@ fn driven_motions_have_no_stability_at_rest() {
 fn a_chart_is_told_in_words() {
     let told = text(UPRIGHT).split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
-        "edge at rest: other answers of the same period leave it",
-        "At omega = 5 rest is stable for a from 0.287786 to 0.4.",
-        "At omega = 10 rest is stable for a from 0.142045 to 0.4.",
+        "stability boundary of the equilibrium: branch point",
+        "At omega = 5 the equilibrium is stable for a from 0.287786 to 0.4.",
+        "At omega = 10 the equilibrium is stable for a from 0.142045 to 0.4.",
     ] {
         assert!(told.contains(part), "{part} in {told}");
     }

@@ -182,10 +182,10 @@ fn another_sweep_is_refused() {
     let before = chunks(&place);
     let cases = [
         ("A=1:1.2:0.1", "A=1:1.3:0.1", "axis A has other values"),
-        ("c=1/2", "c=1/3", "its question is"),
+        ("c=1/2", "c=1/3", "its command is"),
         ("state[1]", "state[0]", "it keeps"),
         ("--chunk|2", "--chunk|3", "its chunks have 2 points"),
-        ("theta=", "theta'=", "its question is"),
+        ("theta=", "theta'=", "its command is"),
     ];
     for (from, to, reason) in cases {
         let output = sweep(&QUESTION.replace(from, to), &place, &[]);
@@ -197,7 +197,7 @@ fn another_sweep_is_refused() {
     let changed = [
         (text.replace("\"format\": 1", "\"format\": 2"), "its format is 2"),
         (text.replace("\"version\": \"", "\"version\": \"9."), "has begun it"),
-        (text.replace("\"shape\"", "\"form\""), "no plan of a sweep"),
+        (text.replace("\"shape\"", "\"form\""), "not the plan of a sweep"),
         (text[..text.len() / 2].to_owned(), "sweep.json"),
     ];
     for (text, reason) in changed {
@@ -220,10 +220,10 @@ fn questions_that_cannot_be_are_refused_before_anything_is_written() {
         ("section|driven_pendulum|--over|B=1,2", "B"),
         ("period|--over|amplitude=190deg,200deg", "below pi"),
         ("period|60deg|--over|length=1:2", "give a step, too: length=1:2:STEP"),
-        ("period|--over|amplitude=1,2|--keep|speed", "answers have no `speed`"),
+        ("period|--over|amplitude=1,2|--keep|speed", "the results have no `speed`"),
         ("period|--over|amplitude=1,2|--over|amplitude=1,2", "each axis once"),
         ("period|{status}|--over|status=1,2", "every sweep"),
-        ("derive|--over|road=elliptic", "no question with numbers"),
+        ("derive|--over|road=elliptic", "not a command with numbers"),
         ("period 60deg|--over|length=1:2:1", "leave out the quotes"),
         ("period|--over|amplitude=1,2|--shard|3/2", "which of how many"),
     ];
@@ -336,10 +336,10 @@ fn ctrl_c_keeps_the_chunks_that_are_done() {
     assert!(Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap().success());
     let output = running.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{}", message(&output));
-    assert!(message(&output).contains("goes on from there"), "{}", message(&output));
+    assert!(message(&output).contains("continues from there"), "{}", message(&output));
     let done = chunks(&place);
     assert!(!done.is_empty() && done.len() < 501, "{}", done.len());
-    assert!(done.values().all(|text| text.ends_with(",0,\n")), "what was cut short is no answer");
+    assert!(done.values().all(|text| text.ends_with(",0,\n")), "no result of an interrupted point is kept");
 }
 
 #[test]

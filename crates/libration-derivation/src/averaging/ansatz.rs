@@ -88,8 +88,8 @@ fn counted(question: &Question, flow: &Flow, [motions, growths, frequencies]: [&
     vanishing.extend(zero(growths, &|it| flow.growth.contains_key(it), &growth_name));
     vanishing.extend(zero(frequencies, &|it| flow.frequency.contains_key(it), &frequency_name));
     let template = match (motions.len(), growths.len() + frequencies.len()) {
-        (1, _) => "To the orders asked for that leaves {} function and {} numbers to be found",
-        _ => "To the orders asked for that leaves {} functions and {} numbers to be found",
+        (1, _) => "To the requested orders this leaves {} function and {} numbers to be found",
+        _ => "To the requested orders this leaves {} functions and {} numbers to be found",
     };
     let numbers = growths.len() + frequencies.len();
     let prose = Prose::new(template, [count(motions.len()), count(numbers)]);
@@ -278,7 +278,7 @@ pub(super) fn gauge(question: &Question) -> DerivationStep {
     let at_start = |name: Name| Formula::Apply(name, vec![number(0)]);
     let (motion, velocity) =
         (below(question.displacement.clone(), &["n", "j"]), below(Name::new("v"), &["n", "j"]));
-    DerivationStep::new("gauge", "What the amplitude is")
+    DerivationStep::new("gauge", "The definition of the amplitude")
         .say(
             "As it stands the ansatz says the same motion in many ways: another measure of its size in the place of {} would do as well, and so \
              would a phase that is counted from elsewhere. One of them is chosen here, that which is seen and measured: at {} = {} the motion \

@@ -85,13 +85,13 @@ fn written(question: &Question, cycle: &Cycle, powers: usize) -> DerivationStep 
         false => step.say("so that for small positive {} neighbours go away: the cycle is unstable, and stable where {} is negative.", [c(), c()]),
     };
     step.say(
-        "The series go as far as the powers of the amplitude that were asked for: to {}, and one power less for the amplitude.",
+        "The series go up to the requested power of the amplitude: to {}, and one power less for the amplitude.",
         [if powers == 1 { c() } else { c().pow(i64::try_from(powers).unwrap_or(i64::MAX)) }],
     )
 }
 
 impl Cycle {
-    /// From the laws as polynomials in A², by powers of the parameter.
+    /// The cycle, from the laws as polynomials in A², by powers of the parameter.
     fn new(flow: &Flow, powers: usize) -> Option<Self> {
         let rows = |map: &std::collections::BTreeMap<(usize, usize), PiNumber>, shift: usize| {
             let mut rows = vec![Series::new(); powers + 1];

@@ -1,4 +1,4 @@
-//! The same from the energy that is lost: a road that knows nothing of conditions.
+//! The same law from the loss of energy, independent of the conditions.
 
 use std::collections::BTreeMap;
 
@@ -43,7 +43,7 @@ pub(super) fn step(question: &Question, flow: &Flow) -> Result<Option<Derivation
     let quotient = Statement::equal(-(name() / apply("F", [amplitude()])), law);
     let step = DerivationStep::new("energy", "The same from the energy")
         .say(
-            "The rate of the amplitude in the first power of {} follows without any condition from the energy. Without the weak force the energy stays the \
+            "The rate of the amplitude to first order in {} follows without any condition from the energy. Without the weak force the energy stays the \
              same, and at the turning point, where all of it is potential, its derivative with respect to {} is the restoring force there,",
             [question.small(), amplitude()],
         )

@@ -70,7 +70,7 @@ pub(crate) enum Part {
 type Named = BTreeMap<Place, Polynomial>;
 
 impl Flow {
-    /// Finds all powers up to those that are asked for.
+    /// Finds all powers up to those that are requested.
     pub fn new(question: &Question, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         let mut flow = Self {
             motion: alone((1, 0), PhaseFunction::cosine()),
@@ -282,7 +282,7 @@ fn derivative(series: &Named) -> Named {
     lowered
 }
 
-/// The product as far as it counts at a place.
+/// The product up to the powers of a place.
 fn times(a: &Named, b: &Named, place: Place) -> Named {
     let mut product = Named::new();
     for ((n, j), left) in a {

@@ -108,12 +108,12 @@ const PARTS: [Part; 12] = [
 
 fn introduction() -> Vec<Block> {
     let what = Prose::text(
-        "Under a weak force an oscillation remains nearly what it is, and its amplitude and phase change slowly. How they do follows from the equation \
-         of motion by the method of Krylov, Bogoliubov and Mitropolsky: amplitude, phase and form are expanded together, so that nothing in them \
-         grows that does not belong to the amplitude.",
+        "Under a weak force an oscillation remains nearly what it is, and its amplitude and phase change slowly. Their equations follow from the equation \
+         of motion by the method of Krylov, Bogoliubov and Mitropolsky: amplitude, phase and form are expanded together, so that no other growth \
+         than that of the amplitude occurs in them.",
     );
     let how = Prose::text(
-        "Below each formula stands how it was checked while this text was written. The whole motion was put back into the equation of motion with exact \
+        "Each formula is followed by the check made while this text was written. The whole motion was put back into the equation of motion with exact \
          fractions and powers of π, and every coefficient was compared with that of another algorithm, which goes to any order.",
     );
     vec![Block::Paragraph(what), Block::Paragraph(how)]

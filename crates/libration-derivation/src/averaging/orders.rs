@@ -15,7 +15,7 @@ use super::question::Question;
 use super::tables::in_terms;
 use libration::algebra::Rational;
 
-/// Up to this power of the amplitude the way to each coefficient is open to the reader, beyond it folds away.
+/// Highest power of the amplitude whose derivation is shown open; those of higher powers are folded.
 const OPEN_TO_READ: usize = 3;
 /// Terms of what lower powers bring that are shown below an integral.
 const SHORT: usize = 2;
@@ -56,7 +56,7 @@ fn one_power(question: &Question, flow: &Flow, order: &Order) -> Result<Derivati
     };
     let step = match n <= OPEN_TO_READ && j <= 1 {
         true => way(step),
-        false => step.fold("What lower powers bring, and the equation", way),
+        false => step.fold("Contributions of lower powers, and the equation", way),
     };
     let step = conditions(question, order, step)?;
     let step = step.say("With that the solution that turns at the beginning is", []);

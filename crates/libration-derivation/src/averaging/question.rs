@@ -25,7 +25,7 @@ pub struct Question {
     pub(crate) parameter: Name,
     pub(crate) equilibrium: Rational,
     pub(crate) flow: FlowTerms,
-    /// The restoring force is a polynomial of which nothing is left out.
+    /// `true` if the restoring force is a polynomial, so that its series ends.
     pub(crate) is_whole: bool,
     /// The highest power of the amplitude.
     pub(crate) order: usize,
@@ -117,7 +117,7 @@ impl Question {
         &self.flow.omega0
     }
 
-    /// Terms of the small parameter in its first power.
+    /// The terms of first order in the small parameter.
     pub(crate) fn weak_terms(&self) -> impl Iterator<Item = &ForceTerm> {
         self.flow.terms.iter().filter(|term| term.parameter == 1)
     }

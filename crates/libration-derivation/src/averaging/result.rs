@@ -12,8 +12,8 @@ pub(super) fn step(question: &Question, flow: &Flow) -> DerivationStep {
     let parameter = || question.parameter.clone();
     let amplitude = Statement::equal(Name::new("A").prime(), law(question, &flow.growth));
     let phase = Statement::equal(Name::new("ψ").prime(), law(question, &flow.frequency));
-    let step = DerivationStep::new("slow-flow", "How amplitude and phase go")
-        .say("Collected, amplitude and phase go as", [])
+    let step = DerivationStep::new("slow-flow", "The slow flow of amplitude and phase")
+        .say("Collected, the equations of amplitude and phase are", [])
         .show(averaged(question, amplitude, AveragedClaim::AmplitudeLaw { parameter: parameter() }))
         .show(averaged(question, phase, AveragedClaim::PhaseLaw { parameter: parameter() }));
     let step = match flow.growth.is_empty() {

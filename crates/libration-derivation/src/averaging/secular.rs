@@ -10,7 +10,7 @@ use super::names::{below, phase, times_omega0};
 use super::question::Question;
 
 pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let step = DerivationStep::new("conditions", "What each power decides");
+    let step = DerivationStep::new("conditions", "The condition in each power");
     let step = equation_of_a_power(question, step);
     let trials = Trials::new(None)?.with(&Name::new("ψ"), tenths(7))?;
     let growing = || -(phase() * cos(phase()) / 2);
@@ -20,7 +20,7 @@ pub(super) fn step(question: &Question) -> Result<DerivationStep, DerivationErro
     let step = step
         .say(
             "It is the equation of an oscillator that is driven at its own frequency by the last two terms and whatever of these harmonics is in {}. \
-             For such a force the answer grows without end, for instance with",
+             For such a force the response grows without bound, for instance with",
             [forcing()],
         )
         .show(trials.compare_once(first)?)
@@ -106,7 +106,7 @@ fn half_swing(
     let by_cosine = Statement::equal(integral("ψ", 0, Formula::Pi, forced() * cos(phase())), -ends(1));
     let step = step
         .say(
-            "Only the half swing from {} = 0 to {} is known, and what is asked for is that the next one begins as the opposite of this one, with the \
+            "Only the half swing from {} = 0 to {} is known, and the condition is that the next one begins as the opposite of this one, with the \
              opposite displacement and the opposite velocity. For any function {} of the phase, integrated twice by parts,",
             [phase(), Formula::Pi, letter("y")],
         )

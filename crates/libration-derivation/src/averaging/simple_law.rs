@@ -73,7 +73,7 @@ fn power_law(question: &Question, n: usize, beta: &PiNumber) -> Result<Derivatio
     let halved = Statement::equal(apply("A", [half]), a0() / 2);
     let step = DerivationStep::new("amplitude-law", "The decay of small swings")
         .say(
-            "The first term alone says how small swings decay. With slow time and the number that stands in it, the first harmonic of a power of the sine,",
+            "The first term alone says how small swings decay. With slow time and its coefficient, the first harmonic of a power of the sine,",
             [],
         )
         .show(slow_time(question))
@@ -200,8 +200,8 @@ fn self_excitation(question: &Question, flow: &Flow) -> Result<Option<Derivation
     let below = begun() + (letter("α") - begun()) * decaying;
     let motion = trials.define_function("A", &[SLOW], a0() * sqrt(letter("α") / below));
     let law = Statement::equal(derivative(a(), SLOW), letter("α") * a() - letter("β") * a().pow(3));
-    let step = DerivationStep::new("amplitude-law", "How the swings grow and settle")
-        .say("To the first power the amplitude goes, with slow time, by two terms, one that feeds it and one that limits it:", [])
+    let step = DerivationStep::new("amplitude-law", "Growth and saturation of the swings")
+        .say("To first order the amplitude changes, in slow time, by two terms, one that feeds it and one that limits it:", [])
         .show(slow_time(question))
         .show(alpha)
         .show(beta)

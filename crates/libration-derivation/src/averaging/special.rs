@@ -111,12 +111,12 @@ pub(super) fn pendulum(question: &Question, flow: &Flow) -> Result<Option<Deriva
     let step = DerivationStep::new("any-amplitude", "The pendulum at any amplitude");
     let step = match n {
         2 => step.say(
-            "In the first power of {} the loss can be had at any amplitude. The undamped pendulum’s velocity has the square {}, so that in a half swing the drag takes, \
+            "To first order in {} the loss is found at any amplitude. The undamped pendulum’s velocity has the square {}, so that in a half swing the drag takes, \
              for each unit of {},",
             [question.small(), 2 * (cos(theta()) - cos(a())), question.small()],
         ),
         _ => step.say(
-            "In the first power of {} the loss can be had at any amplitude. Friction is the same everywhere and takes in a half swing, for each unit of {},",
+            "To first order in {} the loss is found at any amplitude. Friction is the same everywhere and takes in a half swing, for each unit of {},",
             [question.small(), question.small()],
         ),
     };

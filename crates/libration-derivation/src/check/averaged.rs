@@ -23,7 +23,7 @@ pub struct FlowTerms {
     pub omega0: Rational,
     /// The terms, as they are while x falls.
     pub terms: Vec<ForceTerm>,
-    /// They are others while x rises.
+    /// `true` if the coefficients differ while x rises.
     pub kinked: bool,
     /// One where a term has neither displacement nor velocity, so that its parameter is counted as a power of the amplitude.
     pub lift: usize,
@@ -49,7 +49,7 @@ pub enum AveragedClaim {
         power: usize,
         /// The power of the parameter.
         parameter: usize,
-        /// It.
+        /// The contribution.
         known: Formula,
     },
     /// A coefficient of A′.

@@ -66,8 +66,8 @@ pub enum DerivationError {
     NoExcitation,
     /// An acceleration that depends on the velocity.
     #[error(
-        "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging takes such terms where a \
-         small letter multiplies them"
+        "the acceleration depends on the velocity: the derivation is for forces of the position alone; that by averaging accepts such terms where a \
+         small symbol multiplies them"
     )]
     Velocity,
     /// A force with two power series.
@@ -77,12 +77,12 @@ pub enum DerivationError {
     TwoSided,
     /// Numbers that are no fractions.
     #[error(
-        "the equilibrium, the frequency or the Taylor coefficients are no fractions: the derivation is exact"
+        "the equilibrium, the frequency or the Taylor coefficients are not fractions: the derivation is exact"
     )]
     NoFractions,
     /// A frequency that is not a fraction.
     #[error(
-        "the frequency of small swings is no fraction: choose the unit of time so that it is, as in omega0 = 1"
+        "the frequency of small swings is not a fraction: choose the unit of time so that it is, as in omega0 = 1"
     )]
     NoFractionalFrequency,
     /// Small terms that are no polynomial.
@@ -92,15 +92,15 @@ pub enum DerivationError {
     )]
     NoPolynomial,
     /// A letter that the derivation needs.
-    #[error("the letter {letter} stands for something else in the derivation: rename it")]
+    #[error("the symbol {letter} has another meaning in the derivation: rename it")]
     TakenLetter {
         /// The letter.
         letter: String,
     },
     /// No limit cycle that is expanded in fractions.
-    #[error("the limit cycle begins with no amplitude that is a fraction: the derivation is exact")]
+    #[error("the amplitude at which the limit cycle begins is not a fraction: the derivation is exact")]
     NoCycle,
-    /// Two roads that should meet: an error of this program.
+    /// Two methods that should agree: an error of this program.
     #[error("{what} do not agree: this is an error of the program")]
     Disagreement {
         /// The quantity that does not agree.

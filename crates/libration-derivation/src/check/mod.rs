@@ -115,16 +115,16 @@ pub enum Check {
 /// The amplitudes or parameters at which the sides of a statement were compared.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ComparedAt {
-    /// There is nothing to choose.
+    /// No value is chosen.
     Everywhere,
-    /// At several amplitudes.
+    /// Comparison at several amplitudes.
     Amplitudes {
         /// The one whose value is shown.
         at: Decimal,
         /// All of them.
         amplitudes: Vec<Decimal>,
     },
-    /// For several values of an index.
+    /// Comparison for several values of an index.
     Cases {
         /// The index.
         index: Name,

@@ -38,7 +38,7 @@ impl Check {
                 [last_power(variable, order + 1)],
             ),
             Self::Substituted { choices, .. } => Prose::text(format!(
-                "checked: put into the equation of motion with exact fractions, for {choices} choices of the letters"
+                "checked: put into the equation of motion with exact fractions, for {choices} choices of the symbols"
             )),
             Self::Cycle(formula) => Prose::text(cycle(&formula.claim)),
             Self::Averaged(formula) => Prose::text(averaged(&formula.claim)),

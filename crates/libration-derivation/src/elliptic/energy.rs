@@ -1,4 +1,4 @@
-//! From the equation of motion to a quarter of the period as an integral over the angle.
+//! The steps from the equation of motion to a quarter of the period as an integral over the angle.
 
 use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
@@ -97,7 +97,7 @@ pub(super) fn quarter_period(trials: &Trials) -> Result<DerivationStep, Derivati
         .show(trials.compare_with_library(Statement::equal(period() / 4, quarter))?)
         .remark(
             "At the upper end the integrand becomes infinite, because the body stops there, but only like one over the \
-             square root of the distance from the turning point: the integral is finite. It is no elementary function \
+             square root of the distance from the turning point: the integral is finite. It is not an elementary function \
              of the amplitude.",
             [],
         ))

@@ -1,4 +1,4 @@
-//! The elliptic road: from the energy to the period as an integral, a series and a mean.
+//! The derivation by elliptic integrals: from the energy to the period as an integral, a series and a mean.
 
 mod energy;
 mod mean;
@@ -50,7 +50,7 @@ fn introduction() -> Vec<Block> {
          that a pocket calculator finds in three steps.",
     );
     let how = Prose::text(
-        "Below each formula stands how it was checked while this text was written: it was evaluated as it is printed, \
+        "Each formula is followed by the check made while this text was written: it was evaluated as it is printed, \
          integrals and infinite sums included, with 77 digits unless something else is said. Where a formula speaks \
          of an angle during the swing, it is the one at 0.86 of a period after the release.",
     );

@@ -96,7 +96,7 @@ pub(crate) fn polynomial(coefficients: &[Rational], variable: &Formula) -> Formu
     if terms.is_empty() { number(0) } else { sum(terms) }
 }
 
-/// A sum of what may be a single term.
+/// The sum of the terms, or the term if there is one only.
 pub fn sum(mut terms: Vec<Formula>) -> Formula {
     match terms.len() {
         1 => terms.remove(0),
@@ -126,7 +126,7 @@ pub(crate) fn scaled(coefficient: &Rational, formula: Formula) -> Formula {
 }
 
 impl Formula {
-    /// This to a power.
+    /// The formula to a power.
     #[doc(hidden)]
     pub fn pow(self, exponent: impl Into<Self>) -> Self {
         Self::Power(Box::new(self), Box::new(exponent.into()))

@@ -2,7 +2,7 @@
 
 use super::Formula;
 
-/// A letter with what is written at it: θ, θ₀, θ′, a₂ₙ₊₁.
+/// A letter with its subscript and primes: θ, θ₀, θ′, a₂ₙ₊₁.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// The letter itself, in Unicode; several letters are a word and printed upright.
@@ -29,14 +29,14 @@ impl Name {
         Self { letter: letter.to_owned(), subscript: None, primes: 0 }
     }
 
-    /// With a number or an index below.
+    /// The name with a number or an index as subscript.
     #[doc(hidden)]
     pub fn index(mut self, index: impl Into<Formula>) -> Self {
         self.subscript = Some(Subscript::Index(Box::new(index.into())));
         self
     }
 
-    /// With a word below.
+    /// The name with a word as subscript.
     pub(crate) fn word(mut self, word: &str) -> Self {
         self.subscript = Some(Subscript::Word(word.to_owned()));
         self

@@ -1,4 +1,4 @@
-//! The road to a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
+//! The derivation of a limit cycle: Lindstedt and Poincaré's method with two conditions in each power, for amplitude and frequency.
 
 mod cycle;
 mod known;
@@ -86,7 +86,7 @@ fn introduction() -> Vec<Block> {
          this motion follow from the equation of motion by the method of Lindstedt and Poincaré, as power series in the strength of the excitation.",
     );
     let how = Prose::text(
-        "Below each formula stands how it was checked while this text was written, with exact fractions; every coefficient was compared with that of another algorithm, \
+        "Each formula is followed by the check made while this text was written, with exact fractions; every coefficient was compared with that of another algorithm, \
          which goes to any order.",
     );
     vec![Block::Paragraph(what), Block::Paragraph(how)]

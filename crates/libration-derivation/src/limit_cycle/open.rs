@@ -67,7 +67,7 @@ impl Open {
         (0..=highest).map(|degree| of(degree).unwrap_or_else(|| Rational::from(0))).collect()
     }
 
-    /// With a number for the amplitude.
+    /// The function with a number for the amplitude.
     pub(super) fn at(&self, amplitude: &Rational) -> PhaseFunction {
         self.powers.iter().fold(PhaseFunction::default(), |sum, (degree, part)| {
             let factor = (0..*degree).fold(Rational::from(1), |product, _| product * amplitude.clone());

@@ -11,7 +11,7 @@ use super::super::prose::Prose;
 use super::cycle::{Cycle, Order};
 use libration::algebra::{Polynomial, Rational, Variable};
 
-/// Up to this power all is open to read; beyond it the table folds away.
+/// Highest power whose table is shown open; those of higher powers are folded.
 const OPEN_TO_READ: usize = 2;
 
 fn tau() -> Formula {
@@ -125,7 +125,7 @@ pub(super) fn one_power(question: &Question, cycle: &Cycle, n: usize) -> Derivat
     };
     let step = match n <= OPEN_TO_READ {
         true => way(step),
-        false => step.fold("What lower powers bring, and the equation", way),
+        false => step.fold("Contributions of lower powers, and the equation", way),
     };
     let sine = polynomial(&found.known.first_harmonic(Wave::Sine), &Formula::from(&open));
     let amplitude = Statement::equal(&open, found.amplitude_below.clone());

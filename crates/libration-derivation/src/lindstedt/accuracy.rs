@@ -33,7 +33,7 @@ pub(super) fn step(
     }
     let exact = exactly_at(question, &exactly, watch);
     watch.go_on()?;
-    let step = DerivationStep::new("accuracy", "How good it is")
+    let step = DerivationStep::new("accuracy", "Accuracy")
         .say("At an amplitude of {} the terms of the period are", [as_given(question, &exactly)])
         .table(terms(question, amplitude, &exact)?);
     let Some(released) = released else { return Ok(step) };
@@ -42,7 +42,7 @@ pub(super) fn step(
         .table(motion(question, released, &exact)?)
         .say(
             "Where the last terms do not fall, the series has come to its end at this amplitude, and no further order helps: \
-             the command libration expand tells where it stops converging.",
+             the command libration expand shows where it stops converging.",
             [],
         ))
 }
@@ -137,13 +137,13 @@ fn note(basis: &str, found: &Result<ExactValue, NoExactValue>) -> Prose {
 
 fn rest(remainder: Remainder) -> Prose {
     if !remainder.size.is_finite() {
-        return Prose::text("no end in sight");
+        return Prose::text("no bound");
     }
     let word = if remainder.certainty == Certainty::Proven { "below " } else { "about " };
     Prose::text(word).and(Prose::formula(rounded(remainder.size, 2, DecimalUnit::One)))
 }
 
-/// ε, the frequency, the period and the harmonics at the amplitude, beside those of the motion in numbers.
+/// ε, the frequency, the period and the harmonics at the amplitude, compared with those of the motion in numbers.
 pub fn motion(
     question: &Question,
     released: &Released,

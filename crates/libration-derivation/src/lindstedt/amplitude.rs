@@ -1,4 +1,4 @@
-//! From the expansion parameter to the amplitude and back, and what can be measured.
+//! The amplitude as a function of the expansion parameter, its inverse, and the measurable quantities.
 
 use super::super::check::{
     CheckedEquation, DerivationError, Given, failed, same_series, same_series_where, series_value,
@@ -91,7 +91,7 @@ fn passes(
     let mut step = step
         .say("The other way round is found by iteration. Bring all but the first term to the other side,", [])
         .show(same_series_where(&Name::new("ε"), question.order + 1, &given, other_side)?)
-        .say("begin with the first term alone, and put each answer into {} again:", [letter("F")])
+        .say("begin with the first term alone, and put each result into {} again:", [letter("F")])
         .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
     let mut known = vec![Rational::from(0), scale];

@@ -16,7 +16,7 @@ const FREQUENCY: &str = "d";
 /// The factor of each harmonic in each power of ε.
 type Factors = BTreeMap<(u32, u32), Polynomial>;
 
-/// Parts of the equation of motion with what each gives to the conditions; coefficients that vanish are left out.
+/// Parts of the equation of motion with their contributions to the conditions; coefficients that vanish are left out.
 #[derive(Debug)]
 pub struct Contributions {
     /// Each part with its factors, by the power of ε and the harmonic.
@@ -24,7 +24,7 @@ pub struct Contributions {
 }
 
 impl Contributions {
-    /// Finds what each part of the equation of motion gives.
+    /// Computes the contribution of each part of the equation of motion.
     pub fn new(question: &Question) -> Self {
         let displacement = displacement(question);
         let mut parts = vec![(linear_part(question), linear(question, &displacement))];
@@ -62,7 +62,7 @@ impl Contributions {
             head,
             rows: rows.collect(),
             note: Prose::text(
-                "checked: their sum is what the equation of motion leaves, with exact fractions for all letters, also such as solve nothing",
+                "checked: their sum is what the equation of motion leaves, with exact fractions for all symbols, also for values that are not solutions",
             ),
         }
     }

@@ -1,4 +1,4 @@
-//! The perturbation road: Lindstedt and Poincaré's method with the gauge left open, step by step.
+//! The derivation by perturbation: Lindstedt and Poincaré's method with the gauge left open, step by step.
 
 pub(crate) mod accuracy;
 mod amplitude;
@@ -38,7 +38,7 @@ pub struct Released {
 pub const HIGHEST_ORDER: usize = 9;
 
 /// The motion and the period of a conservative oscillator as series in the amplitude, derived order by order with the
-/// gauge left open, then in the gauge asked for and in a second one, with the numbers of an oscillation if one is
+/// gauge left open, then in the gauge requested and in a second one, with the numbers of an oscillation if one is
 /// given.
 ///
 /// # Errors
@@ -116,7 +116,7 @@ fn introduction() -> Vec<Block> {
          the motion and its frequency are expanded together, so that no term grows with time.",
     );
     let how = Prose::text(
-        "Below each formula stands how it was checked while this text was written. Nearly all of it is arithmetic with \
+        "Each formula is followed by the check made while this text was written. Nearly all of it is arithmetic with \
          fractions and checked exactly: the solutions are put back into the equation of motion, not compared with a table.",
     );
     vec![Block::Paragraph(what), Block::Paragraph(how)]

@@ -57,7 +57,7 @@ pub(super) fn solution(question: &Question) -> Result<DerivationStep, Derivation
     let step = (series(question, &question.solution).into_iter()).fold(step, DerivationStep::show);
     Ok(step
         .say(
-            "These series were found by a computation that goes another way and to any order. That they are a solution is seen by \
+            "These series were found by another algorithm, which goes to any order. That they are a solution is seen by \
              putting them back into the equation of motion, with the whole force and not its Taylor series:",
             [],
         )

@@ -21,7 +21,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
     let velocity = (sin(tau()) + tau() * cos(tau())) / 2;
     let first = Statement::equal(derivative(growing.clone(), "τ"), velocity.clone());
     let second = Statement::equal(derivative(velocity, "τ") + growing, cos(tau()));
-    Ok(DerivationStep::new("secular-terms", "What each condition decides")
+    Ok(DerivationStep::new("secular-terms", "The role of each condition")
         .say(
             "At the power {} the new coefficient of {} enters through {} alone, with the factor {}. For every harmonic but the first \
              this is not zero, and the condition fixes that coefficient.",
@@ -34,7 +34,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         )
         .say(
             "For the first harmonic it is zero: the oscillator is driven at its own frequency. If something were left over \
-             there, the answer would grow with time, for instance",
+             there, the solution would grow with time, for instance",
             [],
         )
         .show(trials.compare_once(first)?)
@@ -47,7 +47,7 @@ pub(super) fn secular_terms() -> Result<DerivationStep, DerivationError> {
         ))
 }
 
-/// Up to this order the way to each coefficient is open to the reader, beyond it folds away: it grows fast.
+/// Highest order whose derivation is shown open; those of higher orders, which grow fast, are folded.
 fn open_to_read(question: &Question) -> usize {
     if question.is_odd() { 5 } else { 3 }
 }
@@ -72,7 +72,7 @@ fn one_order(question: &Question, contributions: &Contributions, order: usize) -
             Some(solution) if order <= open_to_read(question) => way(step).say("so that", []).show(solution),
             Some(solution) => {
                 let step = step.say("The factor of {} in the power {} leads to", factor_of(condition));
-                step.show(solution).fold("How it comes about", way)
+                step.show(solution).fold("Derivation", way)
             }
         }
     })
@@ -218,8 +218,7 @@ fn check_order(question: &Question, order: usize) -> Result<(), DerivationError>
     Ok(())
 }
 
-/// Puts fractions for all letters into the ansatz, such as solve nothing, and compares what the equation of motion then is with the sums
-/// of the contributions.
+/// Substitutes arbitrary fractions for all symbols in the ansatz, and compares the equation of motion with the sums of the contributions.
 pub fn check_contributions(
     question: &Question,
     contributions: &Contributions,

@@ -20,11 +20,11 @@ pub(super) fn step(
     if question.powers().contains(&2) {
         return Ok(None);
     }
-    // Any gauge with A₂ has the open gauge with all powers beside it.
+    // Any gauge with A₂ has the open gauge with all powers next to it.
     let gauge = Gauge::Coefficients(vec![Rational::from(1), Rational::from(1)]);
     let open = Question::new(&question.oscillator, 4, &gauge, watch)?;
     let (epsilon, tau) = (|| letter("ε"), || letter("τ"));
-    let step = DerivationStep::new("parity", "What is missing in it, and why")
+    let step = DerivationStep::new("parity", "Terms that are missing")
         .say(
             "Sines are missing, because the equation of motion is the same for {} and {}, and so is a start at rest: the motion before the \
              turning point mirrors that after it.",
@@ -38,7 +38,7 @@ pub(super) fn step(
             [],
         )
         .say(
-            "With even powers of {} it is another matter. Were they in the ansatz, the factor of {} in {} would be found by projection as",
+            "Even powers of {} are another case. If they were in the ansatz, the factor of {} in {} would be found by projection as",
             [epsilon(), cos(tau()), epsilon().squared()],
         )
         .show(first_correction()?)

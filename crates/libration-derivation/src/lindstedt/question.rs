@@ -24,7 +24,7 @@ pub struct Question {
     pub(super) order: usize,
     /// The conditions with the gauge left open.
     pub open: OpenGauge,
-    /// The expansion in the gauge that is asked for.
+    /// The expansion in the gauge that is requested.
     pub solution: Solution,
 }
 
@@ -36,7 +36,7 @@ pub struct Solution {
 }
 
 impl Question {
-    /// Prepares an oscillator, an order and a gauge, or refuses what is not exact.
+    /// Prepares an oscillator, an order and a gauge; refuses values that are not exact.
     pub fn new(
         oscillator: &Oscillator,
         order: usize,
@@ -146,7 +146,7 @@ impl Solution {
     }
 }
 
-/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first to the one of the order asked for.
+/// The Taylor coefficients of −f(xₑ + u)/ω0², from the first to the one of the order requested.
 fn restoring_force(
     oscillator: &Oscillator,
     equilibrium: &Rational,

@@ -18,7 +18,7 @@ pub struct Motion {
     pub frequency: Vec<Rational>,
 }
 
-/// Checks that a motion solves Δ²u″ = f/ω0² up to the order asked for.
+/// Checks that a motion solves Δ²u″ = f/ω0² up to the order requested.
 pub fn solves(question: &Question, motion: &Motion) -> Result<CheckedEquation, DerivationError> {
     let next = i64::try_from(question.order + 1).unwrap_or(i64::MAX);
     let statement = Statement::equal(left_side(question), order(letter("ε").pow(next)));

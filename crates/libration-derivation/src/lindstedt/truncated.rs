@@ -16,7 +16,7 @@ use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
 use libration::perturbation::TruncatedSystem;
 
-/// The conditions and what elimination makes of them, polynomials in a₁, a₃ and Δ.
+/// The conditions and their elimination, polynomials in a₁, a₃ and Δ.
 #[derive(Debug)]
 pub struct Elimination {
     /// The factor of u³.
@@ -127,7 +127,7 @@ fn others(elimination: &Elimination, step: DerivationStep) -> DerivationStep {
     match is_real {
         true => step.say(
             "Besides {} = 0 this has two solutions, real ones: two large harmonics that cancel at the turning point. They satisfy the three \
-             equations and are no motion of the oscillator: the harmonics left out are as large.",
+             equations and are not motions of the oscillator: the harmonics left out are as large.",
             [a(3)],
         ),
         false => step.say("Besides {} = 0 this has two solutions, which are not real.", [a(3)]),
@@ -147,7 +147,7 @@ impl Elimination {
         Some(Self { cube, conditions, ratio_squared, left })
     }
 
-    /// Compares all of it with what the cube of the two harmonics, as it is shown, makes of the equation of motion.
+    /// Compares the polynomials with the equation of motion after substitution of the cube of the two harmonics as shown.
     pub fn check(&self) -> Result<(), DerivationError> {
         let minus = Rational::from(-1);
         let left: Vec<Polynomial> = factors(&self.cube).iter().map(|it| it.scaled(&minus)).collect();

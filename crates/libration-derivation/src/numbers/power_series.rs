@@ -47,7 +47,7 @@ impl Analysis for PowerSeries<Rationals> {
         None
     }
 
-    /// Nothing, if the order lies beyond what is compared.
+    /// The part left out; nothing if the order lies beyond those compared.
     fn left_out(&self, order: &Coefficients) -> Result<Coefficients, NoEvaluation> {
         let begins = order.iter().position(|c| !c.is_zero()).unwrap_or(order.len());
         Ok(vec![Rational::from(0); begins])

@@ -5,13 +5,13 @@ use std::fmt;
 /// The verdict on a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StatementVerdict {
-    /// It is right.
+    /// The statement is right.
     Verified,
-    /// It is meant rightly and written wrongly.
+    /// The statement has a typing error; its meaning is right.
     Typo,
-    /// It is wrong.
+    /// The statement is wrong.
     Wrong,
-    /// It could not be evaluated here, which tells nothing about it.
+    /// The statement could not be evaluated here, so that it is not decided.
     NotDecided,
 }
 

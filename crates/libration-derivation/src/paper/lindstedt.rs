@@ -30,12 +30,12 @@ impl Expansion {
         Some(expansion)
     }
 
-    /// With these numbers as A₁, A₂, ….
+    /// The expansion with these numbers as A₁, A₂, ….
     pub(super) fn of_numbers(gauge: &[Rational]) -> Option<Self> {
         Self::of_gauge(&gauge.iter().cloned().map(Polynomial::constant).collect::<Vec<_>>())
     }
 
-    /// With A₁, A₃, A₅, … open and no even ones, to this order.
+    /// The expansion to this order with A₁, A₃, A₅, … open and no even coefficients.
     pub fn odd_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| {
             if n.is_multiple_of(2) {
@@ -47,7 +47,7 @@ impl Expansion {
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())
     }
 
-    /// With every Aₙ open, to this order.
+    /// The expansion to this order with every Aₙ open.
     pub(super) fn every_gauge(order: u32) -> Option<Self> {
         let constant = |n: u32| Polynomial::variable(format!("A{n}").as_str());
         Self::of_gauge(&(1..=order).map(constant).collect::<Vec<_>>())

@@ -16,7 +16,7 @@ pub(super) fn in_epsilon(coefficients: &[Polynomial]) -> Polynomial {
     terms.fold(Polynomial::zero(), |sum, term| sum + term)
 }
 
-/// With respect to what the dots of an equation differentiate.
+/// The variable by which the dots of an equation differentiate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Clock {
     /// The time t, in units of 1/ω0.

@@ -6,7 +6,7 @@ use crate::paper::printed::Printed;
 use libration::algebra::{Polynomial, Rational};
 use libration::expression::Expression;
 
-/// A truncated sine against the sine, exactly; an inertia beside it does not count.
+/// A truncated sine against the sine, exactly; an inertia next to it does not count.
 pub(super) fn sine(formula: &Expression, through: usize) -> Option<StatementFinding> {
     let terms = through + 8;
     let polynomial = series_in("theta", terms, formula, &[("theta''", 0)])?;

@@ -37,7 +37,7 @@ impl Document {
         }
     }
 
-    /// Author, title and place.
+    /// Author, title and place of publication.
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {
@@ -50,7 +50,7 @@ impl Document {
     }
 }
 
-/// A statement with what became of it.
+/// A statement with its verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Document that contains the statement.
@@ -75,7 +75,7 @@ pub(super) type Check = fn(&Printed) -> Option<StatementFinding>;
 pub struct Statement {
     /// The label itself, or that of the equation or figure which a text follows.
     pub(super) after: &'static str,
-    /// The number of an equation, or what a text is about.
+    /// The number of an equation, or the subject of a text.
     pub label: &'static str,
     pub(super) claim: &'static str,
     /// The formulas as the document prints them.
@@ -93,7 +93,7 @@ impl Statement {
         Self { paraphrase: true, ..self }
     }
 
-    /// The statement with what the check finds.
+    /// The statement with the result of its check.
     pub fn row(&self, document: Document) -> Row {
         Row {
             document,

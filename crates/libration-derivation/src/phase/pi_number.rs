@@ -64,7 +64,7 @@ impl PiNumber {
         self.scaled(&Rational::from(-1))
     }
 
-    /// This times a power of π.
+    /// The number times a power of π.
     pub fn times_power_of_pi(&self, power: i32) -> Self {
         let mut product = Self::default();
         for (own, coefficient) in &self.terms {

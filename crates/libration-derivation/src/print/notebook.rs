@@ -15,9 +15,8 @@ pub fn to_notebook(derivation: &Derivation) -> String {
     notebook.say(&format!("# {}", markdown_text::title(derivation)));
     notebook.blocks(Place::INTRODUCTION, &derivation.introduction);
     notebook.say(
-        "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises \
-         an error where the formula does not hold. Below the others stands how they were checked while this was written. The next cell is \
-         what they compute with.",
+        "Formulas that can be checked with Python’s own fractions and floats have a cell that does so again, on your computer: it raises an \
+         error where the formula does not hold. The check made while this was written stands below the others. The next cell defines the functions that the cells use.",
     );
     notebook.compute("prelude", PRELUDE);
     let mut answers = "## Answers";

@@ -26,11 +26,11 @@ pub(super) fn exact_ratio(trials: &Trials) -> Result<DerivationStep, DerivationE
     let period_series = Statement::equal(ratio(), in_even_powers(&period_in_amplitude(3)));
     let frequency_series =
         Statement::equal(agm(1, cos_half_amplitude()), in_even_powers(&frequency_in_amplitude(3)));
-    Ok(DerivationStep::new("approximated", "What is approximated")
+    Ok(DerivationStep::new("approximated", "The quantity that is approximated")
         .say(
             "The exact ratio is one over the arithmetic–geometric mean of one and the cosine of half the amplitude: the \
              common limit of the two numbers when they are replaced, again and again, by their arithmetic and their geometric \
-             mean. (The derivation of the elliptic road shows why.)",
+             mean. (The derivation by elliptic integrals shows why.)",
             [],
         )
         .show(trials.compare_with_library(Statement::equal(period_ratio(), ratio()))?)
@@ -91,7 +91,7 @@ pub(super) fn molina(trials: &Trials) -> Result<DerivationStep, DerivationError>
         .show(equal_fractions(exponent)?)
         .show(stated(trials, "molina", "Mol", formula.clone())?)
         .say(
-            "so that the factor in the force was taken to the power 3/4. In the next term there is a rest,",
+            "so that the factor in the force was taken to the power 3/4. In the next term there is a remainder,",
             [],
         )
         .show(equal_fractions(left)?)

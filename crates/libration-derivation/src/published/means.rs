@@ -137,7 +137,7 @@ pub(super) fn belendez(trials: &mut Trials) -> Result<DerivationStep, Derivation
         .show(stated(trials, "belendez", "Bel", formula.clone())?)
         .show(leading_error("belendez", "Bel", formula)?)
         .remark(
-            "The roots are of the cosine of half the amplitude. Read in any other way the formula has not the right \
+            "The roots are of the cosine of half the amplitude. Read in any other way, the formula does not have the right \
              small-swing period.",
             [],
         )

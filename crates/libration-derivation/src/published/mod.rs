@@ -1,4 +1,4 @@
-//! The road of the published formulas: where each comes from and how far it reaches.
+//! The derivation of the published formulas: the origin and the range of each.
 
 mod limits;
 mod means;
@@ -34,7 +34,7 @@ pub fn formulas(swing: Option<&Swing>) -> Result<Derivation, DerivationError> {
         report::all_at_one_amplitude(&trials)?,
     ];
     Ok(Derivation {
-        title: "Where the formulas for the period come from".to_owned(),
+        title: "Origin of the formulas for the period".to_owned(),
         introduction: introduction(),
         steps,
         answers: vec![],
@@ -46,12 +46,12 @@ fn introduction() -> Vec<Block> {
         "Many formulas give the period {} of a pendulum at large amplitudes without an integral. Nearly all of them come from \
          three places: the power series in the amplitude, the arithmetic–geometric mean, and the slow motion near the \
          upright position. The derivations here are ours and show why the formulas are good where they are good; their \
-         authors may have gone other ways.",
+         authors may have used other derivations.",
         [period()],
     );
     let how = Prose::new(
-        "The error of a formula is what it says over the exact period, less one. Below each formula stands how it was \
-         checked while this text was written: series in {} with exact fractions, values with 77 digits. Amplitudes in \
+        "The error of a formula is what it says over the exact period, less one. Each formula is followed by the check \
+         made while this text was written: series in {} with exact fractions, values with 77 digits. Amplitudes in \
          series are in radians. All formulas are for {}, the period over that of very small swings.",
         [theta_0(), period_ratio()],
     );

@@ -100,7 +100,7 @@ pub(super) fn error_near_the_top(trials: &Trials) -> Result<DerivationStep, Deri
         Prose::text("error"),
         Prose::text("expected"),
     ];
-    Ok(DerivationStep::new("near-the-top", "How good it is near the top")
+    Ok(DerivationStep::new("near-the-top", "Accuracy near the top")
         .say(
             "The corrections are of the order of the square of {}. The next terms of the elliptic integral near the top give \
              an error of about {}, with {} for the logarithm:",

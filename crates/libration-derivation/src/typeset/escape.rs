@@ -1,6 +1,6 @@
 //! Text made harmless: every character stands for itself in the form it is written to.
 
-/// For the text of HTML and MathML.
+/// Escapes text for HTML and MathML.
 pub(crate) fn html(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
@@ -14,7 +14,7 @@ pub(crate) fn html(text: &str) -> String {
     })
 }
 
-/// For the text of LaTeX, which is given Unicode by inputenc and T1 fonts; what these do not have is spelt.
+/// Escapes text for LaTeX with Unicode by inputenc and T1 fonts; characters that these lack are spelt.
 pub(crate) fn latex_text(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {
@@ -78,7 +78,7 @@ fn raised_digit(letter: char) -> Option<usize> {
     "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|it| it == letter)
 }
 
-/// For the text of Markdown: nothing becomes emphasis, a link, a heading or HTML.
+/// Escapes text for Markdown: nothing becomes emphasis, a link, a heading or HTML.
 pub(crate) fn markdown(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut escaped, letter| {
         match letter {

@@ -21,13 +21,13 @@ pub(crate) enum Layout {
     Suffix(&'static str),
     Comma,
     ThinSpace,
-    /// At the beginning of a line that continues the one above.
+    /// Space at the beginning of a line that continues the one above.
     Indent,
-    /// Between a function and its argument.
+    /// Space between a function and its argument.
     Application,
     Fraction(Box<Self>, Box<Self>),
     Root(Box<Self>),
-    /// With this many primes, which count as part of the letter.
+    /// A letter with this number of primes, which count as part of it.
     Primed(Box<Self>, u8),
     Scripts {
         base: Box<Self>,
@@ -47,9 +47,9 @@ pub(crate) enum Layout {
 /// The setting of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
-    /// On its own line: fractions are stacked.
+    /// A formula on its own line: fractions are stacked.
     Display,
-    /// Within a sentence: fractions have a slash.
+    /// A formula within a sentence: fractions have a slash.
     Inline,
 }
 
@@ -80,7 +80,7 @@ impl Style {
         }
     }
 
-    /// In brackets if it binds weaker than its place asks for.
+    /// The layout, in brackets if the formula binds weaker than its place requires.
     fn at_least(self, wanted: Place, formula: &Formula) -> Layout {
         let layout = self.formula(formula);
         if place(formula) < wanted { Layout::Brackets(Box::new(layout)) } else { layout }

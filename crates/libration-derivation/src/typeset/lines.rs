@@ -68,7 +68,7 @@ fn summands(parts: Vec<Layout>) -> Vec<Vec<Layout>> {
     summands
 }
 
-/// About how many characters wide it is.
+/// The approximate width in characters.
 fn width(layout: &Layout) -> usize {
     match layout {
         Layout::Row(parts) => parts.iter().map(width).sum(),

@@ -77,7 +77,7 @@ fn steps_and_formulas_are_numbered_and_linked_by_ids_of_their_own() {
     }
 }
 
-/// Exercises do not state a result before the answers, and every result is asked for or stated.
+/// Exercises do not state a result before the answers, and every result is requested or stated.
 #[test]
 fn exercises_leave_out_the_results_and_answer_them_at_the_end() {
     for derivation in every_road() {

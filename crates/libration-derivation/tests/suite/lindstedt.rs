@@ -56,7 +56,7 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
         let table = motion_in_numbers(&question, &released, &exactly).unwrap();
         let number = |prose: &Prose| match prose.0.as_slice() {
             [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
-            other => panic!("{other:?} is no number"),
+            other => panic!("{other:?} is not a number"),
         };
         let rows: Vec<_> = table.rows.iter().skip(1).collect();
         assert_eq!(rows.len(), 3 + harmonics, "{key}");

@@ -169,7 +169,7 @@ fn the_claims_hold_where_an_independent_computation_says() {
     }
 }
 
-/// The engine of the perturbation series is another road to the constants of appendix C.
+/// The engine of the perturbation series is another method for the constants of appendix C.
 #[test]
 fn the_orders_agree_with_the_perturbation_engine() {
     use libration::algebra::Rational;

@@ -165,7 +165,7 @@ impl Assembler<'_> {
         Ok(to)
     }
 
-    /// Puts the numbers of a factor beside each other, in a register and in the scratch.
+    /// Puts the numbers of a factor next to each other, in a register and in the scratch.
     fn pack(&mut self, rows: &Rows, factor: usize, to: Register) -> Result<(), NoCode> {
         let places = rows.places(factor);
         let (low, upper) = places.split_at(4);
@@ -184,7 +184,7 @@ impl Assembler<'_> {
         self.encode(Instruction::with2(rows.packed.store, address, to))
     }
 
-    /// Two or four numbers beside each other in the register of a value.
+    /// Two or four numbers next to each other in the register of a value.
     fn beside(&mut self, set: &PackedSet, places: &[usize], value: usize) -> Result<(), NoCode> {
         let low = self.packed_register(&set.two, value)?;
         self.pair(set, [places[0], places[1]], low)?;

@@ -47,7 +47,7 @@ fn sin_cos_of_part(r: f64, r_lo: f64) -> (DoubleDouble, DoubleDouble) {
     (sine, cosine)
 }
 
-/// Up to this angle [`sin_cos`] holds.
+/// Largest angle of [`sin_cos`].
 pub const LARGEST_ANGLE: f64 = 1048576.0;
 
 /// sin x and cos x for |x| ≤ [`LARGEST_ANGLE`], within 0.8 units of the last place; of a hundred all but two are the nearest numbers.

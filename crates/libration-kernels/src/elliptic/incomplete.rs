@@ -24,8 +24,7 @@ pub(super) struct Reduced {
     pub(super) cosine: DoubleDouble,
 }
 
-/// From here on an integral is its mean growth: what it is beyond, at most its value at π/2, is below a hundredth
-/// of an ulp.
+/// Amplitude from which an integral equals its mean growth: the rest, at most its value at π/2, is below a hundredth of an ulp.
 pub(super) const LARGEST_REDUCED: f64 = 1e18;
 
 /// π/2 less its two words.

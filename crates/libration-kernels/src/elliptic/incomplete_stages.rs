@@ -143,7 +143,7 @@ impl IncompleteStages {
         }
     }
 
-    /// Up to a block of elements; the rest of the block is computed too and dropped.
+    /// Computes up to a block of elements; the rest of the block is computed too and dropped.
     #[inline(always)]
     fn block<F: OfAngle + OfModulusWords>(&mut self, angles: &[f64], values: &[f64], moduli: &Moduli<'_>) {
         let mut block = [0.5; BLOCK];
@@ -180,7 +180,7 @@ impl IncompleteStages {
         }
     }
 
-    /// Steps until the last element of the block needs none; those that need none stay as they are.
+    /// Repeats the duplication until every element of the block has converged; those that have converged are unchanged.
     #[inline(always)]
     fn duplicate<F: OfAngle>(&mut self) {
         loop {

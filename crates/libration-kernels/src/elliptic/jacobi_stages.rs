@@ -133,7 +133,7 @@ impl JacobiStages {
         }
     }
 
-    /// Up to a block of elements; the rest of the block is computed too and dropped.
+    /// Computes up to a block of elements; the rest of the block is computed too and dropped.
     #[inline(always)]
     fn block(&mut self, arguments: &[f64], values: &[f64], moduli: &Moduli<'_>) {
         self.argument[..arguments.len()].copy_from_slice(arguments);

@@ -59,7 +59,7 @@ use descent::Descent;
 use jacobi::Quotients;
 use nearer::Nearer;
 
-/// A modulus k with its complement k′ = √(1 − k²) and what belongs to it.
+/// A modulus k with its complement k′ = √(1 − k²), its integrals and nome.
 #[derive(Clone, Copy, Debug)]
 pub struct Modulus {
     modulus: DoubleDouble,
@@ -88,7 +88,7 @@ pub enum ModulusError {
     },
 }
 
-/// Above it k′ is below 1e-300.
+/// Largest nome below 1: above it k′ is below 1e-300.
 const LARGEST_NOME: f64 = 0.9929;
 
 /// The smaller of the two nomes, which decides the expansion.
@@ -154,13 +154,13 @@ impl Modulus {
         Ok(modulus_of_nome(nome))
     }
 
-    /// From k and k′, k² + k′² = 1 within the second words.
+    /// The modulus from k and k′, where k² + k′² = 1 within the second words.
     #[doc(hidden)]
     pub fn from_words(modulus: DoubleDouble, complementary: DoubleDouble) -> Self {
         dispatch(OfWords { modulus, complementary })
     }
 
-    /// From k, k′ and their nearer side.
+    /// The modulus from k, k′ and their nearer side.
     #[inline(always)]
     fn from_nearer(modulus: DoubleDouble, complementary: DoubleDouble, nearer: &Nearer) -> Self {
         let descent = Descent::new(nearer);

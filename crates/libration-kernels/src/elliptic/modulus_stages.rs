@@ -79,7 +79,7 @@ impl ModulusStages {
         }
     }
 
-    /// After [`Self::descend`].
+    /// The stage after [`Self::descend`].
     #[inline(always)]
     pub(super) fn logarithms(&mut self) {
         let logs = FineLogarithms::new(&self.epsilon);

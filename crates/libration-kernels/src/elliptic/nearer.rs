@@ -1,4 +1,4 @@
-//! The nearer side of a modulus: the smaller of m and 1 − m, beside the root of the larger.
+//! The nearer side of a modulus: the smaller of m and 1 − m, with the root of the larger.
 //!
 //! All that belongs to a modulus follows from it: on its own side by series that converge in a few terms, on the other
 //! by the logarithm of the nome.

@@ -40,7 +40,7 @@ impl PreciseQuotients {
         Self { expansion, scale: modulus.turn_scale(), q, factors }
     }
 
-    /// At this many turns of 4K, relatively accurate to about 2⁻⁶⁰; |turns| ≤ 1.
+    /// The functions at a number of turns of 4K, relatively accurate to about 2⁻⁶⁰; |turns| ≤ 1.
     pub fn at(&self, turns: f64) -> PreciseJacobi {
         let quarter = (4.0 * turns).round_ties_even();
         let rest = turns - 0.25 * quarter;

@@ -38,7 +38,7 @@ pub struct ThetaZero {
 }
 
 impl ThetaZero {
-    /// From a nome q ≤ e^−π or a little more.
+    /// The values for a nome q ≤ e^−π or a little more.
     pub fn in_two_words(q: DoubleDouble) -> Self {
         let one = DoubleDouble::ONE;
         let (mut second, mut third, mut fourth) = (one, one, one);
@@ -59,7 +59,7 @@ impl ThetaZero {
 }
 
 impl ThetaZero {
-    /// From a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
+    /// The values for a nome q ≤ e^−π or a little more, to 2⁻⁶⁰.
     #[inline(always)]
     pub fn from_nome(q: DoubleDouble) -> Self {
         let q2 = q.hi * q.hi;
@@ -117,7 +117,7 @@ impl ThetaSeries {
         fast_two_sum(1.0, 2.0 * q4 - 2.0 * (self.q + q4 * q4 * self.q))
     }
 
-    /// From the sine and cosine, or their hyperbolic counterparts, of z.
+    /// The values from the sine and cosine of z, or their hyperbolic counterparts.
     #[inline(always)]
     pub fn at<S: Side>(&self, sine: DoubleDouble, cosine: DoubleDouble) -> ThetaValues {
         self.at_square(sine, cosine, S::SQUARE)
@@ -175,7 +175,7 @@ pub trait Side: Copy {
     const SQUARE: f64;
     /// The sine and cosine, or their hyperbolic counterparts, of z = rest·scale: |rest| ≤ 1/8 turn.
     fn sine_cosine(rest: DoubleDouble, scale: DoubleDouble) -> (DoubleDouble, DoubleDouble);
-    /// θ₂ and θ₄ in the order in which their quotient stands beside θ₁/θ₃.
+    /// θ₂ and θ₄ in the order in which their quotient stands with θ₁/θ₃.
     fn beside(values: &ThetaValues) -> (DoubleDouble, DoubleDouble);
 
     /// The values at the rest of a phase; θ₁ divided by i where z is imaginary.

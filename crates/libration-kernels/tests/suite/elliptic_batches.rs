@@ -66,7 +66,7 @@ fn batches_of_complete_integrals_and_nomes_equal_the_scalar_functions_bit_for_bi
     }
 }
 
-/// Arguments at and beside the quarter periods of a modulus and their halves, at zero, huge and infinite ones.
+/// Arguments at and next to the quarter periods of a modulus and their halves, at zero, huge and infinite ones.
 fn arguments(random: &mut Random, quarter: f64) -> Vec<f64> {
     let quarter = if quarter.is_finite() { quarter } else { 5.0 };
     let mut arguments = vec![0.0, -0.0, 5e-324, 1e-300, 1e20, 1e300, f64::MAX, f64::INFINITY, f64::NAN];

@@ -9,7 +9,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 /// β of small angles in radians that are called degrees is (180/π)² = 3283, and anything above 1000 of no other making; of degrees that are
 /// called radians it is one over that.
 const BETA_OF_RADIANS: f64 = 1000.0;
-/// With the right unit β is 1 within this, or within three of its uncertainties.
+/// Largest deviation of β from 1 with the right unit, unless it is within three of its uncertainties.
 const BETA_OF_A_PENDULUM: f64 = 0.15;
 
 /// A unit of the amplitudes that was mistaken for another one.

@@ -96,7 +96,7 @@ pub enum FitError {
     EqualLengths,
     /// Periods that do not rise with the lengths as those of one kind of pendulum do.
     #[error(
-        "the periods do not follow the lengths as T² = 4π²(L + δ)/g: a rod that is turned about points on both sides of its centre is no simple \
+        "the periods do not follow the lengths as T² = 4π²(L + δ)/g: a rod that is turned about points on both sides of its centre is not a simple \
          pendulum of these lengths"
     )]
     PeriodsWithoutLength,

@@ -90,7 +90,7 @@ impl fmt::Display for PeriodsWarning {
                 let deviation = rounded(beta.deviation_from(1.0), 2);
                 write!(
                     f,
-                    "the exact law is refuted: β = {beta} is {deviation} standard uncertainties from 1. {contradiction}; the \
+                    "the exact law is rejected: β = {beta} is {deviation} standard uncertainties from 1. {contradiction}; the \
                      uncertainty of T₀ includes the difference"
                 )
             }

@@ -41,11 +41,15 @@ impl fmt::Display for Enlargement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ByScatter(ratio) => {
-                write!(f, "± is enlarged {} times: the rows scatter more than stated", rounded(*ratio, 3))
+                write!(
+                    f,
+                    "uncertainties enlarged {} times: the rows scatter more than stated",
+                    rounded(*ratio, 3)
+                )
             }
             Self::WithinChance(ratio) => write!(
                 f,
-                "± includes the Birge ratio {}: the rows scatter as stated, within what their number allows",
+                "uncertainties include the Birge ratio {}: the rows scatter as stated, within what their number allows",
                 rounded(*ratio, 3)
             ),
         }
@@ -56,12 +60,12 @@ impl fmt::Display for Enlargement {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ScatterWarning {
-    /// They scatter more than stated: with right uncertainties one table in a hundred does.
+    /// The rows scatter more than stated, as one table in a hundred does with right uncertainties.
     More {
         /// The Birge ratio.
         ratio: f64,
     },
-    /// They scatter less than stated: with right uncertainties one table in a hundred does.
+    /// The rows scatter less than stated, as one table in a hundred does with right uncertainties.
     Less {
         /// The Birge ratio.
         ratio: f64,
@@ -98,8 +102,8 @@ impl fmt::Display for ScatterWarning {
                  and then belong to {common}"
             ),
             Self::Without => f.write_str(
-                "the rows do not scatter at all, as where they are rounded to steps that are too coarse: an uncertainty by their \
-                 scatter says nothing; give each row one, at least a third of the last digit that is written",
+                "the rows do not scatter at all, as where they are rounded to steps that are too coarse: an uncertainty from their \
+                 scatter means nothing; give each row one, at least a third of the last digit that is written",
             ),
         }
     }

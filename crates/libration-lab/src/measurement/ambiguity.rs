@@ -1,4 +1,4 @@
-//! Commas that may stand between cells or within numbers: told apart where the file does it, refused where it does not.
+//! Commas that may stand between cells or within numbers: distinguished where the file does it, refused where it does not.
 
 use super::MeasurementError;
 use super::choices::{Choice, Suggestion};
@@ -8,7 +8,7 @@ use super::options::ReadOptions;
 use super::sheet::Sheet;
 use super::text::is_blank_or_comment;
 
-/// Refuses a text whose commas mean one thing or another, unless it is said which.
+/// Refuses a text with ambiguous commas, unless their meaning is given.
 pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result<(), MeasurementError> {
     let rows: Vec<&str> = text
         .lines()
@@ -55,7 +55,7 @@ fn commas_between_digits(sheet: &Sheet) -> MeasurementError {
     let line = sheet.lines[0];
     MeasurementError::Undecided {
         question: format!(
-            "from line {line} on, commas stand between whole numbers or are decimal commas: no header tells"
+            "from line {line} on, commas stand between whole numbers or are decimal commas: no header decides"
         ),
         choices: vec![Suggestion::new(Choice::Decimal, "point"), Suggestion::new(Choice::Decimal, "comma")],
     }

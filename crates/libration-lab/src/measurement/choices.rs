@@ -178,7 +178,7 @@ impl Finding {
 impl fmt::Display for Finding {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.choice {
-            Some(choice) => write!(out, "{} ({choice} says otherwise)", self.text),
+            Some(choice) => write!(out, "{} ({choice} overrides it)", self.text),
             None => out.write_str(&self.text),
         }
     }

@@ -25,7 +25,7 @@ pub enum Delimiter {
 }
 
 impl Delimiter {
-    /// In the plural, for sentences.
+    /// The name in the plural, for sentences.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Tab => "tabs",
@@ -146,7 +146,7 @@ impl Dialect {
         best.0
     }
 
-    /// In the order in which they are preferred.
+    /// All delimiters, in the order of preference.
     fn all() -> impl Iterator<Item = Self> {
         let delimiters = [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Comma, Delimiter::Whitespace];
         let marks = [DecimalMark::Point, DecimalMark::Comma];

@@ -2,7 +2,7 @@
 
 use super::choices::{Choice, Suggestion};
 
-/// Reason why a file is not a recording, or lacks the data asked for.
+/// Reason why a file is not a recording, or lacks the data requested.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasurementError {
@@ -38,7 +38,7 @@ pub enum MeasurementError {
     },
     /// A header with another number of names than there are columns.
     #[error(
-        "line {line} names {names} columns, the rows below have {columns}: complete the header, or say that there is none"
+        "line {line} names {names} columns, the rows below have {columns}: complete the header, or specify that there is none"
     )]
     HeaderWidth {
         /// Counted from one.
@@ -50,7 +50,7 @@ pub enum MeasurementError {
     },
     /// Numbers above the first good row.
     #[error(
-        "line {line} is neither a header nor a row of numbers like those below it: correct it, or say which line is the header"
+        "line {line} is neither a header nor a row of numbers like those below it: correct it, or specify the header line"
     )]
     NeitherHeaderNorNumbers {
         /// Counted from one.
@@ -89,10 +89,10 @@ pub enum MeasurementError {
         available: String,
     },
     /// Two columns of this name.
-    #[error("several columns are named `{0}`: ask by number, counted from 1")]
+    #[error("several columns are named `{0}`: give a number, counted from 1")]
     AmbiguousColumn(String),
-    /// No sheet of several has the data asked for; the error is that of the first.
-    #[error("no sheet has what is asked for; `{name}`: {error}")]
+    /// No sheet of several has the data requested; the error is that of the first.
+    #[error("no sheet has the requested columns; `{name}`: {error}")]
     OfSheet {
         /// The sheet.
         name: String,
@@ -104,13 +104,13 @@ pub enum MeasurementError {
     NoSuch {
         /// `sheet` or `run`.
         what: &'static str,
-        /// The name asked for.
+        /// The name requested.
         asked: String,
         /// The names available.
         available: String,
     },
-    /// Not one row is complete in the columns asked for.
-    #[error("none of the {0} rows has a number in every column asked for: ask for other columns")]
+    /// Not one row is complete in the columns requested.
+    #[error("none of the {0} rows has a number in every requested column: give other columns")]
     NothingComplete(usize),
     /// More than any measurement has.
     #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
@@ -121,11 +121,11 @@ pub enum MeasurementError {
         count: usize,
         /// Their place.
         place: String,
-        /// At most.
+        /// Largest number that is allowed.
         limit: usize,
     },
     /// Something that the file does not decide.
-    #[error("{question}: say {}", listed(.choices, &|choice| format!("{choice}=")))]
+    #[error("{question}: give {}", listed(.choices, &|choice| format!("{choice}=")))]
     Undecided {
         /// The open question, with its reason.
         question: String,
@@ -153,7 +153,7 @@ pub enum MeasurementError {
         found: f64,
     },
     /// Positions that do not determine the pivot.
-    #[error("{0}: say where the pivot is with pivot=X,Y")]
+    #[error("{0}: give the position of the pivot as pivot=X,Y")]
     PivotUnknown(String),
     /// Horizontal and vertical positions in different units.
     #[error("the positions are in {x} and in {y}: give both in one unit")]
@@ -166,8 +166,8 @@ pub enum MeasurementError {
     /// Values that are not a trace.
     #[error(transparent)]
     Trace(#[from] super::TraceError),
-    /// A column whose heading says that it holds something else than it is asked for.
-    #[error("{column} holds {found} by its header, where {expected} are needed: ask for other columns")]
+    /// A column whose heading says that it holds something other than requested.
+    #[error("{column} holds {found} by its header, where {expected} are needed: give other columns")]
     HoldsOther {
         /// Its number and name.
         column: String,
@@ -218,8 +218,8 @@ pub enum MeasurementError {
         /// The run, with a colon, or an empty text.
         run: String,
     },
-    /// No row between the times that are asked for.
-    #[error("{run}no row lies between the times asked for: the times run from {first} to {last} s")]
+    /// No row between the times that are requested.
+    #[error("{run}no row lies between the given times: the times run from {first} to {last} s")]
     NothingBetween {
         /// The run, with a colon, or an empty text.
         run: String,
@@ -245,12 +245,12 @@ impl MeasurementError {
     #[must_use]
     pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
         match self {
-            Self::Undecided { question, choices } => format!("{question}: say {}", listed(choices, name)),
+            Self::Undecided { question, choices } => format!("{question}: give {}", listed(choices, name)),
             Self::OfSheet { name: sheet, error } => {
-                format!("no sheet has what is asked for; `{sheet}`: {}", error.message(name))
+                format!("no sheet has the requested columns; `{sheet}`: {}", error.message(name))
             }
             Self::PivotUnknown(why) => {
-                format!("{why}: say where the pivot is with {}X,Y", name(Choice::Pivot))
+                format!("{why}: give the position of the pivot as {}X,Y", name(Choice::Pivot))
             }
             other => other.to_string(),
         }

@@ -43,7 +43,7 @@ impl FittedPivot {
         bits(self) == bits(other)
     }
 
-    /// With these rows only.
+    /// The pivot for these rows only.
     pub(in crate::measurement) fn of_rows(&self, rows: &[usize]) -> Self {
         Self { derivatives: rows.iter().map(|&row| self.derivatives[row]).collect(), ..*self }
     }

@@ -10,7 +10,7 @@ use crate::statistics::lower_median;
 /// The times of a photogate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gates {
-    /// In seconds, in the order of the file.
+    /// Times in seconds, in the order of the file.
     pub times: Vec<f64>,
     /// `true` for each time at which the gate became blocked, where the file says it.
     pub blocked: Option<Vec<bool>>,
@@ -23,7 +23,7 @@ pub struct Gates {
 }
 
 impl Recording {
-    /// The times of a photogate: the column of times, or the only column, with the state of the gate beside it.
+    /// The times of a photogate: the column of times, or the only column, with the state of the gate next to it.
     ///
     /// # Errors
     /// Columns that the file does not decide, cells that are no numbers or states, no time at all, times that go back again and again.
@@ -99,14 +99,14 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let (times, other) = (sheet.describe(time), sheet.describe(other));
     Err(MeasurementError::Undecided {
         question: format!(
-            "{times} stands beside {other} as in a trace of a swing, whose times are no passages of a gate; if these are"
+            "{times} stands next to {other} as in a trace of a swing, whose times are not passages of a gate; if these are"
         ),
         choices: vec![Suggestion::new(Choice::Time, (time + 1).to_string())],
     })
 }
 
 /// Samples come with steps that are alike to a hundredth. The passages of a gate do too where it stands at the centre and the
-/// amplitude stays: it takes another column beside them to ask.
+/// amplitude stays: it takes another column next to them to ask.
 fn has_even_steps(times: &[f64]) -> bool {
     let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let Some(usual) = lower_median(steps.clone()).filter(|_| steps.len() > 2) else { return false };

@@ -6,7 +6,7 @@
 //!
 //! [`Recording::traces`] and [`Recording::gate_times`] tell from these what was measured. Each guess is a [`Finding`], and [`Choices`]
 //! override it. What a file does not decide is refused with the choices that would. Every complaint names its line.
-//! [`Table`] is for columns that are asked for by name or number; each has a [`Role`], which its heading may contradict.
+//! [`Table`] is for columns that are requested by name or number; each has a [`Role`], which its heading may contradict.
 //!
 //! # Method
 //! Bytes become pages of text (`container`): a text file is one page, each worksheet and each file of an archive another. A page becomes a sheet:

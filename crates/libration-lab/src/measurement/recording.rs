@@ -125,7 +125,7 @@ impl Recording {
 }
 
 fn several_sheets<'a>(names: impl Iterator<Item = &'a String>) -> MeasurementError {
-    let question = "several sheets have what is asked for".to_owned();
+    let question = "several sheets have the requested columns".to_owned();
     MeasurementError::Undecided {
         question,
         choices: names.map(|name| Suggestion::new(Choice::Sheet, name)).collect(),

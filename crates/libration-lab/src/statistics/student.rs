@@ -25,7 +25,7 @@ pub fn probability_beyond(t: f64, dof: usize) -> f64 {
     (1.0 - inside).clamp(0.0, 1.0)
 }
 
-/// From here on the quantile is the normal one with its first correction: the next is below 1e-8.
+/// Degrees of freedom from which the quantile is the normal one with its first correction: the next is below 1e-8.
 const MANY: f64 = 1e4;
 
 /// The t that |t| exceeds with this probability. Degrees of freedom are cut down to a whole number (Guide to the Expression of

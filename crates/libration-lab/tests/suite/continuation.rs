@@ -1,4 +1,4 @@
-//! Fitted swings that go on after their last row, beside the true motion.
+//! Fitted swings that go on after their last row, compared with the true motion.
 
 use libration::watch::Watch;
 

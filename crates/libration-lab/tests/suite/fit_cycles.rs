@@ -372,8 +372,8 @@ fn with_memory(trace: &Trace, memory: f64, random: &mut Random) -> Trace {
     changed(trace, |row, value| Some(value + errors[row]))
 }
 
-/// Some 38 cycles that share passages: χ² per degree of freedom of one trace scatters by 0.25 or so, of which the bars heed
-/// what is above 1.
+/// About 38 cycles that share passages: χ² per degree of freedom of one trace scatters by about 0.25, and the uncertainties are enlarged
+/// where it is above 1.
 #[test]
 fn bars_of_cycles_heed_noise_that_remembers() {
     let exact = Synthetic { linear: 0.01, ..Synthetic::USUAL }.trace(&mut Random::seeded(0));

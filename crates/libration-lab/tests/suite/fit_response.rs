@@ -82,7 +82,7 @@ fn exact_sweeps_give_their_parameters_back() {
 fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
     let off: Vec<f64> = values(fit).iter().zip(truth).map(|(found, truth)| found - truth).collect();
     let size = off.len();
-    // Gauss's elimination of the covariance beside the differences.
+    // Gauss's elimination of the covariance with the differences.
     let mut rows: Vec<Vec<f64>> = (0..size).map(|i| [&fit.covariance[i][..], &[off[i]]].concat()).collect();
     for pivot in 0..size {
         for below in pivot + 1..size {

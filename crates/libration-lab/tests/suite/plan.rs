@@ -50,7 +50,7 @@ fn the_noise_counts_as_in_fits() {
         let (omega0, uncertainty) = fitted(synthetic.trace(&mut random));
         let expected = recording.expected(&amplitude, swings).noise / 2.0;
         let found = uncertainty / omega0;
-        // The scatter of so many rows is itself uncertain by some percent.
+        // The scatter of this number of rows is itself uncertain by some percent.
         assert!((expected / found - 1.0).abs() < 0.1, "{synthetic:?}: {expected} is not {found}");
     }
 }

@@ -146,7 +146,7 @@ fn counts_become_turns_and_jumps_are_taken_out() {
     let refused = traces(&file, &Choices::default()).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        "the unit of column 3 (`angle`) is not given: say unit=rad or deg or counts-per-turn=4000"
+        "the unit of column 3 (`angle`) is not given: give unit=rad or deg or counts-per-turn=4000"
     );
     let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
     let values = found.traces[0].values();
@@ -218,7 +218,7 @@ fn a_file_without_a_header_says_what_must_be_said() {
     let file = "0.03 -1.148 0.1\n0.06 -1.159 0.2\n0.10 -1.204 0.1\n";
     let refused = traces(file, &Choices::default()).unwrap_err().to_string();
     assert!(
-        refused.ends_with("column 2, column 3: say angle=2 or 3 and unit=rad or deg, or x=2 and y=3"),
+        refused.ends_with("column 2, column 3: give angle=2 or 3 and unit=rad or deg, or x=2 and y=3"),
         "{refused}"
     );
     let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
@@ -276,7 +276,7 @@ fn times_with_three_significant_digits_are_the_even_times_they_come_from() {
         let trace = &found.traces[0];
         assert_eq!(trace.len(), 1650);
         assert!(
-            told(&found).contains("with 3 significant digits (times-as-written says otherwise)"),
+            told(&found).contains("with 3 significant digits (times-as-written overrides it)"),
             "{}",
             told(&found)
         );
@@ -343,7 +343,7 @@ fn one_time_out_of_order_costs_one_row_and_a_clock_set_back_cuts_the_run() {
     let found = traces(&set_back, &Choices::default()).unwrap();
     assert_eq!(found.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
     assert_eq!([found.traces[0].name(), found.traces[1].name()], ["run 1", "run 2"]);
-    assert!(told(&found).contains("line 152: the time goes back and begins anew: cut there into 2 runs"));
+    assert!(told(&found).contains("line 152: the time goes back and restarts: cut there into 2 runs"));
     let second = traces(&set_back, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
     assert_eq!(second.traces, found.traces[1..]);
     for run in ["3", "Anna"] {
@@ -435,7 +435,7 @@ fn degrees_under_a_header_of_radians_are_doubted_at_once() {
     };
     let doubtful = |header: &str, degrees: f64| {
         told(&traces(&swing(header, degrees), &Choices::default()).unwrap())
-            .contains("these are degrees (unit says otherwise)")
+            .contains("these are degrees (unit overrides it)")
     };
     assert!(doubtful("θ (rad)", 47.3));
     assert!(!doubtful("θ (deg)", 47.3) && !doubtful("θ (rad)", 2.9));
@@ -545,7 +545,7 @@ fn samples_of_a_swing_are_no_times_of_a_gate() {
     let gates = |file: &str, choices: &Choices| recording(file.as_bytes()).gate_times(choices);
     let swing = timed(|_, time| time);
     let refused = gates(&swing, &Choices::default()).unwrap_err();
-    assert!(refused.to_string().ends_with("if these are: say time=1"), "{refused}");
+    assert!(refused.to_string().ends_with("if these are: give time=1"), "{refused}");
     let unnamed = gates(&swing.replace("Angle (rad)", "channel A"), &Choices::default());
     assert!(matches!(unnamed, Err(MeasurementError::Undecided { .. })));
     let said = Choices { time: Some(Column::Number(1)), ..Choices::default() };

@@ -310,7 +310,7 @@ fn windows_of_three_swings_take_all_residuals_for_noise() {
     let found = found_in(&trace);
     assert_eq!(found.windows.len(), 1);
     for harmonic in &found.harmonics {
-        // 0.5·cos² of 370 rows; the constant and the first have more columns beside them.
+        // 0.5·cos² of 370 rows; the constant and the first have more columns next to them.
         let uncertainty = harmonic.in_phase.uncertainty / (1e-3 * (2.0_f64 / 370.0).sqrt());
         assert!((0.5..4.0).contains(&uncertainty), "{harmonic:?}");
         assert!(

@@ -8,7 +8,7 @@ use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, EquationError, Expression};
 use libration_numbers::watch::{Stage, Watch};
 
-/// Equations with one parameter that is varied, and what is looked at.
+/// Equations with one varied parameter, and the section of their motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Family<'a> {
     /// The equations, with values for all other parameters.
@@ -50,7 +50,7 @@ pub enum DiagramError {
     #[error(transparent)]
     Section(#[from] SectionError),
     /// A value that is not finite.
-    #[error("the parameter cannot have the value {0:?}: give finite ones")]
+    #[error("the parameter value {0:?} is not finite: give finite values")]
     Value(f64),
 }
 
@@ -84,7 +84,7 @@ pub fn bifurcation_diagram(
     bifurcation_diagram_watched(family, values, start, continuation, effort, &Watch::none())
 }
 
-/// The columns as [`bifurcation_diagram`] gives them; `watch` is asked at each step of each motion, and told how many columns are
+/// The columns as [`bifurcation_diagram`] gives them; `watch` is checked at each step of each motion, and receives the number of columns
 /// done. Where it stops the columns that are complete are given.
 ///
 /// # Errors

@@ -13,7 +13,7 @@ use libration_numbers::watch::{Stage, Watch};
 /// The condition under which a state of the motion is recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Section {
-    /// Once in each period of what drives the motion.
+    /// One point in each period of the drive.
     Stroboscope {
         /// The period; that of [`drive_period`] if none is given.
         period: Option<f64>,
@@ -78,7 +78,7 @@ pub enum SectionEnding {
     #[error("the motion no longer crosses the surface")]
     NoCrossing,
     /// The motion has never crossed the surface.
-    #[error("the motion never crosses the surface, as far as it was followed")]
+    #[error("the motion does not cross the surface in the time over which it was followed")]
     NeverCrossed,
 }
 
@@ -139,7 +139,7 @@ pub fn section(
     section_watched(equation, start, section, points, effort, &Watch::none())
 }
 
-/// The points as [`section`] gives them; `watch` is asked at each step. Where it stops the points until then are given, with
+/// The points as [`section`] gives them; `watch` is checked at each step. Where it stops the points until then are given, with
 /// [`Cause::Interrupted`].
 ///
 /// # Errors

@@ -26,7 +26,7 @@ pub fn angles(equation: &Equation) -> Vec<bool> {
     equation.variables().iter().map(is_angle).collect()
 }
 
-/// For each coordinate, whether nothing in the equations depends on it.
+/// `true` for each coordinate on which nothing in the equations depends.
 pub(super) fn cyclic(equation: &Equation) -> Vec<bool> {
     equation.variables().iter().map(|name| !occurs(equation, &Symbol::plain(name))).collect()
 }

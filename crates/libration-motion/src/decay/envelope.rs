@@ -76,7 +76,7 @@ impl<'a> DecayEnvelope<'a> {
         time / self.decay.pendulum.angular_frequency()
     }
 
-    /// The further fall in a panel that takes so much time, by Newton's rule; `whole` is the time of the panel.
+    /// The further fall in a panel during `time`, by Newton's method; `whole` is the time of the panel.
     fn part(&self, fall: f64, time: f64, whole: f64) -> f64 {
         /// Four are usual, as the error is squared; more where the step was clamped to the panel.
         const MOST: usize = 40;

@@ -23,7 +23,7 @@ pub enum DecayError {
         /// The power of the velocity it stands before.
         exponent: f64,
     },
-    /// More powers than anybody needs.
+    /// More powers than are supported.
     #[error("damping with {0} different powers of the velocity: give at most {most}", most = MOST_TERMS)]
     TooManyTerms(usize),
     /// Coefficients that are all zero.

@@ -35,7 +35,7 @@ pub struct Frame {
 /// The duration of a swing and the amplitude at its end, or why it has none.
 pub(super) type Turn = Result<(f64, Amplitude), DecayEnding>;
 
-/// A swing that takes longer than this, beside the half period without damping, is none.
+/// Longest swing, in half periods without damping; a longer one is not a swing.
 const LONGEST: f64 = 1e3;
 /// Far below the last digit, so that a swing errs by the rounding of its steps alone.
 pub const EFFORT: Effort = Effort { relative: 1e-17, absolute: 0.0, most_steps: 20_000 };

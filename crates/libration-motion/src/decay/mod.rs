@@ -11,7 +11,7 @@
 //! use libration::decay::{Damping, Decay, EnvelopeLaw};
 //! use libration::pendulum::Pendulum;
 //!
-//! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law beside it.
+//! // A metre of thread, viscous damping, released from 60°: the amplitude after each half swing, and the averaged law next to it.
 //! let pendulum = Pendulum::new(1.0, 9.80665)?;
 //! let decay = Decay::new(pendulum, Damping::of_degree(1.0, 0.02)?, "60deg".parse()?)?;
 //! for turning_point in decay.swings().take(10) {

@@ -13,7 +13,7 @@ pub(super) struct Passage {
 /// distance that is 1e-10 as large.
 const SLOW: f64 = 1e-5;
 
-/// From rest to a small speed, which is returned too.
+/// The passage from rest to a small speed, which is returned too.
 pub(super) fn departure(gravity: f64, damping: &Damping) -> (Passage, f64) {
     let mut speed = SLOW * gravity;
     while damping.at(speed) > 0.5 * gravity {
@@ -27,7 +27,7 @@ pub(super) fn is_close(speed: f64, gravity: f64) -> bool {
     speed <= SLOW * gravity
 }
 
-/// From a small speed to rest.
+/// The passage from a small speed to rest.
 pub(super) fn arrival(speed: f64, gravity: f64, damping: &Damping) -> Passage {
     passage(speed, |velocity| gravity + damping.at(velocity))
 }

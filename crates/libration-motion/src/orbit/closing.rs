@@ -138,7 +138,7 @@ impl Round {
         sizes.map(|size| if size > 0.0 { size } else { 1.0 }).collect()
     }
 
-    /// Between the largest and the least value of each number at the ends of the steps.
+    /// The range of each state component at the ends of the steps.
     fn ranges(&self, numbers: usize) -> Vec<f64> {
         let states: Vec<Vec<f64>> = self.path.states().collect();
         let range = |number: usize| {

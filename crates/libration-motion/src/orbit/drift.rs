@@ -1,4 +1,4 @@
-//! Weak limit cycles, to which a motion drifts by less in a turn than tells it from a cycle: x″ = μ(1 − x²)x′ − x with a small μ.
+//! Weak limit cycles, to which a motion drifts by less in a turn than distinguishes it from a cycle: x″ = μ(1 − x²)x′ − x with a small μ.
 //!
 //! Newton's method from such a turn leads to the rest that the motion leaves, where the growth of deviations is still the larger one. The
 //! drift of one turn is the slope of a slow motion, which is followed in leaps of many turns until Newton's method leads to the cycle.

@@ -122,7 +122,7 @@ pub enum NoOrbit {
     },
     /// An orbit whose neighbours close as well, within rounding errors.
     #[error(
-        "closed orbits near the start cannot be told apart in double precision: neighbouring motions close as well, and the start is known to \
+        "closed orbits near the start cannot be distinguished in double precision: neighbouring motions close as well, and the start is known to \
          {0:.0e} of its size only"
     )]
     Undetermined(f64),
@@ -151,13 +151,13 @@ pub enum Lost {
     #[error("{0}")]
     Stopped(IntegrationError),
     /// Rest that is approached for ever, or a way out without end.
-    #[error("it keeps moving in one direction as far as it was followed, to t = {0:?}")]
+    #[error("it has no turning point before t = {0:?}")]
     OneWay(f64),
     /// Rest.
     #[error("it comes to rest at an equilibrium")]
     Rest,
     /// Motion along a jump of the force on both sides of which the force leads back, as of a mass that sticks to a moving belt.
-    #[error("it sticks or slides along a jump of the force from t = {0:?}, which is not followed")]
+    #[error("it sticks or slides at a jump of the force from t = {0:?} on, which is not computed")]
     Sticks(f64),
     /// Newton's method that ends at a rest to which the motion does not come.
     #[error(

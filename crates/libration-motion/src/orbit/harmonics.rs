@@ -29,9 +29,9 @@ impl Harmonic {
 pub struct Harmonics {
     /// The harmonics from n = 0 to the last one that exceeds the rounding errors.
     pub terms: Vec<Harmonic>,
-    /// No harmonic that is left out is larger, as the last quarter of those that the samples tell apart suggests.
+    /// No harmonic that is left out is larger, as the last quarter of those that the samples distinguish suggests.
     pub remainder: f64,
-    /// The error of each coefficient: twice that of the states, and what the sums round.
+    /// The error of each coefficient: twice that of the states, and the rounding of the sums.
     pub error: f64,
     /// Number of times in a period at which the orbit was sampled.
     pub samples: usize,
@@ -45,8 +45,8 @@ const NEGLIGIBLE: f64 = 2e-16;
 impl Orbit {
     /// The harmonics of one number of the state, as many as its period shows in double precision.
     ///
-    /// Samples are doubled until the last quarter of the harmonics they tell apart vanishes beside the largest: then what the
-    /// sums gather from higher ones is smaller still.
+    /// Samples are doubled until the last quarter of the harmonics they distinguish vanishes compared with the largest: then what the sums
+    /// gather from higher ones is smaller still.
     ///
     /// # Accuracy
     /// As [`error`](Harmonics::error) says, and what [`remainder`](Harmonics::remainder) says of higher ones.

@@ -1,4 +1,4 @@
-//! A periodic orbit and what it is asked for.
+//! A periodic orbit and its properties.
 
 use super::path::Path;
 use crate::periodic::Floquet;
@@ -69,8 +69,7 @@ impl Orbit {
         self.path.end_time() - self.path.start_time()
     }
 
-    /// The period may be wrong by so much: by how far integrations with other steps are off, the orbit misses its own start,
-    /// and sums are rounded.
+    /// Bound on the error of the period, from integrations with other steps, the closing error of the orbit, and the rounding of sums.
     #[must_use]
     pub fn period_uncertainty(&self) -> f64 {
         self.uncertainty

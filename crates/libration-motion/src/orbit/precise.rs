@@ -23,7 +23,7 @@ struct State {
     velocity: BigFloat,
 }
 
-/// The position as a polynomial of the time, with what the velocity has beyond it.
+/// Position and velocity as power series in the time.
 struct Series {
     x: Vec<BigFloat>,
     velocity: Vec<BigFloat>,
@@ -41,7 +41,7 @@ pub struct HalfPeriod {
 /// The reason why there is no such motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoHalfPeriod {
-    /// It comes so near an equilibrium that these bits do not tell what it does there.
+    /// The motion comes so near an equilibrium that its continuation is not determined with these bits.
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
     Lost(f64),
@@ -191,7 +191,7 @@ impl Nearness {
         if near { Err(NoHalfPeriod::Undecided) } else { Ok(()) }
     }
 
-    /// At the end it is known how small the first acceleration was.
+    /// Concludes the check at the end, where the size of the first acceleration is known.
     fn conclude(&self, precision: usize) -> Result<(), NoHalfPeriod> {
         let parts = self.first.zip(self.acceleration);
         let near = parts.is_none_or(|(first, largest)| first - largest < -limit(precision));

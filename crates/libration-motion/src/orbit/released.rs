@@ -253,7 +253,7 @@ impl<'a> Release<'a> {
         Ok(Around { full, half })
     }
 
-    /// From rest to the next rest.
+    /// Integrates the motion from rest to the next rest.
     fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, NoOrbit> {
         /// Distance beyond which a motion that has not turned moves one way for good: any noticeable force turns a motion within the square root of
         /// the largest number.

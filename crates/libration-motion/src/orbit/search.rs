@@ -123,7 +123,7 @@ impl OrbitSearch {
             Some(orbit) => Ok((OrbitKind::Family, orbit)),
             None if self.conserves_energy => near(&[start, family]),
             None => match near(&[start]) {
-                // Of an isolated cycle the period is known, as it is not where it is no number.
+                // An isolated cycle has a well-determined period; NaN fails the comparison.
                 Ok(found) if found.1.period_uncertainty() <= OPEN * found.1.period() => Ok(found),
                 Ok(_) => near(&[start, family]),
                 Err(NoOrbit::Undetermined(_)) => near(&[start, family]),

@@ -86,7 +86,7 @@ const MOST_ROUNDS: usize = 40;
 const LARGEST_CHANGE: f64 = 0.3;
 /// While an orbit misses its start by less than this part of its size, and rounds no longer halve it, nothing more is to be gained.
 const NEARLY_CLOSED: f64 = 1e-10;
-/// An orbit whose start is known to no more than this part of its size is not told apart from its neighbours.
+/// An orbit whose start is known to no more than this part of its size is not distinguished from its neighbours.
 const UNDETERMINED: f64 = 0.01;
 
 /// An orbit that shrinks to this part of the guess is an equilibrium: all rounds have made it as small as they may, 0.7⁴⁰ = 6e-7.
@@ -266,8 +266,8 @@ impl<'a> Newton<'a> {
         end.map(|size| f64::EPSILON * size).collect()
     }
 
-    /// The part of its norm by which the monodromy matrix may be off: as another integration tells, and as the error of the start changes it, by its
-    /// own size over that of the orbit.
+    /// The error of the monodromy matrix relative to its norm: from the difference of another integration, and from the error of the start
+    /// relative to the size of the orbit.
     fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
         let norm = |matrix: &dyn Fn(usize, usize) -> f64| {
             let entries = (0..start.len()).flat_map(|i| (0..start.len()).map(move |j| (i, j)));

@@ -187,7 +187,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         expansion_parameter: None,
         description: "the pendulum at imaginary angles: its series are the pendulum's with the signs of A^2 changed",
         domain: "all amplitudes; the series converge below pi",
-        source: "no single source: the pendulum's equation with i*theta in the place of theta",
+        source: "no single source: the pendulum's equation with i*theta in place of theta",
     },
     NamedOscillator {
         key: "morse",
@@ -284,7 +284,7 @@ pub(super) static CATALOGUE: [NamedOscillator; 20] = [
         equation: "x'' - mu*(x' - x'^3) + x = 0",
         parameters: MU,
         expansion_parameter: Some("mu"),
-        description: "the same with the amplitude in other units: near 2/sqrt(3), which is no fraction",
+        description: "the same with the amplitude in other units: near 2/sqrt(3), which is irrational",
         domain: "the limit cycle, by powers of mu",
         source: "Lord Rayleigh, Phil. Mag. 15, 229 (1883), scaled without the third",
     },

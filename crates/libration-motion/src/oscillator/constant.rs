@@ -39,7 +39,7 @@ impl Constant {
         }
     }
 
-    /// To [`PRECISION`] bits.
+    /// The constant to [`PRECISION`] bits.
     #[doc(hidden)]
     pub fn digits(&self) -> BigFloat {
         match self {

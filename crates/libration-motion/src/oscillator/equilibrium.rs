@@ -73,7 +73,7 @@ fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
         let fits = simplest.bits() <= LONGEST_FRACTION && vanishes_at(force, &simplest);
         fits.then_some(Constant::Exact(simplest))
     };
-    // A multiple zero is no place for Newton's method, but may be a fraction of few digits.
+    // A multiple zero is not a case for Newton's method, but may be a fraction of few digits.
     if let Some(simple) = fraction(&BigFloat::from_f64(near, PRECISION)?, 30) {
         return Some(simple);
     }

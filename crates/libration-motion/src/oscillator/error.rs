@@ -61,15 +61,15 @@ pub enum OscillatorError {
         parameter: String,
     },
     /// A force without values.
-    #[error("the acceleration at rest has no value at any place looked at, from -{SEARCHED} to {SEARCHED}")]
+    #[error("the acceleration at rest has no value at any position tried, from -{SEARCHED} to {SEARCHED}")]
     NoValues,
     /// A force that vanishes nowhere.
     #[error("there is no equilibrium to oscillate about: the acceleration at rest never passes through zero")]
     NoEquilibrium,
     /// A force that was not seen to vanish.
     #[error(
-        "no equilibrium is found: from -{SEARCHED} to {SEARCHED}, where one is looked for, the acceleration at rest does not \
-         pass through zero; if there is one further out, give it, such as {}",
+        "no equilibrium was found: the acceleration at rest does not pass through zero from -{SEARCHED} to {SEARCHED}, the \
+         range of the search; if there is one further out, give it, such as {}",
         2.0 * SEARCHED
     )]
     NotFound,

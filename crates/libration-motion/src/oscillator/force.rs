@@ -120,7 +120,7 @@ impl<'a> Curve<'a> {
         ring.rational(&1.into()).is_some_and(|one| jet.extend(&[one]).is_ok())
     }
 
-    /// In the precision of the place.
+    /// The force at a position, in the precision of the position.
     pub(super) fn precisely_at(&self, x: &BigFloat) -> Option<BigFloat> {
         self.value(&Floats { precision: x.precision() }, x.clone())
     }

@@ -1,4 +1,4 @@
-//! The oscillators that can be asked for by name.
+//! The oscillators that can be requested by name.
 
 use super::{Oscillator, OscillatorError};
 use libration_numbers::expression::{Equation, EquationError, Expression};
@@ -17,7 +17,7 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct NamedOscillator {
-    /// The name it is asked for by.
+    /// The name by which it is requested.
     pub key: &'static str,
     /// Other names for it.
     pub also: &'static [&'static str],

@@ -97,7 +97,7 @@ pub(super) fn value_of(ring: &LaurentPolynomials, formula: &Expression) -> Optio
     (!value.is_beyond_limit()).then_some(value)
 }
 
-/// This name, or one made of it that is not among others.
+/// The name, or one derived from it that is not in use.
 pub(super) fn free_name(name: &str, others: &[String]) -> String {
     let mut free = name.to_owned();
     while others.contains(&free) {

@@ -11,7 +11,7 @@ use libration_numbers::{
 /// The direction of a force next to a place where it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tendency {
-    /// Back to the place, from both sides.
+    /// Force back to the position from both sides.
     Back,
     /// Away from it, on both sides.
     Away,
@@ -26,7 +26,7 @@ pub enum Tendency {
 #[non_exhaustive]
 pub enum Roughness {
     /// No real values on one side.
-    #[error("it has no value {0} the place")]
+    #[error("it has no value {0} this position")]
     Edge(&'static str),
     /// Values that do not come near zero.
     #[error("it jumps")]
@@ -48,7 +48,7 @@ pub enum Roughness {
         /// −∂F/∂x.
         omega0_squared: String,
     },
-    /// Anything else.
+    /// Another lack of smoothness.
     #[error("it is not smooth")]
     Other,
 }
@@ -68,8 +68,8 @@ pub(super) struct Neighbourhood<'a> {
     at: &'a Constant,
 }
 
-/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power
-/// is too weak there to be told from the rounding of [`PRECISION`] bits.
+/// Distances, as powers of two, at which the direction of a force is looked at: small, unless a force of a high power is too weak there to
+/// be distinguished from the rounding of [`PRECISION`] bits.
 const TRIED: [usize; 3] = [40, 20, 8];
 /// Forces of fewer than two to this power may be rounding.
 const NOISE: isize = -460;
@@ -95,7 +95,7 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// The sign of the force; zero where it is not told from zero.
+    /// The sign of the force; zero where it is not distinguished from zero.
     fn sign(&self, side: Towards, n: usize) -> Option<i8> {
         let sign = |positive: bool| if positive { 1 } else { -1 };
         match self.value(side, n)? {
@@ -192,7 +192,7 @@ fn step(side: Towards, n: usize) -> Rational {
     if side == Towards::Below { -distance } else { distance }
 }
 
-/// To nine digits, or both nothing.
+/// Returns `true` if two numbers agree to nine digits, or both are negligible.
 fn agree(a: &BigFloat, b: &BigFloat) -> bool {
     let gap = size(&(a.clone() - b.clone()));
     gap <= 1e-9 * size(a).max(size(b)) || size(a).max(size(b)) < 1e-9

@@ -44,7 +44,7 @@ impl Sides {
     }
 }
 
-/// The slope at zero of what is analytic there and vanishes, when both are proved.
+/// The slope at zero of a formula that is proved to be analytic and to vanish there; otherwise `None`.
 fn slope_from_rest(side: &Expression, x: &Symbol) -> Option<Rational> {
     let (zero, digits) = (Rational::from(0), Floats { precision: PRECISION });
     side.taylor_series(&digits, x, &digits.zero(), MOST_DERIVATIVES)?;

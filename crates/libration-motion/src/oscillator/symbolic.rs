@@ -253,7 +253,7 @@ pub enum SymbolicOscillatorError {
     Oscillator(#[from] OscillatorError),
     /// A case that values may remedy.
     #[error(
-        "no value is given for {}: give one, such as {}=0.1; letters allow no expansion about {variable} = {at}, because {reason}",
+        "no value is given for {}: give one, such as {}=0.1; a symbolic expansion about {variable} = {at} does not exist, because {reason}",
         names.join(", "),
         names.first().map_or("mu", String::as_str)
     )]
@@ -300,15 +300,15 @@ impl fmt::Display for NoSymbolicExpansion {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSeries => formatter.write_str(
-                "not all coefficients of the acceleration by powers of the displacement are sums of products of letters, their powers and roots",
+                "not all coefficients of the acceleration by powers of the displacement are sums of products of symbols, their powers and roots",
             ),
             Self::NotAtRest { acceleration } => write!(
                 formatter,
-                "the acceleration there is {acceleration}, which is not zero for all values: name the equilibrium as a formula of the letters"
+                "the acceleration there is {acceleration}, which is not zero for all values: give the equilibrium as a formula in the symbols"
             ),
             Self::NoLinearPart => formatter.write_str("omega0^2 is 0: the restoring force has no linear part"),
             Self::Unstable { omega0_squared } => {
-                write!(formatter, "omega0^2 = {omega0_squared} is negative where the letters are positive")
+                write!(formatter, "omega0^2 = {omega0_squared} is negative for positive symbols")
             }
             Self::Damped { damping } => {
                 write!(formatter, "the acceleration contains {damping} times the velocity")

@@ -8,7 +8,8 @@
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};
 
-/// The Floquet multipliers of a periodic orbit: the eigenvalues of its monodromy matrix, which maps a deviation to what it is one period later.
+/// The Floquet multipliers of a periodic orbit: the eigenvalues of its monodromy matrix, which maps a deviation to the deviation one period
+/// later.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Floquet {
     /// The multipliers by descending magnitude.

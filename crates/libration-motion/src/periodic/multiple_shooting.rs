@@ -26,7 +26,7 @@ pub struct Nodes {
     pub further: Vec<f64>,
 }
 
-/// The units of an orbit, what its end is ahead of its start, and the conditions that single it out.
+/// The units of an orbit, the displacement of its end from its start, and the conditions that select it.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The units of the components of a state, then those of the further unknowns.

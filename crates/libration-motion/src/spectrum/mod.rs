@@ -26,10 +26,10 @@ use std::f64::consts::TAU;
 
 /// The amplitude of the oscillations of each frequency in a motion.
 ///
-/// The values are weighted by Kaiser's window (Kaiser and Schafer, IEEE Trans. ASSP 28, 105, 1980), so that an oscillation
-/// a·cos(ωt + φ) makes a line of height a, as wide as [`Self::resolution`] says, and beyond it less than
-/// [`Self::SIDE_LOBES`] times a. Oscillations nearer to each other, or to frequency zero, are not told apart. A mean value is the
-/// height at zero. What grows without bound, such as the angle of a rotation, has no spectrum: take its velocity.
+/// The values are weighted by Kaiser's window (Kaiser and Schafer, IEEE Trans. ASSP 28, 105, 1980), so that an oscillation a·cos(ωt + φ)
+/// makes a line of height a, as wide as [`Self::resolution`] says, and beyond it less than [`Self::SIDE_LOBES`] times a. Oscillations
+/// nearer to each other, or to frequency zero, are not distinguished. A mean value is the height at zero. What grows without bound, such as
+/// the angle of a rotation, has no spectrum: take its velocity.
 #[derive(Clone, Debug)]
 pub struct Spectrum {
     weighted: Vec<f64>,
@@ -55,9 +55,9 @@ pub enum NoSpectrum {
         "the motion is not known from {from:?} s to {until:?} s: give times within it, the earlier one first"
     )]
     NotKnown {
-        /// The first time asked for.
+        /// The first requested time, in seconds.
         from: f64,
-        /// The last.
+        /// The last requested time, in seconds.
         until: f64,
     },
     /// Values that move from one end to the other more than they swing, such as the angle of a rotation.
@@ -67,7 +67,7 @@ pub enum NoSpectrum {
     Trend {
         /// The first value.
         first: f64,
-        /// The last.
+        /// The last value.
         last: f64,
     },
     /// Oscillations that are faster than the values can show.

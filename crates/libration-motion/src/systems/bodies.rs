@@ -7,7 +7,7 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// The bodies of a system in the vertical plane, with what they hang on: what it takes to draw it.
+/// The bodies of a system in the vertical plane and their supports, for drawing.
 ///
 /// # Examples
 /// ```

@@ -148,7 +148,7 @@ pub struct EnergyAccount {
 pub struct EnergyBalance<'a> {
     energy: &'a Energy,
     jet: Option<Jet<'a, Doubles>>,
-    /// The energy of the first state by its formula, once it was asked for.
+    /// The energy of the first state by its formula, once it was requested.
     at_start: Option<f64>,
     account: EnergyAccount,
 }
@@ -167,7 +167,7 @@ impl EnergyBalance<'_> {
         account.largest_kinetic = larger_or_nan(account.largest_kinetic, kinetic);
     }
 
-    /// Takes down what follows from the start again, as in a motion that goes both ways.
+    /// Returns the balance to the start, as in a motion that goes both ways.
     pub fn return_to_start(&mut self) {
         self.account.last.clone_from(&self.account.start);
         self.account.potential = [0.0; 2];

@@ -16,22 +16,22 @@ pub enum ModelError {
         oscillators: Vec<String>,
     },
     /// A power of the velocity that grows without bound at rest.
-    #[error("n = {value} is no power of a velocity: give a number of 0 or more")]
+    #[error("n = {value} is not a power of a velocity: give a number of 0 or more")]
     NegativePower {
         /// The power.
         value: String,
     },
     /// A broken power of a velocity that has either sign.
     #[error(
-        "n = {value} is not a whole number, and a velocity below zero has no such power: give a whole number, or take damped_pendulum, which \
-         has powers of the size of the velocity"
+        "n = {value} is not a whole number, and a velocity below zero has no such power: give a whole number, or use damped_pendulum, which has \
+         powers of the magnitude of the velocity"
     )]
     NotWhole {
         /// The power.
         value: String,
     },
     /// Three and a half masses.
-    #[error("{name} = {value} is no number of bodies: give a whole number from 1 to {most}")]
+    #[error("{name} = {value} is not a number of bodies: give a whole number from 1 to {most}")]
     NotACount {
         /// The parameter.
         name: &'static str,
@@ -57,7 +57,7 @@ pub enum NoEnergy {
     },
     /// A force that depends on velocities or the time.
     #[error(
-        "the force on {coordinate} depends on {on}: an energy is found for forces of the coordinates only"
+        "the force on {coordinate} depends on {on}: an energy is found only for forces that depend on the coordinates alone"
     )]
     NotOfPlace {
         /// The coordinate.
@@ -67,7 +67,7 @@ pub enum NoEnergy {
     },
     /// Forces with a curl.
     #[error(
-        "the forces have no potential that could be proved: that on {first} changes with {second} differently from that on {second} with {first}"
+        "no potential of the forces could be proved: that on {first} changes with {second} differently from that on {second} with {first}"
     )]
     Curl {
         /// One coordinate.
@@ -79,6 +79,6 @@ pub enum NoEnergy {
     #[error(transparent)]
     WithoutValue(#[from] WithoutValue),
     /// An equation of the first order.
-    #[error("the equation for {variable}' is of the first order: an energy is found for accelerations only", variable = .0.variable)]
+    #[error("the equation for {variable}' is of the first order: an energy is found only for equations of the second order", variable = .0.variable)]
     NotSecondOrder(#[from] NotSecondOrder),
 }

@@ -282,7 +282,7 @@ fn filled<'a>(
         values.push((plain(name), value.clone()));
     }
     for name in open {
-        // Refuses what is no parameter, or has a value already.
+        // Refuses a name that is not a parameter, or has a value already.
         equation.with(&[given, &[(*name, Expression::from(1))]].concat())?;
     }
     let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
@@ -316,7 +316,7 @@ fn with_values(formula: Expression, values: &[(String, Expression)]) -> Expressi
     values.iter().fold(formula, put_in).simplified()
 }
 
-/// For each variable of the equations the coordinate of its family, `x[i]` for x1, with its own name.
+/// The coordinate of each variable of the equations: that of its family, `x[i]` for x1, with its own name.
 fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
     let of = |name: &String| {
         let family =

@@ -17,7 +17,7 @@ use libration_numbers::{catalogue::NamedParameter, internals::catalogue::Named};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct NamedSystem {
-    /// The name it is asked for by.
+    /// The name by which it is requested.
     pub key: &'static str,
     /// Other names for it.
     pub also: &'static [&'static str],
@@ -32,7 +32,7 @@ pub struct NamedSystem {
     pub parameters: &'static [NamedParameter],
     /// Its energy as a formula of coordinates, velocities and parameters; empty where it has none, or a sum over as many as are counted.
     pub energy: &'static str,
-    /// The unit of the energy, which says what it is divided by; empty without a formula of it.
+    /// The unit of the energy, with its divisor; empty without a formula of the energy.
     pub energy_unit: &'static str,
     /// The energy gained per unit of time: `0` where it is conserved, empty without a formula of it.
     pub power: &'static str,
@@ -42,7 +42,7 @@ pub struct NamedSystem {
     pub count: Option<&'static str>,
     /// The allowed values of the parameter n where it is a power of a velocity.
     pub velocity_power: Option<VelocityPower>,
-    /// Its bodies, and what they hang on.
+    /// The bodies of the system and their supports.
     pub bodies: &'static [NamedBody],
     /// A description of the system, and of how its coordinates are measured.
     pub description: &'static str,

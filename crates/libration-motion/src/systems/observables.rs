@@ -42,9 +42,7 @@ pub enum NoObservable {
         known: Vec<String>,
     },
     /// Two formulas of one name, or one that is called like a state variable or the time.
-    #[error(
-        "{0} is the name of something else: give each formula a name of its own, such as energy = x'^2/2"
-    )]
+    #[error("the name {0} is in use already: give each formula a new name, such as energy = x'^2/2")]
     NameTaken(String),
 }
 

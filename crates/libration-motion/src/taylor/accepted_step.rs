@@ -15,7 +15,7 @@ pub enum Start {
     Checkpoint(Checkpoint),
 }
 
-/// A step of an integration with what was found in it.
+/// A step of an integration with its samples and events.
 #[derive(Clone, Copy, Debug)]
 pub struct AcceptedStep<'a> {
     taken: LaneStep<'a, 1>,

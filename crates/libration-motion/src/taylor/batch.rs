@@ -9,7 +9,7 @@ use super::{Cause, Checkpoint, Effort, IntegrationError, Moment, Solution, Step,
 
 type Outcome = Result<Solution, IntegrationError>;
 
-/// The lanes, and what is known of the motions in them.
+/// The lanes, and the present results of their motions.
 #[derive(Debug)]
 pub(super) struct Batch<'a, const N: usize> {
     system: &'a System,

@@ -47,7 +47,7 @@ pub struct Block<const N: usize> {
     terms: usize,
 }
 
-/// The lengths of steps in units of their time, and what these lack in the unit of the equations.
+/// The lengths of steps in units of their time, and the remainders in the unit of the equations.
 #[derive(Clone, Copy, Debug)]
 pub struct Lengths<const N: usize> {
     pub(super) units: [f64; N],
@@ -158,7 +158,7 @@ impl<const N: usize> Block<N> {
         Lengths { units, remainders }
     }
 
-    /// One number of the state at the ends of the steps, the lengths of which these are.
+    /// One component of the state at the ends of steps of the given lengths.
     #[inline(always)]
     pub fn ends(&self, number: usize, Lengths { units, remainders }: &Lengths<N>) -> Ends<N> {
         let series = self.series(number);

@@ -61,8 +61,8 @@ impl<const N: usize> Branches<N> {
         self.stick(&wrong, expander, block, surroundings)
     }
 
-    /// Gives the signs that the series of the arguments have, and lets go what no sign from −1 to 1 keeps; of which
-    /// arguments, in which lanes, the series had another sign.
+    /// Sets the signs to those of the series of the arguments, and releases components that no sign from −1 to 1 keeps at zero. Returns
+    /// `true` for each argument and lane whose series had another sign.
     fn correct(
         &self,
         expander: &Expander<'_>,

@@ -11,7 +11,7 @@ use libration_numbers::{
 #[derive(Debug)]
 pub(super) struct Crossing {
     formulas: Linearised,
-    /// For each state component, the formula of its rate of change, or the component that equals it.
+    /// The formula of the rate of change of each state component, or the component that equals it.
     speeds: Vec<Speed>,
 }
 

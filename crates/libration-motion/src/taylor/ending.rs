@@ -17,9 +17,9 @@ use super::{Effort, IntegrationError, Moment, System, integrate};
 /// # Accuracy
 /// Two errors are added up. What the steps leave out of their series is seen by another integration, to a thousandth of the tolerance: what
 /// that has otherwise, and half as much again. What the steps lose by rounding is bounded step by step, from the terms of their series and
-/// from each operation of the forces, and followed to the end by how small deviations of this motion grow, which motions beside it tell. All
+/// from each operation of the forces, and followed to the end by how small deviations of this motion grow, which motions next to it tell. All
 /// these are added as if they had the same sign: where roundings are all there is, a pendulum's error is stated some ten to a hundred times
-/// too large. Where a motion beside it stops, as next to the end of a formula, where deviations grow beyond all numbers, as in long chaotic
+/// too large. Where a motion next to it stops, as next to the end of a formula, where deviations grow beyond all numbers, as in long chaotic
 /// motions, or where the steps times the square of how many numbers the state has are above a million, the difference of the two
 /// integrations is taken ten times instead.
 ///

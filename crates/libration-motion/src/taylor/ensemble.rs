@@ -1,6 +1,6 @@
-//! Many motions of one system that go on together, and are asked for their states at one time after the other.
+//! Ensembles: many motions of one system that advance together, and give their states at one time after the other.
 //!
-//! Each motion keeps the step that it is in. Those whose steps end before the time that is asked for go on side by side in lanes.
+//! Each motion keeps the step that it is in. Those whose steps end before the time that is requested go on side by side in lanes.
 
 use super::stepper::Stepper;
 use super::trajectory::Trajectory;
@@ -91,13 +91,13 @@ impl Ensemble {
     }
 
     /// The states at a time, one behind the other: of each motion what [`System::state_names`] names; NaN before its start and behind its
-    /// end, and where it has been asked for later times before.
+    /// end, and where it has been requested later times before.
     pub fn states_at(&mut self, time: f64) -> Vec<f64> {
         self.states_at_watched(time, &Watch::none()).unwrap_or_default()
     }
 
-    /// The same; `watch` is asked before each step of as many motions as there are lanes, and told how many are there. What was done until
-    /// it stops is kept, so that another call goes on there.
+    /// The same; `watch` is checked before each step of as many motions as there are lanes, and receives the number of those that are there. What was done
+    /// until it stops is kept, so that another call goes on there.
     ///
     /// # Errors
     /// It was stopped.

@@ -23,7 +23,7 @@ pub enum IntegrationError {
         wanted: usize,
     },
     /// A state or a time at the beginning that is infinite or no number.
-    #[error("the initial state has {0:?} in it: give finite numbers")]
+    #[error("the initial state contains {0:?}: give finite numbers")]
     StartNotFinite(f64),
     /// Times that are not finite.
     #[error("the times contain {0:?}: give finite ones")]
@@ -50,7 +50,7 @@ pub enum IntegrationError {
         absolute: f64,
     },
     /// A checkpoint that cannot be one of the system.
-    #[error("the checkpoint is not one of this system and its events: give both as they were")]
+    #[error("the checkpoint belongs to another system or other events: give both as they were")]
     OtherCheckpoint,
     /// An integration that began and stopped.
     #[error("{cause} at t = {:?}: the motion is known up to there", solution.end.time)]
@@ -79,7 +79,7 @@ pub enum Cause {
     #[error("the motion diverges, beyond the range of numbers,")]
     OutOfRange,
     /// The step limit is reached.
-    #[error("the largest number of steps is reached")]
+    #[error("the step limit is reached")]
     StepLimit,
     /// An absolute value at zero that the motion can leave to neither side, as in dry friction at rest.
     #[error("an absolute value is zero and the motion can leave it to neither side")]

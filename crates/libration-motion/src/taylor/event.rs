@@ -18,20 +18,20 @@ pub struct Event {
 pub enum Direction {
     /// Sign changes in both directions, and contacts without a sign change.
     Any,
-    /// From negative to positive.
+    /// Crossings from negative to positive.
     Rising,
-    /// From positive to negative.
+    /// Crossings from positive to negative.
     Falling,
 }
 
 /// The kind of a formula's zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
-    /// It becomes positive.
+    /// The formula becomes positive.
     Rising,
-    /// It becomes negative.
+    /// The formula becomes negative.
     Falling,
-    /// Within the tolerance it touches zero and returns.
+    /// The formula touches zero within the tolerance and returns.
     Grazing,
     /// The motion begins there.
     Start,

@@ -20,7 +20,7 @@ use libration_numbers::{algebra::Ring, internals::algebra::prepared_reciprocal};
 pub struct Surroundings<const N: usize> {
     /// The values of the parameters that were left open.
     pub parameters: Vec<[f64; N]>,
-    /// The sign of what stands in each |…|.
+    /// The sign of the argument of each |…|.
     pub signs: Vec<[f64; N]>,
     /// `true` where the argument of a |…| is a velocity that friction keeps at zero.
     pub sticks: Vec<[bool; N]>,
@@ -258,7 +258,7 @@ impl Expander<'_> {
         }
     }
 
-    /// The last order that is asked for of formulas: events want as many as the state has.
+    /// The last order that is requested of formulas: events want as many as the state has.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
         self.plan.order - usize::from(self.system.events().is_empty())

@@ -22,7 +22,7 @@ impl Exponential {
     /// # Accuracy
     /// 2e-7, where the rounding of large exponentials is less.
     pub(super) fn of(&mut self, exponent: &mut Matrix, exponential: &mut Matrix) {
-        /// Beyond it the exponential overflows.
+        /// Largest number of squarings; beyond it the exponential overflows.
         const MOST_SQUARINGS: i32 = 60;
         /// 0.7⁹/9! = 1.1e-7.
         const LARGEST: f64 = 0.7;

@@ -17,9 +17,9 @@ use libration_numbers::expression::{Equation, Order, Symbol};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StateLayout {
-    /// For each coordinate, the index of its velocity.
+    /// Index of the velocity of each coordinate.
     velocities: Vec<Option<usize>>,
-    /// For each velocity, in order, the index of its coordinate.
+    /// Index of the coordinate of each velocity, in order.
     accelerated: Vec<usize>,
 }
 
@@ -67,14 +67,14 @@ impl StateLayout {
         self.velocities.get(number).copied().flatten()
     }
 
-    /// The number whose rate of change the equation of a coordinate tells: its velocity, or the coordinate itself.
+    /// The component whose rate of change the equation of a coordinate gives: its velocity, or the coordinate itself.
     #[must_use]
     #[inline(always)]
     pub fn driven(&self, coordinate: usize) -> usize {
         self.velocity(coordinate).unwrap_or(coordinate)
     }
 
-    /// The coordinate whose equation tells the rate of change of a number; `None` of coordinates that have a velocity.
+    /// The coordinate whose equation gives the rate of change of a component; `None` for coordinates that have a velocity.
     #[must_use]
     pub fn driving(&self, number: usize) -> Option<usize> {
         match number.checked_sub(self.coordinates()) {
@@ -96,7 +96,7 @@ impl StateLayout {
         self.accelerated.len() == self.coordinates()
     }
 
-    /// One thing for each number of a state, from those of the coordinates and those of their velocities.
+    /// One item for each state component, from those of the coordinates and those of their velocities.
     pub fn arrange<T>(
         &self,
         coordinates: impl IntoIterator<Item = T>,

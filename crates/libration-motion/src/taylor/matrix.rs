@@ -78,7 +78,7 @@ fn multiply<const N: usize>(a: &[f64], b: &[f64], product: &mut [f64]) {
     }
 }
 
-/// Large matrices of oscillators beside each other are mostly empty.
+/// Large matrices of oscillators next to each other are mostly empty.
 fn multiply_any(a: &[f64], b: &[f64], product: &mut [f64], size: usize) {
     for (a, product) in a.chunks_exact(size).zip(product.chunks_exact_mut(size)) {
         product.fill(0.0);

@@ -84,7 +84,7 @@ impl<'a> PartialSolution<'a> {
         if self.steps < effort.most_steps { Ok(()) } else { Err(Cause::StepLimit) }
     }
 
-    /// Takes a step in which nothing is asked for, if there is something to come.
+    /// Takes a step in which nothing is requested, if there is something to come.
     pub(super) fn pass(&mut self, start: f64, end: f64) -> bool {
         let next = self.trajectory.times.get(self.samples.len());
         let is_behind = next.is_some_and(|&next| if end < start { next < end } else { next > end });

@@ -8,7 +8,7 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// The equations with their |…| as they are written, what stands in these, and the formulas of events.
+/// The equations with their |…| as they are written, the arguments of these, and the formulas of events.
 #[derive(Clone, Debug)]
 pub(super) struct Passage {
     tape: Tape,

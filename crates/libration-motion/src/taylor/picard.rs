@@ -29,7 +29,7 @@ pub(super) struct Stretch {
     pub(super) misfit: f64,
 }
 
-/// Between two zeros.
+/// A panel between two zeros.
 struct Panel {
     start: f64,
     length: f64,

@@ -157,7 +157,7 @@ impl Pieces {
         Boundary::Jump { flow, late }
     }
 
-    /// The spread in the middle of the next step, from that in the middle of the last by motions beside each other.
+    /// The spread in the middle of the next step, from that in the middle of the last by motions next to each other.
     pub(super) fn grown(&mut self, next: &Middle) -> Spread {
         let Some(last) = &mut self.last else { return next.spread.clone() };
         let moments = [&last.step.middle, &next.step.middle];

@@ -347,7 +347,7 @@ impl Writer<'_> {
         if matches!(operation, Operation::Abs(_) | Operation::Sign(_)) {
             return None;
         }
-        // What comes behind a place is asked for before it is written.
+        // What comes behind a place is requested before it is written.
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
         let rows = |place: usize| self.places.get(place).copied().unwrap_or(next);
         let swapped = match *operation {

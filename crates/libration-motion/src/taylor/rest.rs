@@ -15,7 +15,7 @@ use libration_numbers::expression::{Equation, Expression};
 pub(super) enum Rest {
     /// A number of the state has come to zero: the equations that hold from here on, and the state.
     In(Box<System>, Moment),
-    /// It is at zero, and may leave it at any time or not at all.
+    /// The value is zero, and may leave it at any time or not at all.
     Undecided,
 }
 

@@ -91,7 +91,7 @@ fn moment(step: &Step<'_>, time: f64) -> Moment {
     Moment { time, state: step.state_at(time) }
 }
 
-/// The accelerations and rates of change of a system, and what stands in each |…|.
+/// The accelerations and rates of change of a system, and the argument of each |…|.
 #[derive(Debug)]
 pub(super) struct Formulas {
     formulas: Linearised,
@@ -144,7 +144,7 @@ fn errors(step: &Step<'_>, length: f64, forces: &[f64]) -> Vec<f64> {
     errors
 }
 
-/// Adds what comes of it that rounding takes so much of the forces.
+/// Adds the effect of a rounding of the forces.
 pub(super) fn add_forces(step: &Step<'_>, length: f64, forces: &[f64], errors: &mut [f64]) {
     for (coordinate, force) in forces.iter().enumerate() {
         let driven = step.layout.driven(coordinate);
@@ -163,8 +163,8 @@ pub(super) fn terms(step: &Step<'_>, number: usize, first: usize, length: f64) -
     (0..first).fold(sum, |sum, _| sum * h)
 }
 
-/// Adds what comes of it that forces do not see so much of each number of the state: all that a deviation brings about beside going on by
-/// itself.
+/// Adds the effect of a deviation of each state component that the forces do not see: all that the deviation causes except its own
+/// propagation.
 pub(super) fn add_unseen(
     layout: &StateLayout,
     unseen: impl Fn(usize) -> f64,

@@ -1,4 +1,4 @@
-//! A motion beside how it changes with parameters and initial values.
+//! A motion with its derivatives with respect to parameters and initial values.
 
 use super::moduli::Moduli;
 use super::{StateLayout, with_sensitivities};
@@ -67,7 +67,7 @@ pub enum SensitivityError {
     Twice(String),
     /// A force that jumps, where derivatives do as well, by what these equations do not tell.
     #[error(
-        "a force jumps where {0} is zero, and the derivatives of the motion with it, which is not followed"
+        "a force jumps where {0} is zero, and so do the derivatives of the motion, which are not computed there"
     )]
     Jump(String),
 }

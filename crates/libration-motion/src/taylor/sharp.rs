@@ -1,9 +1,9 @@
 //! Formulas of events that change by powers of ten within a step.
 //!
-//! Steps are as long as the accelerations allow. Of e^(−20000(x − 2)²) they show nothing from where x is 3, and what they show from
-//! where x is 2 holds for the part of a step only. So the series of such a formula are made anew for parts of the step, which end where
-//! what is steep turns, and are halved until the series are what the formula says of the state. So are those of a formula that ends
-//! somewhere, as 1/x does: the motion goes on there, and its steps take no notice.
+//! Steps are as long as the accelerations allow. The series of e^(−20000(x − 2)²) about x = 3 vanishes to all digits, and that about x = 2
+//! converges in a part of the step only. The series of such a formula are therefore computed again for parts of the step, which end at the
+//! extremes of steep exponents, and are halved until each series agrees with the value of the formula at the state. The same holds for a
+//! formula with a pole, such as 1/x, which the motion and its steps pass.
 
 use std::collections::VecDeque;
 

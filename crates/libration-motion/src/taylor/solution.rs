@@ -14,7 +14,7 @@ pub struct Moment {
 /// The result of an integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// The states at the times asked for, as far as it came.
+    /// The states at the times requested, as far as it came.
     pub samples: Vec<Moment>,
     /// The events on the way, in the order in which they happened.
     pub events: Vec<Occurrence>,

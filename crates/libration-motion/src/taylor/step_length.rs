@@ -225,7 +225,7 @@ impl<'s, const N: usize> Sizes<'s, N> {
     }
 }
 
-/// The first lanes of rows that belong to several series, beside each other.
+/// The first lanes of rows that belong to several series, next to each other.
 #[inline(always)]
 fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
     rows: [[&[f64; M]; ROWS]; N],
@@ -241,7 +241,7 @@ fn first_lanes<const N: usize, const M: usize, const ROWS: usize>(
 fn log2_radius<const N: usize>(sizes: &Sizes<N>) -> Log2Radius<N> {
     /// Base-2 logarithm of the smallest positive number.
     const LEAST: f64 = -1074.0;
-    /// Next to numbers so small others may have underflowed.
+    /// Base-2 logarithm of the magnitude below which coefficients may have underflowed.
     const TINY: f64 = -600.0;
     let Sizes { first: [size, second, third], last: [a, b, c, d], terms } = sizes;
     let from = terms.saturating_sub(LAST);

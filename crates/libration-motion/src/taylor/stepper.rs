@@ -21,7 +21,7 @@ pub(super) struct Stepper<'a, const N: usize> {
     pub(super) scratch: Block<N>,
     /// `true` if `scratch` has the zeroth coefficients of all formulas at the ends of the steps.
     pub(super) ends_known: bool,
-    /// `true` if the block has those at the starts of the steps.
+    /// `true` if `block` has the zeroth coefficients of all formulas at the starts of the steps.
     pub(super) begun: bool,
     pub(super) next: Vec<Ends<N>>,
     /// Times to which the motions are integrated.
@@ -181,8 +181,8 @@ impl<const N: usize> Kernel for StepEnds<'_, '_, N> {
     }
 }
 
-/// The unit of time for series with steps of this length: a power of two, larger by so much that terms that are small in
-/// a step do not underflow.
+/// The unit of time for series with steps of this length: a power of two, large enough that terms that are small in a step do not
+/// underflow.
 pub(super) fn unit_for(length: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGER: f64 = 64.0;

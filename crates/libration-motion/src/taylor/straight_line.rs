@@ -67,7 +67,7 @@ impl Expander<'_> {
     }
 }
 
-/// Writes down what is done with numbers that are not known yet.
+/// A recorder of operations on numbers that are not known yet.
 #[derive(Debug, Default)]
 struct Recorder {
     steps: RefCell<Vec<Arithmetic>>,

@@ -15,7 +15,7 @@ pub(super) struct Survey {
     pub(super) solution: Solution,
     /// The event that ended it.
     pub(super) ending: Option<Occurrence>,
-    /// For each state component, the sum of the sizes of all its terms in the last step.
+    /// The sum of the magnitudes of all terms of each state component in the last step.
     pub(super) sizes: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Equations of motion beside those of small deviations from the motion.
+//! Equations of motion together with the variational equations.
 
 use libration_numbers::expression::{Equation, Expression, Order, Symbol};
 

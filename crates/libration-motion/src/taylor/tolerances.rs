@@ -28,7 +28,7 @@ pub enum ToleranceError {
     },
 }
 
-/// The tolerances of some coordinates, zero where that of the effort holds.
+/// The individual tolerances of the coordinates, zero where the common one applies.
 pub(super) fn own_tolerances(
     coordinates: &[String],
     given: &[(&str, f64)],

@@ -3,7 +3,7 @@
 use super::solution::Moment;
 use super::{IntegrationError, System};
 
-/// One trajectory of a batch: its initial state, the values of the open parameters, and the times at which it is asked for.
+/// One trajectory of a batch: its initial state, the values of the open parameters, and the times at which it is requested.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory<'a> {
     /// The initial state.

@@ -93,7 +93,7 @@ fn energy_of_chain(state: &[f64], alpha: f64, beta: f64) -> f64 {
     springs + velocities.iter().map(|v| 0.5 * v * v).sum::<f64>()
 }
 
-/// The largest relative change of the energy from the lowest mode on, asked for at a hundred times.
+/// The largest relative change of the energy from the lowest mode on, requested at a hundred times.
 fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     let model = model("fermi_pasta_ulam", &format!("alpha={alpha},beta={beta}"));
     let mode = (1..=32).map(|i| libm::sin(PI * f64::from(i) / 33.0)).chain([0.0; 32]);
@@ -106,7 +106,7 @@ fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     changes.fold(0.0, |largest, change| f64::max(largest, change.abs()))
 }
 
-/// Twenty periods of the lowest mode, 66 each; ten thousand of them are asked for below.
+/// Twenty periods of the lowest mode, 66 each; ten thousand of them are requested below.
 #[test]
 fn a_chain_keeps_its_energy() {
     for (alpha, beta) in [("0.25", "0"), ("0", "8")] {

@@ -1,4 +1,4 @@
-//! The error that is stated of the end of a motion, beside the error that it has. What closed forms lose by rounding is far less.
+//! The stated error of the end of a motion, compared with its error. What closed forms lose by rounding is far less.
 
 use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::Angle;

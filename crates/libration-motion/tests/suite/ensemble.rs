@@ -1,4 +1,4 @@
-//! Motions that go on together are those that were followed alone, bit for bit, whatever times they are asked for.
+//! Motions that go on together are those that were followed alone, bit for bit, whatever times are requested.
 
 use libration::systems::Model;
 use libration::taylor::{

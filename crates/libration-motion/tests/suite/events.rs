@@ -188,7 +188,7 @@ fn touching_is_told_from_crossing() {
             "{both:?}"
         );
     }
-    // The end of a sample is no end of a contact.
+    // The end of a sample is not the end of a contact.
     let split = contacts("x'' = -x", "x - 1", &[0.0, 1.0], 0.5 * PI);
     assert!(split.len() <= 1, "{split:?}");
     assert_eq!(contacts("x'' = -x", "x", &[0.0, 0.0], 5.0), []);

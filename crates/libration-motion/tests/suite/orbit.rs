@@ -1,4 +1,4 @@
-//! Periodic orbits beside elliptic functions, and closed forms, which know nothing of integration.
+//! Periodic orbits compared with elliptic functions and closed forms, which are independent of integration.
 
 use libration::elliptic::Modulus;
 use libration::expression::Equation;
@@ -283,7 +283,7 @@ fn a_search_finds_the_orbit_of_each_kind() {
     let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![0.1, -0.1, 0.0, 0.0]));
     assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
-    // A start beside it is none of an orbit: the largest coordinate stays.
+    // A start next to it is none of an orbit: the largest coordinate stays.
     let (kind, orbit) = found(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
     assert!((orbit.start()[1] + 0.1).abs() < 1e-12, "{:?}", orbit.start());
@@ -319,7 +319,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
     assert!(off <= stated && stated < 1e-12, "{off:e} {stated:e}");
 }
 
-/// It misses its start by 6e-6 of what a start is beside it, and is isolated all the same.
+/// It misses its start by 6e-6 of what a start is next to it, and is isolated all the same.
 #[test]
 fn a_weak_limit_cycle_is_no_family() {
     let search = OrbitSearch { start: vec![0.0, 2.0], period: None, conserves_energy: false, held: None };

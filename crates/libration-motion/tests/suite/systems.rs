@@ -55,8 +55,8 @@ fn end(row: Row) -> (Vec<f64>, Option<f64>) {
     (solution.unwrap().end.state, balance.map(|balance| balance.drift()))
 }
 
-/// Roundings have the size of the numbers, grow as the motion's sensitivity says, and go into the motion all the time:
-/// the largest size and sensitivity until now say how much. A drive adds the rounding of its phase ωt.
+/// The error bound: roundings have the size of the numbers, occur at all times, and grow by the sensitivity of the motion, so that the
+/// largest size and sensitivity up to a time determine the bound. A drive adds the rounding of its phase ωt.
 ///
 /// Run with --nocapture for the error of each.
 #[test]

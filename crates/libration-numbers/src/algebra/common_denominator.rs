@@ -13,7 +13,7 @@ pub(super) struct OverCommon {
 }
 
 impl OverCommon {
-    /// Over the least common denominator.
+    /// The series over its least common denominator.
     pub(super) fn new(series: &[Rational]) -> Self {
         let denominator = series.iter().fold(UBig::ONE, |common, one| lcm(common, one.parts().1));
         let numerator = |fraction: &Rational| {
@@ -36,7 +36,7 @@ impl OverCommon {
         Self { numerators, denominator: &self.denominator * &other.denominator }
     }
 
-    /// Without the factors that all numerators share with the denominator.
+    /// The series without the factors that all numerators share with the denominator.
     fn reduced(self) -> Self {
         let Self { numerators, denominator } = self;
         // The last coefficients have the largest denominators, and so tell at once what is left over.
@@ -83,7 +83,7 @@ impl OverCommon {
         Self { numerators, denominator }.reduced()
     }
 
-    /// Without the first coefficients.
+    /// The series without its first coefficients.
     fn skip(&self, coefficients: usize) -> Self {
         let numerators = self.numerators.iter().skip(coefficients).cloned().collect();
         Self { numerators, denominator: self.denominator.clone() }
@@ -99,7 +99,7 @@ fn lcm(common: UBig, denominator: &UBig) -> UBig {
     }
 }
 
-/// The first coefficients of outer(inner(x)), the inner series without constant term, asking `go_on` at each step; `None` when told not to.
+/// The first coefficients of outer(inner(x)), the inner series without constant term, checking `go_on` at each step; `None` when cancelled.
 ///
 /// Reference: M. S. Paterson, L. J. Stockmeyer, SIAM J. Comput. 2, 60 (1973), doi:10.1137/0202007.
 pub fn composition(

@@ -7,7 +7,7 @@ use super::Rational;
 
 impl Rational {
     /// The number rounded to this many significant decimal digits, such as `-1.0833e-7`; in plain digits from 0.0001
-    /// up to the digits asked for.
+    /// up to the digits requested.
     #[must_use]
     pub fn to_decimal(&self, digits: usize) -> String {
         let digits = digits.max(1);

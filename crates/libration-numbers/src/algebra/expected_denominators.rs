@@ -49,7 +49,7 @@ impl<'a> Common<'a> {
         Self { radix, residues: radix.residues(&value), value, excess: None }
     }
 
-    /// Up to eight numbers, by their residues.
+    /// The fractions of up to eight numbers, from their residues.
     pub(super) fn fractions(&mut self, lists: &[&[Residues]]) -> Option<Vec<Rational>> {
         let residues = |k: usize| {
             let (group, lane, mut row) = (k / LANES, k % LANES, [0; LANES]);

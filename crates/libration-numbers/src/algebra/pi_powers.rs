@@ -18,7 +18,7 @@ pub struct PiPolynomial<E> {
 }
 
 impl<E> PiPolynomial<E> {
-    /// The powers of π with what stands before them.
+    /// The powers of π with their coefficients.
     pub fn terms(&self) -> impl Iterator<Item = (i32, &E)> {
         self.terms.iter().map(|(&power, number)| (power, number))
     }

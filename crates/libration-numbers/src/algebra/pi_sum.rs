@@ -24,7 +24,7 @@ pub struct PiSum {
 }
 
 impl PiSum {
-    /// The sum of terms, each a power of π with what stands before it; no power occurs twice.
+    /// The sum of terms, each a power of π with its coefficient; no power occurs twice.
     #[must_use]
     pub fn new(terms: Vec<(i32, Surd)>) -> Self {
         let mut terms: Vec<_> = terms.into_iter().filter(|(_, factor)| !is_zero(factor)).collect();
@@ -32,7 +32,7 @@ impl PiSum {
         Self { terms }
     }
 
-    /// The powers of π with what stands before them, higher ones first.
+    /// The powers of π with their coefficients, higher ones first.
     #[must_use]
     pub fn terms(&self) -> &[(i32, Surd)] {
         &self.terms
@@ -54,7 +54,7 @@ impl PiSum {
         }
     }
 
-    /// To some units in the last place of the largest term.
+    /// The value, accurate to some units in the last place of the largest term.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         let term = |(power, factor): &(i32, Surd)| {

@@ -68,7 +68,7 @@ impl Ring for Rationals {
         None
     }
 
-    /// Over a common denominator, which is reduced once.
+    /// The convolution over a common denominator, which is reduced once.
     fn convolution(&self, a: &[Rational], b: &[Rational]) -> Rational {
         let (mut sum, mut denominator) = (IBig::ZERO, UBig::ONE);
         for (a, b) in a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_zero() && !b.is_zero()) {
@@ -87,7 +87,7 @@ impl Ring for Rationals {
         Rational::from_parts(sum, denominator)
     }
 
-    /// Over common denominators, so that one greatest common divisor is taken for each coefficient.
+    /// The product over common denominators, so that one greatest common divisor is taken for each coefficient.
     fn series_product(&self, a: &[Rational], b: &[Rational], length: usize) -> Vec<Rational> {
         let first = |series: &[Rational]| OverCommon::new(&series[..series.len().min(length)]);
         first(a).product(&first(b), length).into_fractions()

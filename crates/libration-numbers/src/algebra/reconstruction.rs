@@ -89,7 +89,7 @@ fn next_fields(primes: &mut impl Iterator<Item = u32>) -> Option<PrimeFields> {
 #[derive(Debug)]
 struct Fractions {
     radix: MixedRadix,
-    /// For each number its residues, or nothing while they are all zero.
+    /// The residues of each number, or nothing while they are all zero.
     residues: Vec<Option<Vec<Residues>>>,
     steps: Vec<(Place, Vec<usize>)>,
     /// Number of steps that are done.

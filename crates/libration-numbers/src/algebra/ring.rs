@@ -72,8 +72,8 @@ pub trait Ring {
         (0..length).map(coefficient).collect()
     }
 
-    /// The first `length` coefficients of outer(inner(x)) of two power series, the inner one without constant term. `go_on` is asked
-    /// at each step; `None` when it says no.
+    /// The first `length` coefficients of outer(inner(x)) of two power series, the inner one without constant term. `go_on` is checked at
+    /// each step; `None` when it cancels.
     fn series_composition(
         &self,
         outer: &[Self::Element],

@@ -7,7 +7,7 @@ use libration_kernels::dispatch::dispatch_slices;
 /// Symmetries of all the sums of a ring, by which fewer points determine them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symmetry {
-    /// There are no sines.
+    /// `true` if there are no sines.
     pub even_in_phase: bool,
     /// The harmonics of one sum are all odd or all even.
     pub half_wave: bool,

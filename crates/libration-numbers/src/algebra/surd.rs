@@ -67,7 +67,7 @@ impl Surd {
         Self::new(times(&self.plain), times(&self.root), self.radicand.clone())
     }
 
-    /// To some units in the last place, of whatever signs the terms are.
+    /// The value, accurate to some units in the last place for any signs of the terms.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         let root = self.root.to_f64() * self.radicand.to_f64().sqrt();

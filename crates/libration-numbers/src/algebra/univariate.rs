@@ -2,7 +2,7 @@
 
 use super::{Rational, Rationals, Ring};
 
-/// Without leading zeros.
+/// The polynomial without leading zeros.
 pub fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
     while polynomial.last().is_some_and(Rational::is_zero) {
         polynomial.pop();

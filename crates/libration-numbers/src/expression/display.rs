@@ -13,7 +13,7 @@ impl fmt::Display for Symbol {
     }
 }
 
-/// With as few brackets as reading it back allows. A number whose decimals do not end is written as a quotient.
+/// Writes the formula with as few brackets as reading it back allows. A number whose decimals do not end is written as a quotient.
 impl fmt::Display for Expression {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

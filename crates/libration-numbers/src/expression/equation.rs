@@ -92,7 +92,7 @@ impl Equation {
         &self.derivatives
     }
 
-    /// Refuses equations of the first order, for what only accelerations have.
+    /// Refuses equations of the first order, for methods that need accelerations.
     ///
     /// # Errors
     /// The first variable whose equation is of the first order.

@@ -79,7 +79,7 @@ pub enum Fault {
     #[error("this brace is not closed: add the matching }}")]
     UnclosedBrace,
     /// A function without its argument in brackets.
-    #[error("the argument of {0} must stand in brackets: write {0}(x), or {0}(x)^2 for its square")]
+    #[error("the argument of {0} must be in brackets: write {0}(x), or {0}(x)^2 for its square")]
     WithoutBrackets(&'static str),
     /// sin x^2.
     #[error(
@@ -105,10 +105,10 @@ pub enum Fault {
     #[error("a fraction needs two groups in braces: write \\frac{{a}}{{b}}, or a/b")]
     FractionWithoutBraces,
     /// `\ddot{2}`.
-    #[error("dots stand above one variable: write \\ddot{{x}}, \\dot{{\\theta}} or x''")]
+    #[error("dots belong above one variable: write \\ddot{{x}}, \\dot{{\\theta}} or x''")]
     DotsAboveNothing,
     /// `\mathrm 2`.
-    #[error("a word in upright letters stands in braces: write \\mathrm{{max}}, or max")]
+    #[error("a word in upright letters belongs in braces: write \\mathrm{{max}}, or max")]
     WordWithoutBraces,
     /// A name before a bracket that is not a function.
     #[error(

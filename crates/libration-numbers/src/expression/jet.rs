@@ -111,7 +111,7 @@ impl<'a, R: Ring> Jet<'a, R> {
         Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())
     }
 
-    /// Adds to the last coefficient of an input, and what follows from that to every place.
+    /// Adds to the last coefficient of an input, and updates the coefficient of every place.
     pub fn amend(&mut self, gains: &[R::Element], change: &R::Element) {
         if self.ring.is_zero(change) {
             return;

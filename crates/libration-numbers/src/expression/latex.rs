@@ -7,7 +7,7 @@ use super::{Expression, Function, Symbol};
 use crate::algebra::Rational;
 
 impl Symbol {
-    /// In LaTeX: `\ddot{x}`, `\omega_{0}`, `\mathrm{mass}`.
+    /// The symbol in LaTeX: `\ddot{x}`, `\omega_{0}`, `\mathrm{mass}`.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let letters = self.name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -43,7 +43,7 @@ fn escaped(name: &str) -> String {
 }
 
 impl Expression {
-    /// In LaTeX, for mathematical mode.
+    /// The formula in LaTeX, for mathematical mode.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let mut text = String::new();

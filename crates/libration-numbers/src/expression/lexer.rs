@@ -18,7 +18,7 @@ pub(super) use index::IndexRange;
 
 /// The longest text of a formula or of equations, in bytes.
 pub const LONGEST_TEXT: usize = 10_000;
-/// More primes than this are no derivative that anybody meant.
+/// Largest number of primes after a name; more are taken for a typing error.
 const MOST_PRIMES: u8 = 3;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +78,7 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     free: bool,
-    /// For each open bracket, `true` if it holds the two arguments of max or min.
+    /// `true` for each open bracket that holds the two arguments of max or min.
     open: Vec<bool>,
     /// `true` if max or min was read last.
     after_extremum: bool,
@@ -268,11 +268,11 @@ fn unknown(found: char) -> Fault {
         '.' => "write numbers as 0.5, products with *",
         '[' | ']' => "write brackets as ( and )",
         '|' => "write abs(x) for the absolute value",
-        '\'' | '′' => "a prime stands right after a name, as in x'",
+        '\'' | '′' => "a prime must directly follow a name, as in x'",
         '½' | '¼' | '¾' => "write fractions as 1/2",
         '∂' | '∫' | '∑' => "write derivatives with primes, as in x''",
         '<' | '>' | '!' | '≠' | '≤' | '≥' => "write an equation with =",
-        '⁻' => "a raised minus stands before raised digits, as in x⁻²",
+        '⁻' => "a raised minus must precede raised digits, as in x⁻²",
         _ => "write numbers, names of Latin or Greek letters, + - * / ^ and brackets",
     };
     Fault::UnknownCharacter { found, hint }

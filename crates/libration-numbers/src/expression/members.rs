@@ -1,4 +1,4 @@
-//! Members of families of variables or parameters: `x[3]` is written back, and asked for, as x3.
+//! Members of families of variables or parameters: `x[3]` is written back, and requested, as x3.
 
 use super::{Expression, Symbol};
 

@@ -59,7 +59,7 @@ pub use parser::{DEEPEST_NESTING, DEEPEST_TREE};
 pub(crate) use tape::Tape;
 pub use tape::WithoutValue;
 
-/// A formula. The tree is what was written: nothing is reordered or simplified unless asked for.
+/// A formula. The tree is what was written: nothing is reordered or simplified unless requested.
 ///
 /// From text it is at most [`DEEPEST_TREE`] levels deep, and what is made from it a small multiple of that; its
 /// methods call themselves for each level.

@@ -6,7 +6,7 @@ use crate::quantity::excerpt;
 
 /// Bits in which constants that are no fractions are evaluated.
 const PRECISION: usize = 256;
-/// A constant nearer to a limit than two to this power is not told from it.
+/// A constant nearer to a limit than two to this power is not distinguished from it.
 const NOISE: isize = -128;
 
 /// A part of a formula without a value, such as 1/0 or ln(-1).

@@ -50,7 +50,7 @@ pub struct Tape {
     inputs: usize,
     /// Places that no input reaches.
     constant: Vec<bool>,
-    /// Places whose weighted series is asked for.
+    /// Places whose weighted series is requested.
     weighted: Vec<bool>,
 }
 

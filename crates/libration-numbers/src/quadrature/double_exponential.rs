@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::{Integral, equal_steps};
 
 const STEPS_PER_UNIT: f64 = 16.0;
-/// On each side: at the last ones x is 2e-22 from an end.
+/// Number of points on each side: at the last ones x is 2e-22 from an end.
 const STEPS: i32 = 56;
 
 /// ∫₀¹ f(x) dx of a function that is analytic between the ends and no worse at them than a power above −1 of the distance.

@@ -61,7 +61,7 @@ pub fn gauss_kronrod(mut f: impl FnMut(f64) -> f64) -> Integral {
             .filter(|&place| parts[place].patience > 0)
             .max_by(|&a, &b| parts[a].rules.difference().total_cmp(&parts[b].rules.difference()));
         match worst {
-            // What is not finite is no smaller than anything.
+            // A value that is not finite is not smaller than any other.
             _ if !size.is_finite() => return Integral { value: f64::NAN, error },
             Some(worst) if parts.len() < MOST_INTERVALS => {
                 let halves = parts.swap_remove(worst).halves(f);

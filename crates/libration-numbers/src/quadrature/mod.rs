@@ -38,6 +38,6 @@ pub use kronrod::gauss_kronrod;
 pub struct Integral {
     /// NaN where it does not converge.
     pub value: f64,
-    /// An estimate of how much was not reached, beside the roundings of a sum.
+    /// An estimate of the truncation error; the roundings of a sum come in addition.
     pub error: f64,
 }

@@ -3,7 +3,7 @@
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
-/// Longer texts are not numbers that anybody meant.
+/// Longest text of a number.
 pub(super) const LONGEST_TEXT: usize = 128;
 /// Larger exponents leave the range of `f64` whatever the digits.
 const LARGEST_EXPONENT: i32 = 500;

@@ -6,25 +6,25 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Dimension {
-    /// In metres.
+    /// Length, in metres.
     Length,
-    /// In seconds.
+    /// Time, in seconds.
     Time,
-    /// In metres per second squared.
+    /// Acceleration, in metres per second squared.
     Acceleration,
-    /// In radians.
+    /// Angle, in radians.
     Angle,
-    /// In radians per second.
+    /// Angular velocity, in radians per second.
     AngularVelocity,
-    /// In metres per second.
+    /// Velocity, in metres per second.
     Velocity,
-    /// In kilograms.
+    /// Mass, in kilograms.
     Mass,
-    /// In kilograms per cubic metre.
+    /// Density, in kilograms per cubic metre.
     Density,
-    /// In one per second.
+    /// Rate, in one per second.
     Rate,
-    /// Without a unit.
+    /// Number without a unit.
     Number,
 }
 

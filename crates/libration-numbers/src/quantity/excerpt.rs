@@ -1,6 +1,6 @@
 //! Foreign text, as a message may show it.
 
-/// A text of somebody else without control characters, at most 40 characters of it.
+/// At most 40 characters of foreign text, with control characters escaped.
 pub fn excerpt(text: &str) -> String {
     const SHOWN: usize = 40;
     let mut shown = String::new();

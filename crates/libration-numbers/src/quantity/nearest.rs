@@ -1,6 +1,6 @@
 //! Suggestions for a word that is not known.
 
-/// The three known words nearest to the one asked for.
+/// The three known words nearest to the one requested.
 pub(crate) fn nearest<'a>(asked: &str, known: impl Iterator<Item = &'a str>) -> Vec<String> {
     const SHOWN: usize = 3;
     let mut words: Vec<&str> = known.collect();

@@ -14,7 +14,7 @@ use super::{Dimension, QuantityError};
 /// A value in its SI unit with its standard uncertainty, if one was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// In the SI unit of the dimension, finite.
+    /// The value in the SI unit of the dimension, finite.
     pub value: f64,
     /// One standard deviation in the same unit, finite and not negative.
     pub uncertainty: Option<f64>,

@@ -30,7 +30,7 @@ impl AngleRange {
     /// The range that `START:STOP:STEP` means, each part an angle.
     ///
     /// # Errors
-    /// Text that is not three angles, bare numbers beside angles with a unit, a step of zero or away from the stop, more
+    /// Text that is not three angles, bare numbers together with angles with a unit, a step of zero or away from the stop, more
     /// than ten million elements.
     pub fn parse(text: &str) -> Result<Self, RangeError> {
         let parts = three_parts(text, "1deg:179deg:1deg")?;

@@ -2,7 +2,7 @@
 
 use super::QuantityError;
 
-/// More elements than anybody can look at, and few enough to be held in memory.
+/// Largest number of elements, which memory can hold.
 pub(super) const MOST_ELEMENTS: u64 = 10_000_000;
 
 /// Reason why a text is not a range.
@@ -12,7 +12,7 @@ pub enum RangeError {
     /// Not three parts.
     #[error("cannot read `{0}` as a range: write START:STOP:STEP, as in {1}")]
     NotThreeParts(String, &'static str),
-    /// Bare numbers beside those with a unit.
+    /// Bare numbers together with those with a unit.
     #[error(
         "`{0}` mixes numbers with a unit and without: write the unit of each, as in 1deg:179deg:1deg or 1rad,2rad, and decimals with a point"
     )]

@@ -45,8 +45,8 @@ impl fmt::Display for RoundedComplement {
         }
         write!(
             f,
-            " in the state that is integrated, the nearest double: all answers \
-             are about the motion from there; of a free pendulum `motion` and `period` keep the distance"
+            " in the state that is integrated, the nearest double: all results \
+             are for the motion from there; for a free pendulum, `motion` and `period` keep the distance"
         )
     }
 }

@@ -69,7 +69,7 @@ struct Balanced {
 }
 
 impl Balanced {
-    /// `None` where the first or the last coefficient vanishes beside the others.
+    /// `None` where the first or the last coefficient vanishes compared with the others.
     fn new(coefficients: &[f64]) -> Option<Self> {
         let degree = coefficients.len() - 1;
         let logs: Vec<f64> = coefficients.iter().map(|c| libm::log2(c.abs())).collect();
@@ -92,8 +92,7 @@ impl Balanced {
         self.coefficients.len() - 1
     }
 
-    /// On circles with the magnitudes that the upper convex hull of the logarithms of the coefficients shows, in no symmetric
-    /// position.
+    /// Initial positions on circles whose radii follow from the upper convex hull of the logarithms of the coefficients, without symmetry.
     fn first_places(&self) -> Vec<Complex> {
         let logs = self.coefficients.iter().enumerate().map(|(k, c)| (count(k), libm::log2(c.abs())));
         let mut hull: Vec<(f64, f64)> = vec![];
@@ -226,7 +225,7 @@ fn real_if_it_must_be(places: &[Complex], radii: &[f64], k: usize) -> Complex {
     if alone && z.im.abs() <= radii[k] { Complex::from(z.re) } else { z }
 }
 
-/// To which cluster each disc belongs.
+/// The cluster of each disc.
 fn clusters(places: &[Complex], radii: &[f64]) -> Vec<usize> {
     let mut cluster: Vec<usize> = (0..places.len()).collect();
     for j in 0..places.len() {

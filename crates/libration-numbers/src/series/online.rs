@@ -26,7 +26,7 @@ pub struct Convolution<'a> {
     pub known: &'a [IBig],
     pub weight: Weight,
     pub finish: &'a dyn Fn(usize, IBig) -> IBig,
-    /// Stretches up to this long are solved one by one.
+    /// Length of a stretch up to which coefficients are computed one at a time.
     pub block: usize,
 }
 
@@ -40,7 +40,7 @@ impl Convolution<'_> {
         answers
     }
 
-    /// On entry `answers[l..r]` hold the sums over the answers below `l`, on return the answers.
+    /// Fills `answers[l..r]`: on entry they hold the sums over the coefficients below `l`, on return the coefficients.
     fn fill(&self, answers: &mut [IBig], l: usize, r: usize, first: &IBig) {
         if r - l <= self.block.max(1) {
             return self.fill_one_by_one(answers, l, r, first);

@@ -39,7 +39,7 @@ pub(crate) fn weighted_integral_of_quotient<R: Ring>(
     quotient(ring, weighted_a_n, weighted_c, r)
 }
 
-/// A series beside its weighted form.
+/// A series with its weighted form.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Both<'a, E> {
     pub(crate) plain: &'a [E],

@@ -34,8 +34,8 @@ fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usiz
     all
 }
 
-/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is asked at each step; `None` when
-/// it says no.
+/// The first `length` coefficients of outer(inner(x)), the inner series without constant term. `go_on` is checked at each step; `None` when
+/// it cancels.
 pub fn composition<R: Ring>(
     ring: &R,
     outer: &[R::Element],
@@ -113,11 +113,11 @@ pub fn powers_of_inverse<R: Ring>(ring: &R, a: &[R::Element]) -> Option<SeriesPo
     Some(SeriesPowers::new(ring, &powers))
 }
 
-/// The powers of a series without constant term, which is what it takes to compose with it.
+/// The powers of a series without constant term, for compositions with it.
 #[derive(Clone, Debug)]
 pub struct SeriesPowers<E> {
-    /// For each power of the variable its coefficients in the powers of the series, from the highest that has one down: in those of one parity
-    /// where the series is odd.
+    /// The coefficients of each power of the variable in the powers of the series, from the highest that has one down; in those of one
+    /// parity where the series is odd.
     columns: Vec<Vec<E>>,
     odd: bool,
     first: Vec<E>,

@@ -74,7 +74,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("x[i]'' = -x[i], i = 1..3; x[2] = 0", "gives a value to x[2], which has an equation of motion"),
     ("x[i]'' = x[i-1], i = 1..3; x[0] = 0; x[0] = 1", "x[0] is given twice"),
     ("x[i]'' = x[i-1], i = 1..3; x[0] = x[-1]", "x[0] is given by x[-1], which is outside"),
-    ("x[i]'' = x[i-1]', i = 1..3; x[0] = 2*x[1]", "x[0]' stands in an equation"),
+    ("x[i]'' = x[i-1]', i = 1..3; x[0] = 2*x[1]", "an equation contains x[0]'"),
     ("x[i]'' = -x[i] + x0, i = 1..3", "`x0` may be a parameter or x[0]"),
     ("x[i]'' = -x[i], i = 1..3; x[2]'' = 0", "two equations for x2''"),
     ("x'' = -x, y", "one equation after another with ;"),
@@ -140,7 +140,7 @@ fn an_index_with_a_range_stands_for_many_equations() {
         ("x[i]'' = x[i-1]', i = 1..2; x[0] = x[2]", "x1'' = x2'; x2'' = x1'"),
         // The letter is a number, also where it is a parameter elsewhere; a family of parameters.
         ("x[j]'' = -j*w[j]^2*x[j], j = 1..2; y' = -j*y", "x1'' = -w1^2*x1; x2'' = -2*w2^2*x2; y' = -j*y"),
-        // Of the first order, and beside one of the second that names one of them.
+        // Of the first order, and with one of the second that names one of them.
         ("q[n]' = q[n-1] - q[n] + x', n = 0..1; x'' = q[1]", "q0' = -q0 + x'; q1' = q0 - q1 + x'; x'' = q1"),
         ("x[i]'' = 0, i = 1..1; x[i]'' = x[1], i = 2..2", "x1'' = 0; x2'' = x1"),
     ] {

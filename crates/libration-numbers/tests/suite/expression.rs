@@ -9,7 +9,7 @@ fn formula(text: &str) -> Expression {
     text.parse().unwrap_or_else(|error| panic!("{text}\n{error}"))
 }
 
-/// Input beside the way it is written back with all brackets.
+/// Input with the way it is written back with all brackets.
 const UNDERSTOOD: &[(&str, &str)] = &[
     // Precedence of mathematics.
     ("-x^2", "-(x^2)"),
@@ -191,7 +191,7 @@ const REFUSED: &[(&str, usize, &str)] = &[
     ("x = 1", 3, "not an equation"),
     ("жx", 1, "Latin or Greek"),
     ("x + θ̇̇̇̇", 5, "at most x'''"),
-    ("(1+x)'", 6, "right after a name"),
+    ("(1+x)'", 6, "directly follow a name"),
     (".", 1, "write numbers as 0.5"),
     ("1.2.3", 4, "write a*2"),
     ("1e1001", 1, "too long"),
@@ -213,7 +213,7 @@ fn what_is_wrong_or_ambiguous_is_refused_at_its_place_with_a_hint() {
 #[test]
 fn the_caret_stands_below_the_place() {
     let error = "θ̈ + ω² √θ".parse::<Expression>().unwrap_err();
-    let expected = "at character 9: the argument of sqrt must stand in brackets: write sqrt(x), or sqrt(x)^2 \
+    let expected = "at character 9: the argument of sqrt must be in brackets: write sqrt(x), or sqrt(x)^2 \
                     for its square\n  θ̈ + ω² √θ\n         ^";
     assert_eq!(error.to_string(), expected);
     let long = format!("{}1 @ 2{}", "1+".repeat(200), "+1".repeat(200));

@@ -1,4 +1,4 @@
-//! From an initial state to the energy, without cancellation next to the separatrix.
+//! The energy of an initial state, without cancellation next to the separatrix.
 //!
 //! The motion is a libration, a separatrix or a rotation as 4g·cos²(θ/2) − l·θ′² is positive, zero or
 //! negative. With w = θ′/2ω0 the difference divided by 4g is 1 − e = cos²(θ/2) − w², e = E/(2mgl), and it is
@@ -27,8 +27,8 @@ pub(super) struct Separation {
 /// A relative difference below this has lost too many bits: of the two words, then of the first recomputation.
 const LOST: [f64; 2] = [1e-6, 1e-150];
 
-/// Bits of the first and the second recomputation. The second tells apart what a complement of 1e-300 allows,
-/// a relative difference of δ²; equality is possible at θ = 0 only and is exact.
+/// Bits of the first and the second recomputation. The second distinguishes what a complement of 1e-300 allows, a relative difference of
+/// δ²; equality is possible at θ = 0 only and is exact.
 const BITS: [usize; 2] = [640, 2600];
 
 /// The energy of the state against that of the separatrix, `None` where the difference is not zero but below

@@ -44,13 +44,13 @@ pub struct Rest {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Regime {
-    /// At rest at the bottom.
+    /// Rest at the bottom.
     RestStable,
-    /// At rest upright.
+    /// Rest in the upright position.
     RestUpright,
     /// Swinging to and fro.
     Libration,
-    /// On the separatrix.
+    /// Motion on the separatrix.
     Separatrix,
     /// Turning over and over.
     Rotation,

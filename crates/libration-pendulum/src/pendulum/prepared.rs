@@ -16,7 +16,7 @@ use libration_kernels::double_double::{DoubleDouble, fast_two_sum, two_prod, two
 use libration_kernels::elementary::{nearest_integer, nearest_integer_bits};
 use libration_kernels::fused::FusedMultiplyAdd;
 
-/// Beyond this many segments the index would lose bits.
+/// Largest number of segments: beyond it the index would lose bits.
 const MOST_GONE: f64 = 1125899906842624.0;
 
 /// A motion prepared for very many evaluations.
@@ -181,7 +181,7 @@ trait Unwrap: Copy {
     fn angle(self, at: &Evaluated) -> f64;
 }
 
-/// Libration: what is gone does not count.
+/// A libration, in which earlier turns do not count.
 #[derive(Clone, Copy)]
 struct Swinging;
 

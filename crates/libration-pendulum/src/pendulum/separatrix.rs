@@ -17,10 +17,10 @@ pub struct Separatrix {
     base: DoubleDouble,
 }
 
-/// Beyond this |x| the hyperbolic functions are e^|x|/2.
+/// The |x| beyond which the hyperbolic functions are e^|x|/2.
 const FAR: f64 = 600.0;
 
-/// Beyond this |x| even 1e290·e^−|x| is below the range of numbers.
+/// The |x| beyond which even 1e290·e^−|x| is below the range of numbers.
 const AT_THE_TOP: f64 = 1480.0;
 
 /// |θ| and its complement, and sech x as the product of these two, which underflow later than it does.

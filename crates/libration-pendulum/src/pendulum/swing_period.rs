@@ -3,7 +3,7 @@
 use super::amplitude::period_of_quarter;
 use super::{Amplitude, Pendulum};
 
-/// The period of a libration, and what belongs to it; each number is that of the method of its name, bit for bit.
+/// The period of a libration with related quantities; each number is that of the method of its name, bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SwingPeriod {
     /// [`Pendulum::period`] in seconds.
@@ -19,7 +19,7 @@ pub struct SwingPeriod {
 }
 
 impl Pendulum {
-    /// The period of the libration with this amplitude, and what belongs to it.
+    /// The period of the libration with this amplitude, and related quantities.
     ///
     /// # Examples
     /// ```

@@ -155,7 +155,7 @@ fn fractions(number: f64, count: f64) -> impl Iterator<Item = f64> {
 }
 
 impl Segment {
-    /// The polynomial about this state, for segments of which there are `rate` in a second, `step` = ω0/rate.
+    /// The polynomial about this state for `rate` segments per second, where `step` = ω0/rate.
     fn about(middle: &Middle, step: DoubleDouble, rate: DoubleDouble, base: DoubleDouble) -> Self {
         let Middle { sine, cosine, velocity } = *middle;
         let size = sine.abs();

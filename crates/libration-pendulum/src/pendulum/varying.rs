@@ -43,7 +43,7 @@ pub(super) trait ReleaseSide: Side {
     fn ratio(gauss: DoubleDouble, log: DoubleDouble) -> DoubleDouble;
     /// The factors of tan(θ/2) above and below the line.
     fn tangent_factors(odd: bool, factors: &Factors) -> (DoubleDouble, DoubleDouble);
-    /// The factor of θ′/2ω0 beside θ₄(0)/θ₃(0)².
+    /// The factor of θ′/2ω0 with θ₄(0)/θ₃(0)².
     fn speed_factor(odd: bool, factors: &Factors) -> DoubleDouble;
 }
 

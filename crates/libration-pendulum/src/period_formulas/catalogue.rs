@@ -7,7 +7,7 @@ use super::law::Law;
 /// A catalogue entry as it is typed here.
 pub(super) struct Entry {
     pub(super) key: &'static str,
-    /// Other keys under which it can be asked for.
+    /// Other keys under which it can be requested.
     pub(super) also: &'static [&'static str],
     pub(super) name: &'static str,
     pub(super) authors: &'static str,

@@ -16,7 +16,7 @@ const FIRST_PRECISION: usize = 144;
 /// Enough for the smallest positive `f64`, 2⁻¹⁰⁷⁴; a smaller error is zero.
 const LAST_PRECISION: usize = 1216;
 
-/// The exact ratio at one amplitude in as many precisions as the formulas asked for so far.
+/// The exact ratio at one amplitude in as many precisions as the formulas requested so far.
 #[derive(Debug)]
 pub struct Exact {
     amplitude: SwingAmplitude,
@@ -36,7 +36,7 @@ impl Exact {
         Self::from_quick(amplitude, Quick::new(amplitude))
     }
 
-    /// At each amplitude in turn, a block of ratios in two words at a time; `None` where there is no amplitude.
+    /// The errors at each amplitude in turn, from a block of ratios in two words at a time; `None` where there is no amplitude.
     pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
         let found = |(amplitude, quick): (&Option<_>, _)| amplitude.map(|it| Self::from_quick(it, quick));
         amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))

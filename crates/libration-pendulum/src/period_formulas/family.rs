@@ -1,4 +1,4 @@
-//! The formulas with a number of terms: any number can be asked for.
+//! The formulas with a number of terms: any number can be requested.
 
 use super::expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 use super::formula::{Attribution, Complexity, LeadingError, PeriodFormula};
@@ -6,7 +6,7 @@ use super::law::Law;
 use super::real::Coefficients;
 use libration_numbers::algebra::Rational;
 
-/// The most correction terms a formula can be asked for with; their exact coefficients take seconds.
+/// The most correction terms a formula can be requested with; their exact coefficients take seconds.
 pub const MOST_TERMS: usize = 1000;
 
 /// A formula that is known under another name.
@@ -113,7 +113,7 @@ impl Family {
         }
     }
 
-    /// With one correction two of the series are older formulas.
+    /// The older formula that a series with one correction equals, for two of the series.
     fn known(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),

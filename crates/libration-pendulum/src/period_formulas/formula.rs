@@ -9,7 +9,7 @@ use libration_numbers::algebra::Rational;
 use libration_numbers::internals::catalogue::Named;
 use libration_numbers::quantity::Angle;
 
-/// An approximation to T/T0, the period over that of small swings, with what is known about it.
+/// An approximation to T/T0, the period over that of small swings, with its source and properties.
 ///
 /// # Examples
 /// ```
@@ -167,7 +167,7 @@ impl PeriodFormula {
         &self.name
     }
 
-    /// The authors who published it; empty when it belongs to nobody in particular.
+    /// The authors of the publication; empty where no author is known.
     #[must_use]
     pub fn authors(&self) -> &str {
         &self.authors

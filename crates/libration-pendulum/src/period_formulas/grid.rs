@@ -11,7 +11,7 @@ pub(super) type Coordinate = f64;
 const LOWEST: Coordinate = -345.0;
 /// π − θ0 = 8e-300.
 const HIGHEST: Coordinate = 688.0;
-/// To here from 0 the points are evenly spaced, beyond their distances grow by a constant factor.
+/// End of the evenly spaced points from 0; beyond it their distances grow by a constant factor.
 const EVEN: Coordinate = 8.0;
 const STEPS_PER_UNIT: i16 = 16;
 const GROWTH: f64 = 1.15;

@@ -135,7 +135,7 @@ impl Real for DoubleDouble {
         two_word::ln(*self)
     }
 
-    /// To 2⁻¹⁰⁰ absolutely.
+    /// ln(1 + x), with an absolute error of 2⁻¹⁰⁰.
     fn ln_1p(&self) -> Self {
         two_word::ln(*self + 1.0)
     }
@@ -144,7 +144,7 @@ impl Real for DoubleDouble {
         two_word::exp(*self)
     }
 
-    /// For 0 ≤ x ≤ π.
+    /// The sine, for 0 ≤ x ≤ π.
     fn sin(&self) -> Self {
         let acute = if self.hi > std::f64::consts::FRAC_PI_2 { Self::PI - *self } else { *self };
         two_word::sin_cos(acute).0

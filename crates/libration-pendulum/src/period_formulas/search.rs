@@ -10,7 +10,7 @@ use libration_numbers::roots::{Tolerance, zero_between};
 use libration_numbers::watch::{Interrupted, Stage, Watch};
 use std::convert::Infallible;
 
-/// To this distance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
+/// Tolerance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
 const COORDINATE_TOLERANCE: Tolerance = Tolerance::absolute(4e-15);
 /// Two errors closer than this, relatively, are the same error.
 const SAME: f64 = 8.0 * f64::EPSILON;
@@ -145,7 +145,7 @@ impl ErrorTable {
         self.all_crossovers_watched(&Watch::none())
     }
 
-    /// The crossovers of all pairs; `watch` is asked after each pair. Where it stops those until then are given.
+    /// The crossovers of all pairs; `watch` is checked after each pair. Where it stops those until then are given.
     #[must_use]
     pub fn all_crossovers_watched(&self, watch: &Watch<'_>) -> Vec<Crossover> {
         let count = self.curves.len();

@@ -5,7 +5,7 @@ use libration_kernels::double_double::DoubleDouble;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::quantity::Angle;
 
-/// An amplitude within [0, π), given by what is smaller of it and its complement.
+/// An amplitude within [0, π), given by the smaller of it and its complement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SwingAmplitude {
     /// θ0.
@@ -128,7 +128,7 @@ pub(super) fn inverse_of_agreeing(a: DoubleDouble, b: DoubleDouble) -> DoubleDou
 }
 
 impl Swing<DoubleDouble> {
-    /// With the sine and the cosine of [`SwingAmplitude::half_distance`].
+    /// The swing from the sine and the cosine of [`SwingAmplitude::half_distance`].
     #[inline(always)]
     pub(super) fn in_two_words(
         amplitude: SwingAmplitude,

@@ -393,7 +393,7 @@ fn motions_at_any_frequency_are_those_at_another_scaled() {
     }
 }
 
-/// A state whose phase is known is on its orbit; of the others only the unwrapped angle of a rotation is a number.
+/// Asserts that a state with a known phase is on its orbit, and that of any other state only the unwrapped angle of a rotation is a number.
 fn assert_on_orbit_or_unknown(motion: &Motion, state: &State, frequency: f64, time: f64) {
     let input = (frequency, motion.regime(), time);
     // 2⁹⁷ periods of a libration, or of two turns.

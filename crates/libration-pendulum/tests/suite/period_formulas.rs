@@ -256,7 +256,7 @@ fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
         let gap = |amplitude: &Angle| {
             below.fractional_error(amplitude).abs() - above.fractional_error(amplitude).abs()
         };
-        // What the spacing of f64 amplitudes leaves: matters beside the zero of an error.
+        // What the spacing of f64 amplitudes leaves: matters next to the zero of an error.
         let slope = gap(&Angle::from_radians(crossover.amplitude.radians() + 1e-9).unwrap()).abs() / 1e-9;
         let allowed = 1e-9 * crossover.error + 4e-15 * slope;
         assert!(gap(&crossover.amplitude).abs() <= allowed || slope.is_nan(), "{crossover:?}");

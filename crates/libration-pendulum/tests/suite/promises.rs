@@ -44,7 +44,7 @@ pub(crate) const STATE: Promise = promise(
 pub(crate) const COMPLEMENT: Promise =
     promise("π − |θ(t)| in the turn", "any initial state, |t| ≤ 1e6 periods", 2.5, "2⁻⁵¹·|θ′t| + 2e-323");
 pub(crate) const HARMONICS: Promise = promise("harmonics a_n", "|a_n| ≥ 2.3e-308 rad", 0.56, "");
-/// Rounded from two words.
+/// The bound on action and energy, which are rounded from two words.
 pub(crate) const ACTION: Promise = promise("action, energy", "any motion", 0.56, "2e-323");
 
 /// 2⁻⁵¹, four times the unit roundoff: what a time or a velocity may be off, relatively.

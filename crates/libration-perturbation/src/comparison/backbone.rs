@@ -111,7 +111,7 @@ pub struct BackbonePoint {
 pub struct OrbitFrequency {
     /// 2π over the period.
     pub frequency: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the frequency.
     pub uncertainty: f64,
     /// The displacement from the centre at the other turning point.
     pub other_side: f64,
@@ -204,7 +204,7 @@ impl Backbone {
         self.series.as_ref().err()
     }
 
-    /// Up to which amplitude the series converges, where that is known or can be estimated.
+    /// The amplitude up to which the series converges, where that is known or can be estimated.
     #[must_use]
     pub fn radius(&self) -> Option<Radius> {
         self.series.as_ref().ok().and_then(|series| series.relation().radius())

@@ -25,7 +25,8 @@ impl CycleDistance {
     /// `true` if the series and the orbit are the same cycle, at most a quarter of its half swing apart.
     #[must_use]
     pub fn is_near(&self) -> bool {
-        /// The part of the half swing: on a circle about the equilibrium the phase is off by a quarter of a radian then.
+        /// Largest distance relative to half the swing: on a circle about the equilibrium, the error of the phase is then a quarter of a
+        /// radian.
         const NEAR: f64 = 0.25;
         self.distance <= NEAR * self.half_swing
     }

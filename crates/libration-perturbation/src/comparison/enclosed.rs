@@ -9,7 +9,7 @@ use libration_numbers::{
 
 /// An equilibrium other than the centre between two turning points, the nearest to the centre on its side that shows: beyond it the
 /// force at rest drives away from the centre. It is looked for at even distances from the centre, and at each 2^(1/16) times the one
-/// before, so that a well shows that is small beside the orbit.
+/// before, so that a well shows that is small compared with the orbit.
 pub fn other_equilibrium(equation: &Equation, centre: f64, turning_points: [f64; 2]) -> Option<f64> {
     let name = equation.variables().first()?;
     let inputs = [Symbol::plain(name), Symbol::plain(name).with_primes(1)];
@@ -45,7 +45,7 @@ fn parts() -> Vec<f64> {
     /// part of the way, or than a 23rd part of their distance from rest, may be missed.
     const EVEN: u32 = 256;
     const AN_OCTAVE: u32 = 16;
-    /// Down to 1e-6 of the way.
+    /// Number of halvings, down to 1e-6 of the way.
     const OCTAVES: u32 = 20;
     let even = (1..EVEN).map(|k| f64::from(k) / f64::from(EVEN));
     let halves = (1..=OCTAVES * AN_OCTAVE).map(|k| libm::exp2(-f64::from(k) / f64::from(AN_OCTAVE)));

@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 pub struct ExactValue {
     /// The value.
     pub value: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the value.
     pub uncertainty: f64,
     /// Method of computation.
     pub method: Method,

@@ -22,17 +22,17 @@ use std::cell::Cell;
 pub struct LeadingLimitCycle {
     /// The largest displacement from the equilibrium.
     pub amplitude: f64,
-    /// The amplitude may be wrong by so much as a zero of the work; what terms of higher order in ε change is another matter.
+    /// Bound on the error of the amplitude as a zero of the work; terms of higher order in ε are not included.
     pub amplitude_uncertainty: f64,
     /// The least displacement.
     pub other_side: f64,
     /// Period of the exact orbit without the small terms.
     pub period: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the period.
     pub period_uncertainty: f64,
     /// The rate, over ε, at which a distance from the cycle grows: for ε > 0 it attracts where this is below zero.
     pub exponent: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the exponent.
     pub exponent_uncertainty: f64,
 }
 
@@ -49,7 +49,7 @@ pub struct LeadingLimitCycles {
     pub family_ends: bool,
     /// The sign of the work at these two; zero where it is zero as far as is known.
     pub signs: [f64; 2],
-    /// From the smallest on.
+    /// The cycles, from the smallest on.
     pub cycles: Vec<LeadingLimitCycle>,
 }
 
@@ -60,8 +60,10 @@ pub enum NoLeadingLimitCycles {
     /// No small parameter, or no oscillator without it.
     #[error(transparent)]
     SlowFlow(#[from] SlowFlowError),
-    /// Without the small terms the force depends on the velocity.
-    #[error("at {parameter} = 0 the force depends on the velocity, so that no energy tells the orbits apart")]
+    /// A force that depends on the velocity without the small terms.
+    #[error(
+        "at {parameter} = 0 the force depends on the velocity, so that the orbits are not distinguished by an energy"
+    )]
     VelocityDependent {
         /// The small parameter.
         parameter: String,
@@ -152,7 +154,8 @@ struct Scan {
     family_ends: bool,
 }
 
-/// Between two of them a force of the amplitude's tenth power changes by 9, and cycles that are apart by a quarter are told apart without more.
+/// Ratio of successive amplitudes: a force of the tenth power changes by 9 between them, and cycles that differ by a quarter are
+/// distinguished without further amplitudes.
 const RATIO: f64 = 1.25;
 const SMALLEST: f64 = 1e-4;
 const LARGEST: f64 = 1e4;
@@ -228,7 +231,7 @@ fn extremum(
     Ok(found.filter(Work::is_some))
 }
 
-/// The work where something about it vanishes; nobody is asked again after a stop.
+/// The work at a zero of a function of it; no further work is computed after a cancellation.
 fn at_zero(
     work: &WorkOverOrbits<'_>,
     ends: [(f64, f64); 2],

@@ -34,7 +34,7 @@ impl FromStr for SeriesQuantity {
     type Err = NotASeriesQuantity;
 
     fn from_str(text: &str) -> Result<Self, NotASeriesQuantity> {
-        /// Beyond all orders of expansions.
+        /// Largest number of a harmonic, beyond all orders of expansions.
         const HIGHEST: usize = 10_000;
         let text = text.trim();
         match text {

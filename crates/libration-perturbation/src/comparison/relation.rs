@@ -120,7 +120,7 @@ impl<'a> SeriesComparison<'a> {
         }
     }
 
-    /// With the bounds for a polynomial force, where there are any.
+    /// The evaluation with the bounds for a polynomial force, where there are any.
     fn bounded_by_majorant(&self, evaluation: SeriesEvaluation) -> SeriesEvaluation {
         let Some(majorant) = self.period_majorant() else { return evaluation };
         let bound = match self.quantity {
@@ -141,7 +141,7 @@ impl<'a> SeriesComparison<'a> {
         PeriodMajorant::new(&restoring_force(self.oscillator, degree)?, self.expansion.order)
     }
 
-    /// Up to where the series converges; `None` when too few coefficients are given to tell.
+    /// The radius of convergence; `None` when there are too few coefficients for an estimate.
     #[must_use]
     pub fn radius(&self) -> Option<Radius> {
         if is_pendulum(self.oscillator) && self.series.iter().any(|c| !c.is_zero()) {

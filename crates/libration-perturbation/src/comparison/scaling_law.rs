@@ -42,7 +42,7 @@ pub struct HarmonicRatio {
     pub k: usize,
     /// aₖ/A.
     pub ratio: f64,
-    /// It may be wrong by so much.
+    /// Bound on the error of the ratio.
     pub uncertainty: f64,
 }
 
@@ -99,7 +99,7 @@ impl ScalingLaw {
         Rationals.over_integer(&less, 2).unwrap_or(less)
     }
 
-    /// (p + 1)/2, what stands beside π under the root of C.
+    /// (p + 1)/2, the factor of π under the root of C.
     #[must_use]
     pub fn radicand(&self) -> Rational {
         let more = Rationals.add(self.force.exponent(), &Rational::from(1));

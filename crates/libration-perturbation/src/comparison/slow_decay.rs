@@ -119,7 +119,7 @@ impl SlowDecay {
         found
     }
 
-    /// In units of 1/ω0, as what is followed.
+    /// The state at the release, in units of 1/ω0.
     fn release(&self) -> SlowState {
         SlowState { time: 0.0, amplitude: self.start, phase: 0.0 }
     }
@@ -170,7 +170,7 @@ impl SlowDecay {
 
 /// The name of ε.
 const SMALL: &str = "epsilon";
-/// In units of 1/ω0. A step errs by the fifth power of what the amplitude falls by in it, over 120: where that is a hundredth, by 1e-12,
+/// Step in units of 1/ω0. Its error is the fifth power of the relative decrease of the amplitude in it, over 120: for a hundredth 1e-12,
 /// which is far below c² and A² at any damping and amplitude.
 const STEP: f64 = PI / 64.0;
 /// Newton's rule squares what the phase misses by, some part of the damping.

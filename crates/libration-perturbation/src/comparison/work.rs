@@ -62,7 +62,7 @@ impl<'a> WorkOverOrbits<'a> {
         jet.map_or([f64::NAN; 3], |jet| [0, 1, 2].map(|place| jet.result(place)[0]))
     }
 
-    /// Over the orbit of an amplitude, in the family about the centre.
+    /// The work over the orbit of an amplitude, in the family about the centre.
     pub fn at(&self, amplitude: f64, watch: &Watch<'_>) -> Result<Work, NoOrbit> {
         let (centre, start) = (self.centre, self.centre + amplitude);
         let elsewhere = |other_side: f64| NoOrbit::Elsewhere { start, other_side, centre };

@@ -1,4 +1,4 @@
-//! Exact checks of a family's series by a road that knows no harmonics.
+//! Exact checks of a family's series by a method without harmonics.
 //!
 //! # Method
 //! Up to order 15 everything is computed again in plain rationals, with √ω0² where the velocity enters and ω0 is irrational. Above that order, for
@@ -120,7 +120,7 @@ impl Fractions {
         Self { ring: QuadraticField { base: Rationals, square: square.clone() } }
     }
 
-    /// `None` where it is neither a fraction nor the root that was taken in.
+    /// The square root of a fraction; `None` where it is neither a fraction nor the root adjoined to the field.
     fn root(&self, square: &Rational) -> Option<Quadratic<Rational>> {
         match square.square_root() {
             Some(root) => Some(self.ring.plain(root)),

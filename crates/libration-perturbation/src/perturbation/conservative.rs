@@ -1,4 +1,4 @@
-//! The independent road for conservative oscillators x″ = F(x): reversion of the potential, no harmonics.
+//! The independent methods for conservative oscillators x″ = F(x): reversion of the potential, no harmonics.
 //!
 //! With V(x) = ½ω0²ρ² the energy is that of a harmonic oscillator of amplitude ρ, x = xₑ + X(ρ sin φ), and
 //! ω0·dt = X′ dφ. From X alone follow the turning points X(±ρ) and the period

@@ -1,4 +1,4 @@
-//! From an oscillator to its expansion: exact where its numbers are, in digits where they are not.
+//! The expansion of an oscillator: exact where its numbers are exact, otherwise in floating point.
 
 use super::approximate::{Approximated, approximate_series, centre, limit_cycle};
 use super::certificate::{
@@ -23,17 +23,17 @@ use libration_numbers::{
 /// The highest order of an expansion.
 pub const MAX_ORDER: usize = 1000;
 
-/// Up to this order all coefficients are computed again in plain rational arithmetic.
+/// Highest order to which all coefficients are computed again in plain rational arithmetic.
 const PLAIN_ORDER: usize = 15;
 
-/// Up to this order the first integral of velocity-dependent oscillators is used; where no powers vanish it takes ten times as long.
+/// Highest order to which the first integral of velocity-dependent oscillators is used; where no powers vanish it takes ten times as long.
 const fn first_integral_order(kind: &Kind) -> usize {
     if matches!(kind, Kind::Mirrored) { 41 } else { 61 }
 }
 
 /// The exact expansion of the periodic motions of an oscillator.
 ///
-/// About a centre: x to εᴺ and Ω to εᴺ⁻¹ in the gauge asked for. Of a limit cycle: both to μᴺ in the strength μ of
+/// About a centre: x to εᴺ and Ω to εᴺ⁻¹ in the gauge requested. Of a limit cycle: both to μᴺ in the strength μ of
 /// the self-excitation; the gauge has no meaning there and must be the default one. Where the equilibrium or another
 /// number is not rational the coefficients are floats of 40 digits, and [`Expansion::precision`] says so.
 ///
@@ -63,7 +63,7 @@ pub fn expand(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Ex
     expand_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// Expands as [`expand`] does, and asks `watch` at each order.
+/// Expands as [`expand`] does, and checks `watch` at each order.
 ///
 /// # Errors
 /// As [`expand`], or [`ExpansionError::Interrupted`] with the orders that are certain.
@@ -135,7 +135,7 @@ pub fn expand_with_pi_watched(
     }
 }
 
-/// An oscillator and what is asked about it.
+/// An oscillator and the expansion requested.
 struct Question<'a> {
     oscillator: &'a Oscillator,
     order: usize,
@@ -445,8 +445,8 @@ fn interrupted(known: Option<Expansion>) -> ExpansionError {
 
 fn certain(known: Option<&Expansion>) -> String {
     known.map_or_else(
-        || "nothing was certain".to_owned(),
-        |known| format!("order {} was certain", known.order),
+        || "no order was confirmed".to_owned(),
+        |known| format!("order {} was confirmed", known.order),
     )
 }
 

@@ -1,4 +1,4 @@
-//! The independent road for oscillators whose acceleration depends on the velocity, x″ = F(x, x′): the orbit in the plane of states, which
+//! The independent methods for oscillators whose acceleration depends on the velocity, x″ = F(x, x′): the orbit in the plane of states, which
 //! knows no time.
 //!
 //! With x = r sin φ, x′ = ω0·r cos φ and F = −ω0²x + ω0²·g the equation is

@@ -82,7 +82,7 @@ impl Wave {
 pub(crate) struct Family<E> {
     /// Ω/ω0 by powers of the variable.
     pub(crate) frequency: Vec<E>,
-    /// For each harmonic k, its coefficients by powers of the variable.
+    /// The coefficients of each harmonic k by powers of the variable.
     pub(crate) harmonics: Vec<Vec<HarmonicPair<E>>>,
 }
 

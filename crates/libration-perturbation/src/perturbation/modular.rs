@@ -20,7 +20,7 @@ use libration_numbers::{
 /// More primes than any order that is allowed needs.
 const MOST_PRIMES: usize = 8000;
 
-/// The series modulo as many primes as it takes.
+/// The exact series, from their values modulo as many primes as are needed.
 pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<SeriesSet<Rational>, Unsolved> {
     let mut images = ModelImages { model, symmetry: symmetry(model), watch, done: 0, bad: 0, shape: None };
     let points = SampledHarmonics::period(model.highest_harmonic());
@@ -53,7 +53,7 @@ pub enum Unsolved {
     NoPrimes,
 }
 
-/// With the phase shifted by half a turn and ε by its sign, x is the same unless an even Aₙ breaks the symmetry.
+/// The symmetry of a model: x is unchanged by a phase shift of half a turn with the opposite sign of ε, unless an even Aₙ breaks this.
 fn symmetry(model: &Model<Rational>) -> Symmetry {
     match &model.motion {
         Motion::Centre { gauge: Gauge::Coefficients(list), .. } => Symmetry {
@@ -65,7 +65,7 @@ fn symmetry(model: &Model<Rational>) -> Symmetry {
     }
 }
 
-/// After this many groups of primes in a row without an image it is not the primes that are bad.
+/// Number of successive groups of primes without an image after which the reason is not the primes.
 const MOST_BAD_GROUPS: usize = 8;
 
 /// The reason why there is no image.

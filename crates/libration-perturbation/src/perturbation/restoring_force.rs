@@ -8,7 +8,7 @@ use libration_numbers::{
 };
 
 /// The coefficients g₁, g₂, … of the restoring force g(y) = −F(xₑ + y) by powers of the displacement y from the
-/// equilibrium, as many as asked for: what [`OpenGauge`](super::OpenGauge) and
+/// equilibrium, as many as requested: what [`OpenGauge`](super::OpenGauge) and
 /// [`TruncatedSystem`](super::TruncatedSystem) begin with. `None` when the velocity enters the force, or a coefficient
 /// is not rational.
 ///

@@ -19,7 +19,7 @@ pub(crate) struct Condition {
 }
 
 impl Condition {
-    /// From as many exact values as a polynomial of this degree in x and x′ needs. `None` when one is not rational.
+    /// The selection from the exact values that a polynomial of this degree in x and x′ needs; `None` when one is not rational.
     pub(crate) fn new(tape: &Tape, omega0: &Rational, degree: usize, symmetric: bool) -> Option<Self> {
         let ring = HarmonicSums { numbers: Rationals };
         let places: Vec<Rational> =

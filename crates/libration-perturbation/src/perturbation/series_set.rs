@@ -75,8 +75,8 @@ impl<E: Clone> SeriesSet<E> {
         }
     }
 
-    /// For each number, in the order of [`Self::numbers`], the least order of an expansion that has it, where this one goes
-    /// to `order`; series by one variable are a family.
+    /// The least order of an expansion that contains each number, in the order of [`Self::numbers`], where this one goes to `order`; series
+    /// by one variable are a family.
     pub(crate) fn places(&self, order: usize) -> Vec<Place> {
         let of = |family: usize, series: &[E]| places_of(family, series.len(), order);
         let of_variable = |family: usize, of_own: &OfAmplitude<E>| OfAmplitude {

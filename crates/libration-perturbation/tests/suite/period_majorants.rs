@@ -55,7 +55,7 @@ fn the_error_is_below_the_bound_up_to_the_limit() {
     }
 }
 
-/// At the limit and one ulp beside it.
+/// At the limit and one ulp next to it.
 #[test]
 fn there_is_no_bound_from_the_limit_on() {
     let force = ["1", "0", "-1"].map(|text| text.parse().unwrap());

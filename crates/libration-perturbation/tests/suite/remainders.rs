@@ -68,7 +68,7 @@ fn errors_of_the_pendulum_are_below_their_bounds() {
     }
 }
 
-/// At the top and one ulp beside it, at zero, and where nothing is a number.
+/// At the top and one ulp next to it, at zero, and where nothing is a number.
 #[test]
 fn bounds_of_harmonics_end_at_the_top() {
     let pendulum = pendulum();
@@ -149,7 +149,7 @@ fn estimates_hold_in_99_of_100_checks_of_a_sweep() {
 }
 
 impl Tally {
-    /// The series ended at each of its terms, beside the exact value.
+    /// The series ended at each of its terms, with the exact value.
     fn add(&mut self, series: &SeriesComparison<'_>, exact: &ExactValue, amplitude: f64, what: &str) {
         let present = (5..series.series().len()).filter(|power| !series.series()[*power].is_zero());
         for last in present {

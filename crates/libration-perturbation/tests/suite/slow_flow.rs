@@ -357,10 +357,10 @@ fn what_has_no_slow_flow_says_why() {
     };
     let x_max = &Gauge::XMax;
     for (text, small, expected) in [
-        ("x'' + 0.1*x' + x = 0", None, "no letter"),
+        ("x'' + 0.1*x' + x = 0", None, "no parameter is symbolic"),
         ("x'' + c*x' + x + b*x^3 = 0", None, "b, c have no value"),
         ("x'' + c*x' + x + b*x^3 = 0", Some("c"), "no value is given for b"),
-        ("x'' + c*x' + x = 0", Some("b"), "`b` is not a letter"),
+        ("x'' + c*x' + x = 0", Some("b"), "`b` is not a symbolic parameter"),
         ("x'' + c*x' - x = 0", None, "at c = 0"),
         ("x'' + c*x' + x^3 = 0", None, "at c = 0"),
         ("x'' + c*x' + x = c*cos(t)", None, "depends on t"),

@@ -38,9 +38,9 @@ fn value(coefficient: &LaurentPolynomial, values: &[(&str, &str)]) -> Rational {
         Expression::Number(number) => number,
         Expression::Negate(number) => match *number {
             Expression::Number(number) => -number,
-            other => panic!("-({other}) is no number"),
+            other => panic!("-({other}) is not a number"),
         },
-        other => panic!("{other} is no number"),
+        other => panic!("{other} is not a number"),
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
 
 /// Start of a motion, which decides by which kernel it is computed, so that one element has the same result as many.
 enum Start {
-    /// At rest within a turn.
+    /// A release from rest within a turn.
     Released,
     Launched {
         angle: f64,
@@ -66,7 +66,7 @@ impl Start {
     }
 }
 
-/// Ranges of as many elements beside each other as have the same key.
+/// Ranges of as many elements next to each other as have the same key.
 fn runs<K: PartialEq>(count: usize, key: impl Fn(usize) -> K) -> impl Iterator<Item = Range<usize>> {
     let mut start = 0;
     std::iter::from_fn(move || {

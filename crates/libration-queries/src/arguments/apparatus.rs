@@ -8,7 +8,7 @@ use libration_lab::fit::{AIR_DENSITY, Apparatus, Correlation, PeriodDamping};
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
 pub(crate) struct ApparatusOptions {
-    /// From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity
+    /// Distance from the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives gravity
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty)]
     length: Option<Quantity>,
     /// Radius of the bob, a sphere, such as 20.0(1)mm
@@ -23,7 +23,7 @@ pub(crate) struct ApparatusOptions {
     /// Mass of the rod or string
     #[arg(long, value_name = "MASS", value_parser = text::mass_with_uncertainty, requires = "bob_mass")]
     rod_mass: Option<Quantity>,
-    /// From the pivot to the end of the rod [default: to the surface of the bob]
+    /// Distance from the pivot to the end of the rod [default: to the surface of the bob]
     #[arg(long, value_name = "LENGTH", value_parser = text::length_with_uncertainty, requires = "rod_mass")]
     rod_length: Option<Quantity>,
     /// Density of the air [default: 1.20(2)kg/m^3]
@@ -59,7 +59,7 @@ impl DampingOptions {
 }
 
 impl ApparatusOptions {
-    /// The length; none when gravity is not asked for.
+    /// The length; none when gravity is not requested.
     pub(crate) fn length(&self) -> Option<Quantity> {
         self.length
     }

@@ -139,14 +139,14 @@ impl Wanted {
                 if self.role == Role::Frequencies && self.uncertainties_of.is_none() =>
             {
                 return Err(format!(
-                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: say which with <--frequency-unit>"
+                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: give it by <--frequency-unit>"
                 ));
             }
             (None, WrittenUnit::Nothing) => (usual, None),
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {
                     return Err(format!(
-                        "{place}: `{text}` is not a known unit of {}: say which with {option}",
+                        "{place}: `{text}` is not a known unit of {}: give it by {option}",
                         self.role
                     ));
                 }
@@ -156,10 +156,7 @@ impl Wanted {
                         self.role
                     ));
                 }
-                _ => (
-                    usual,
-                    Some(format!("{place} is taken in {usual}: `{text}` is no unit that is known here")),
-                ),
+                _ => (usual, Some(format!("{place} is taken in {usual}: `{text}` is not a known unit"))),
             },
         })
     }

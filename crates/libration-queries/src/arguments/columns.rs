@@ -15,7 +15,7 @@ pub(crate) fn columns(argument: &Parameter, text: &str, model: &Model) -> Result
         if name.is_empty() || formula.is_empty() {
             let given = item.trim();
             return Err(usage(format!(
-                "`{given}` is no formula: give NAME = FORMULA, such as energy = x'^2/2"
+                "`{given}` is not a formula: give NAME = FORMULA, such as energy = x'^2/2"
             )));
         }
         let formula = formula.parse().map_err(|error| usage(format!("{name}: {error}")))?;

@@ -18,6 +18,6 @@ fn input(name: &str) -> Result<BudgetInput, String> {
     let mut inputs = BudgetInput::ALL.into_iter().filter(|input| *input != BudgetInput::Slope);
     inputs.clone().find(|input| option(*input) == name.trim()).ok_or_else(|| {
         let names: Vec<String> = inputs.by_ref().map(option).collect();
-        format!("`{}` is none of the inputs: {}", name.trim(), names.join(", "))
+        format!("`{}` is not an input; the inputs are {}", name.trim(), names.join(", "))
     })
 }

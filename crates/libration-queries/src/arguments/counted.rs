@@ -49,7 +49,7 @@ impl CountedOptions {
             (None, CountedPeriods::Nothing) => (usual, sentence(usual)),
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
-                    "{place} may hold times of several periods or of parts of one: say how many with <--periods-per-row>, or \
+                    "{place} may hold times of several periods or of parts of one: give the number by <--periods-per-row>, or \
                      <--half-periods>"
                 ));
             }

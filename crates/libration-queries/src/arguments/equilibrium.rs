@@ -9,7 +9,7 @@ use libration::systems::{Coordinate, Model};
 
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct EquilibriumOptions {
-    /// Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken at rest
+    /// Coordinates near the equilibrium, such as x=1,theta=180deg; the others are taken at rest
     #[arg(long, value_name = "NAME=VALUE,…")]
     about: Option<String>,
 }
@@ -42,7 +42,7 @@ fn number(coordinate: &Coordinate, text: &str) -> Result<f64, QueryError> {
     }
     formula().or_else(angle).ok_or_else(|| {
         refusal(format!(
-            "{}: `{text}` is no number: write 0.5, sqrt(2)/2, or 90deg for an angle",
+            "{}: `{text}` is not a number: write 0.5, sqrt(2)/2, or 90deg for an angle",
             coordinate.name
         ))
     })

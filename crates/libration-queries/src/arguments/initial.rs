@@ -94,7 +94,7 @@ impl Initial {
         Self::of_values(&items, model).map_err(usage)
     }
 
-    /// From names and values.
+    /// The state from names and values.
     fn of_values(values: &[(&str, &str)], model: &Model) -> Result<Self, String> {
         let InitialState { state, assumed } = model.initial(values).map_err(|error| error.to_string())?;
         Ok(Self { state, assumed })

@@ -3,7 +3,7 @@
 use crate::query_error::{QueryError, argument};
 use std::fmt::Display;
 
-/// The entries asked for.
+/// The entries that are listed.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct KeyOptions {
     /// List only these
@@ -12,7 +12,7 @@ pub(crate) struct KeyOptions {
 }
 
 impl KeyOptions {
-    /// The entries with these keys; all of the catalogue where none is asked for.
+    /// The entries with these keys; all of the catalogue where none is requested.
     pub(crate) fn chosen<T, E: Display>(
         &self,
         catalogue: impl IntoIterator<Item = T>,

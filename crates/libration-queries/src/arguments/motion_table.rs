@@ -7,7 +7,7 @@ use crate::query_error::QueryError;
 use libration::quantity::BareRadians;
 use std::path::Path;
 
-/// More motions than this are never asked for.
+/// More motions than this are never requested.
 const MOST_MOTIONS: usize = 1_000_000;
 
 /// Title of columns of names, such as `light`.
@@ -129,7 +129,9 @@ fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColu
             return Err(format!("there are two columns `{title}`: give one"));
         }
         if column.meaning == Meaning::Parameter && system.counts(&column.title) {
-            return Err(format!("`{title}` says how many coordinates all motions have: give it by <--set>"));
+            return Err(format!(
+                "`{title}` sets the number of coordinates of all motions: give it by <--set>"
+            ));
         }
         if column.meaning == Meaning::Parameter && system.gives(&column.title) {
             return Err(format!("`{title}` has a value by an option already: give the option or the column"));
@@ -138,7 +140,8 @@ fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColu
     }
     match columns.iter().all(|column| column.meaning == Meaning::Name) {
         true => {
-            Err("it names neither a parameter nor an initial value, so that all motions are one".to_owned())
+            Err("it names neither a parameter nor an initial value, so that all motions are the same"
+                .to_owned())
         }
         false => Ok(columns),
     }

@@ -11,7 +11,7 @@ use libration::oscillator::{
 use libration::quantity::{Angle, Displacement, is_angle_name};
 use libration::systems::NamedSystem;
 
-/// The oscillator asked about.
+/// The oscillator.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct OscillatorOptions {
     /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0" or "\ddot{x} + \sin x = 0"
@@ -113,8 +113,8 @@ impl OscillatorOptions {
         }
     }
 
-    /// The oscillator, with letters where parameters have no value; these keep none.
-    /// The inner error is that of a strength that is left open, for which a slow flow may be the answer.
+    /// The oscillator, with letters where parameters have no value; these keep none. The inner error is that of a strength that is left
+    /// open, for which a slow flow may be the result.
     pub(crate) fn chosen_with_letters(
         &self,
         letters: &[String],

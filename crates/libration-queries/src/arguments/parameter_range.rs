@@ -4,7 +4,7 @@ use super::commas::at_commas;
 use super::values::plain_name;
 use libration::expression::Expression;
 
-/// More values than this are never asked for.
+/// More values than this are never requested.
 const MOST_VALUES: u32 = 1_000_000;
 
 /// A parameter with its values.
@@ -50,5 +50,5 @@ pub(crate) fn constant(text: &str) -> Result<Expression, String> {
 
 fn value(constant: &Expression) -> Result<f64, String> {
     let value = constant.to_f64().filter(|value| value.is_finite());
-    value.ok_or_else(|| format!("`{constant}` is no finite number"))
+    value.ok_or_else(|| format!("`{constant}` is not a finite number"))
 }

@@ -18,7 +18,7 @@ pub(crate) fn parameter_span(text: &str) -> Result<ParameterSpan, String> {
     let [from, to] = range.split(':').collect::<Vec<_>>()[..] else { return Err(refusal()) };
     let end = |text: &str| {
         let value = constant(text)?.to_f64().filter(|value| value.is_finite());
-        value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
+        value.ok_or_else(|| format!("`{}` is not a finite number", text.trim()))
     };
     Ok(ParameterSpan { name: plain_name(name), range: [end(from)?, end(to)?] })
 }
@@ -29,7 +29,7 @@ pub(crate) fn two_parameter_spans(text: &str) -> Result<[ParameterSpan; 2], Stri
     let [first, second] = at_commas(text)[..] else { return Err(refusal()) };
     let spans = [parameter_span(first)?, parameter_span(second)?];
     match spans[0].name == spans[1].name {
-        true => Err(format!("`{}` stands there twice: {}", spans[0].name, refusal())),
+        true => Err(format!("`{}` is given twice: {}", spans[0].name, refusal())),
         false => Ok(spans),
     }
 }

@@ -8,7 +8,7 @@ use libration_lab::measurement::{
 };
 use std::path::Path;
 
-/// Options for the reading of a recording, in place of what the file says.
+/// Options for the reading of a recording, in place of the settings in the file.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Reading (detected in the file unless given)")]
 pub(crate) struct RecordingOptions {

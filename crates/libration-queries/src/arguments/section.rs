@@ -10,7 +10,7 @@ use libration::systems::Model;
 use libration::taylor::{Direction, Effort};
 use std::f64::consts::TAU;
 
-/// More points than this are never asked for.
+/// More points than this are never requested.
 const MOST_POINTS: usize = 10_000_000;
 
 /// The options that say where and how many.
@@ -42,7 +42,7 @@ pub(crate) struct SectionOptions {
     fold: bool,
 }
 
-/// From which side a formula comes to zero.
+/// The direction in which a formula crosses zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Side {
     /// From negative to positive

@@ -9,7 +9,7 @@ use libration::expression::{EquationError, Expression};
 use libration::systems::{Model, ModelError, NamedSystem, NoSuchPendulum};
 use std::fmt::Display;
 
-/// The system asked about.
+/// The system.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
     /// A key from <libration systems> or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
@@ -33,12 +33,12 @@ pub(crate) struct PendulumSystemOptions {
     gravity: Option<f64>,
 }
 
-/// A system as far as options say what it is.
+/// A system as far as its options are given.
 #[derive(Clone, Debug)]
 pub(crate) struct GivenSystem<'a> {
     options: &'a SystemOptions,
     values: Vec<(String, Expression)>,
-    /// With these values, and defaults.
+    /// The system with these values, and defaults.
     model: Model,
 }
 
@@ -135,7 +135,7 @@ impl PendulumSystemOptions {
             return Ok(vec![]);
         }
         let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
-            let reason = "only the pendulums of <libration systems> take it, such as damped_pendulum";
+            let reason = "only the pendulums of <libration systems> accept it, such as damped_pendulum";
             QueryError::usage(argument, reason)
         })?;
         named.values_of(self.length, self.gravity).map_err(|error| match error {
@@ -212,7 +212,7 @@ fn failure(error: ModelError, varied: Varied<'_>) -> QueryError {
     QueryError::usage(about, &error).with_item(parameter)
 }
 
-/// Adds to a reason why there is no motion that the drive of the system is off, if it is.
+/// Adds to a reason why there is no motion that the drive of the system is zero, where it is.
 pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
     match &model.idle_drives()[..] {
         [] => reason.to_string(),

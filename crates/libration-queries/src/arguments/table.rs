@@ -5,13 +5,13 @@ use crate::query_error::QueryError;
 use libration_lab::measurement::{Column, Delimiter, Header, ReadOptions, Table, Unit};
 use std::path::Path;
 
-/// Options for the layout of a table, in place of what is inferred from the file.
+/// Options for the layout of a table, in place of inferred settings.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(crate) struct DialectOptions {
     /// Separator of the columns [default: detected]
     #[arg(long, value_enum)]
     delimiter: Option<Separator>,
-    /// Whether the first row names the columns
+    /// Row of column names: detected, present or absent
     #[arg(long, value_enum, default_value = "detect")]
     header: FirstRow,
 }

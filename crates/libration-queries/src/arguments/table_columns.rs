@@ -34,7 +34,7 @@ impl ColumnsOption {
             0 if table.names().is_empty() && table.width() > 2 => {
                 let width = table.width();
                 let reason =
-                    format!("the table has {width} columns and no header: say which with <--columns>");
+                    format!("the table has {width} columns and no header: choose them by <--columns>");
                 Err(QueryError::no_result(file, reason))
             }
             0 => inferred(table).ok_or_else(|| {

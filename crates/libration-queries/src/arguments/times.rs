@@ -6,7 +6,7 @@ use libration::pendulum::{Motion, Pendulum};
 use libration::quantity::{Dimension, NumberRange, QuantityError, RangeError, numbers, parse};
 use std::path::PathBuf;
 
-/// Without an answer to "when?" a period is shown in this many steps.
+/// Number of steps in a period where no times are given.
 const STEPS: u32 = 24;
 
 /// The options that say at which times.

@@ -35,7 +35,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 impl Tolerances {
-    /// Without another wish.
+    /// The default tolerance.
     const USUAL: f64 = 1e-12;
 
     pub(crate) fn effort(&self) -> Effort {

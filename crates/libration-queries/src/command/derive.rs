@@ -48,7 +48,7 @@ pub(crate) struct Derive {
     amplitude: Option<Displacement>,
     #[command(flatten)]
     pendulum: PendulumOptions,
-    /// Leave out the results, as exercises, and give them as answers at the end
+    /// Leave out the results, as exercises, and give them as solutions at the end
     #[arg(long)]
     exercises: bool,
     /// Format of the derivation
@@ -71,16 +71,16 @@ struct SeriesOptions {
     /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
-    /// Averaging, limit-cycle: which letter is small, where several have no value
+    /// Averaging, limit-cycle: the small symbol, where several have no value
     #[arg(long, value_name = "LETTER")]
     small: Option<String>,
-    /// Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default: fundamental]
+    /// Perturbation: meaning of the expansion parameter, such as energy or A1=1,A3=-1 [default: fundamental]
     #[arg(long)]
     gauge: Option<Gauge>,
     /// Series: the value of a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Perturbation: which equilibrium, where there are several
+    /// Perturbation: the equilibrium, where there are several
     #[arg(long, value_name = "X")]
     about: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! `libration fields`: what the fields of answers mean.
+//! `libration fields`: what the fields of results mean.
 
 use super::all_fields;
 use crate::output::description::{Answers, Description, Row, descriptions};
@@ -11,8 +11,8 @@ use std::io::{self, Write};
 
 /// The fields of JSON and CSV results: names, units, meanings
 ///
-/// In names, [] stands for each entry of a list, and capitals for a name that depends on the question: KEY is the key of a
-/// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is none, or where it depends on the question.
+/// In names, [] stands for each entry of a list, and capitals for a name that depends on the command line: KEY is the key of a
+/// formula, NAME the name of a parameter, a coordinate or a velocity, K the number of a harmonic. Nested fields are preceded by their path. The unit is empty where there is none, or where it depends on the command line.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration fields period
@@ -32,7 +32,7 @@ const FIRST: &[Row] = &[("schema", "1", "version of the names of the fields")];
 const LAST: &[Row] = &[(
     "note",
     "",
-    "why numbers beside it are null, in any object; left out where there is nothing to say. In CSV the cell of a number that is not known or not finite is empty",
+    "reason why numbers of the same object are null; left out where there is none. In CSV the cell of a number that is not known or not finite is empty",
 )];
 
 /// The fields of `libration fields` itself.
@@ -47,9 +47,9 @@ pub(crate) fn answers() -> Vec<Answers> {
     vec![Answers { command: "fields", option: "", json: json.concat(), csv: csv.concat() }]
 }
 
-const COMMAND: Row = ("command", "", "command that gives the answer");
+const COMMAND: Row = ("command", "", "command with this output");
 const OPTION: Row =
-    ("option", "", "option, or oscillator, that asks for this kind of answer, empty for the usual one");
+    ("option", "", "option or oscillator that selects this kind of output, empty for the usual one");
 
 fn of_description() -> Fields<Description> {
     type Of = Field<Description>;
@@ -58,7 +58,7 @@ fn of_description() -> Fields<Description> {
             .words("name", |it| it.name.clone()),
         Of::value("unit", "", "its unit, 1 for counts and ratios", |it| it.unit.into())
             .words("unit", |it| it.unit.to_owned()),
-        Of::value("meaning", "", "what it is", |it| it.meaning.into())
+        Of::value("meaning", "", "meaning", |it| it.meaning.into())
             .words("meaning", |it| it.meaning.to_owned()),
     ])
 }
@@ -76,7 +76,7 @@ impl FieldsQuestion {
         Ok(())
     }
 
-    /// The answers asked for; `fit` stands for all fits.
+    /// The results requested; `fit` stands for all fits.
     fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
         let is_asked = |it: &Answers| {
@@ -89,7 +89,7 @@ impl FieldsQuestion {
             let mut names: Vec<&str> = all_fields().iter().map(|it| it.command).collect();
             names.dedup();
             let reason = format!(
-                "`{}` has no answer with fields; the commands that have are {}",
+                "`{}` has no output with fields; the commands that have are {}",
                 asked.join(" "),
                 names.join(", ")
             );

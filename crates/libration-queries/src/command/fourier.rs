@@ -10,7 +10,7 @@ use libration::pendulum::{FourierSeries, FourierTerm, Motion, Regime};
 use libration::quantity::Angle;
 use std::io::Write;
 
-/// More harmonics than this are never asked for by a tolerance.
+/// More harmonics than this are never requested by a tolerance.
 const LIMIT: usize = 1_000_000;
 
 /// The Fourier coefficients of the angle and of the velocity

@@ -188,7 +188,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
             "Tools",
             vec![
                 query("figure", "pictures: SVG or PNG", figure::Figure::answer, figure::answers),
-                query("sweep", "any command at all points of a grid", sweep::Sweep::answer, sweep::answers),
+                query("sweep", "any command over a parameter grid", sweep::Sweep::answer, sweep::answers),
                 query(
                     "fields",
                     "meaning and unit of every field of JSON and CSV",
@@ -205,7 +205,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
 pub(crate) const FAMILIES: [[&str; 4]; 1] = [[
     "fit",
     "fit of periods, lengths, gate times, swings, responses",
-    "Fit measured data by the exact law: periods, lengths, gate times, whole swings or the response to a drive",
+    "Fit the exact law to measured data: periods, lengths, gate times, whole swings or the response to a drive",
     "Examples:
   libration fit periods examples/period_table_synthetic.csv
   libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg

@@ -50,7 +50,7 @@ use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
 
-const ABOUT: &str = "The pendulum at any amplitude, and the oscillators and systems beyond it: exact answers, each with its error";
+const ABOUT: &str = "The pendulum at any amplitude, and the oscillators and systems beyond it: exact results, each with its error";
 
 /// The width of every help, whatever the terminal, so that examples can be copied as they are printed.
 const HELP_WIDTH: usize = 80;
@@ -158,7 +158,7 @@ pub(crate) fn with_command<R>(work: impl FnOnce(&mut Command) -> R) -> R {
 }
 
 thread_local! {
-    // To build it takes longer than many a query.
+    // It takes longer to build than many queries take.
     static COMMAND: RefCell<Command> = RefCell::new(command([]));
 }
 
@@ -184,9 +184,9 @@ fn read(matches: &ArgMatches) -> (String, &ArgMatches) {
 
 /// The ensemble of `simulate --each`, which can be followed further and further.
 pub(crate) fn ensemble(matches: &ArgMatches) -> Result<(Model, Ensemble), QueryError> {
-    let simulate = matches.subcommand_matches("simulate").ok_or_else(|| {
-        QueryError::misuse("only <libration simulate> with <--each> has motions that go on together")
-    })?;
+    let simulate = matches
+        .subcommand_matches("simulate")
+        .ok_or_else(|| QueryError::misuse("only <libration simulate> with <--each> has an ensemble"))?;
     let refused = |error| QueryError::refused(&error);
     simulate::Simulate::from_arg_matches(simulate).map_err(refused)?.ensemble()
 }

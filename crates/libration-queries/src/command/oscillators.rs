@@ -46,8 +46,8 @@ impl Oscillators {
 fn of_oscillator() -> Fields<NamedOscillator> {
     type Of = Field<NamedOscillator>;
     Fields::from([
-        Of::value("key", "", "short name that commands take", |it| it.key.into()),
-        Of::value("also[]", "", "other names that they take", |it| json::list(it.also.to_vec())),
+        Of::value("key", "", "short name that commands accept", |it| it.key.into()),
+        Of::value("also[]", "", "other names that they accept", |it| json::list(it.also.to_vec())),
         Of::value("title", "", "usual name", |it| it.title.into()),
         Of::value("equation", "", "equation of motion", |it| it.equation.into()),
         Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(it.parameters)),
@@ -60,9 +60,10 @@ fn of_oscillator() -> Fields<NamedOscillator> {
             |it| it.expansion_parameter.into(),
         )
         .only_json(),
-        Of::value("description", "", "what it describes", |it| it.description.into()).only_json(),
-        Of::value("domain", "", "where it oscillates", |it| it.domain.into()),
-        Of::value("source", "", "where the equation is from", |it| it.source.into()),
+        Of::value("description", "", "system that the equation describes", |it| it.description.into())
+            .only_json(),
+        Of::value("domain", "", "domain in which it oscillates", |it| it.domain.into()),
+        Of::value("source", "", "source of the equation", |it| it.source.into()),
     ])
 }
 
@@ -70,8 +71,8 @@ fn of_parameter() -> Fields<NamedParameter> {
     type Of = Field<NamedParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
-        Of::value("default", "", "value where none is given", |it| it.default.into()),
-        Of::value("meaning", "", "what the parameter is", |it| it.meaning.into()),
+        Of::value("default", "", "default value", |it| it.default.into()),
+        Of::value("meaning", "", "meaning of the parameter", |it| it.meaning.into()),
     ])
 }
 

@@ -12,7 +12,7 @@ const PAGE: Option<&[u8]> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 The page holds the moving pendulum, all formulas, series, derivations, fits of
-measured swings, order and chaos. A command has it that was built with it:
+measured swings, order and chaos. A command contains it if built with it:
   web/build
   LIBRATION_PAGE=web/dist/libration.html \\
     cargo install --path crates/libration-cli

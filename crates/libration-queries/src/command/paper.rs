@@ -11,11 +11,11 @@ use std::io::{self, Write};
 /// Every equation of two published derivations, checked by computation and corrected where it is wrong
 ///
 /// The documents are B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), and J. Côté, Period of a Pendulum. What they print is compared with what the program computes, exactly where possible. Where they state something in words,
-/// `paraphrase` marks the formula as ours.
+/// `paraphrase` marks the formula.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration paper                    # every equation, verdict and evidence
-  libration paper --only wrong       # what is wrong, and what should be there
+  libration paper --only wrong       # wrong statements, with corrections
   libration paper --label 25 --json")]
 pub(crate) struct Paper {
     /// Show only statements with this verdict
@@ -80,8 +80,9 @@ fn document(text: &str) -> Result<Document, String> {
 }
 
 /// Meaning of the field with the amplitudes at which a claim holds.
-const HOLDS: &str = "amplitudes, from and to, at which a claim about numbers holds";
-const PARAPHRASE: &str = "whether the formula is ours, for a statement that the document makes in words";
+const HOLDS: &str = "amplitudes, from and to, at which a numerical claim holds";
+const PARAPHRASE: &str =
+    "true if the formula is a paraphrase, for a statement that the document makes in words";
 
 fn of_statement() -> Fields<Row> {
     type Of = Field<Row>;
@@ -90,7 +91,7 @@ fn of_statement() -> Fields<Row> {
         Of::value("label", "", "number of the equation, or where the statement stands", |row| {
             row.label.as_str().into()
         }),
-        Of::value("claim", "", "what is claimed, in words", |row| row.claim.as_str().into()),
+        Of::value("claim", "", "claim in words", |row| row.claim.as_str().into()),
         Of::value("printed[]", "", "formulas as they are printed", |row| json::list(row.printed.clone())),
         Of::value("printed", "", "formulas as they are printed, with ; between them", |row| {
             row.printed.join("; ").into()
@@ -104,10 +105,10 @@ fn of_statement() -> Fields<Row> {
         Of::value("verdict", "", "verified, typo, wrong or not decided, with what restricts it", |row| {
             row.finding.summary().into()
         }),
-        Of::value("correct", "", "what should be there, empty where nothing is wrong", |row| {
+        Of::value("correct", "", "corrected formula, empty where nothing is wrong", |row| {
             row.finding.correct.as_str().into()
         }),
-        Of::value("evidence", "", "how that was found", |row| row.finding.evidence.as_str().into()),
+        Of::value("evidence", "", "evidence for the verdict", |row| row.finding.evidence.as_str().into()),
         Of::present_value("holds_for_rad[][]", "rad", HOLDS, |row| {
             let ends = row.finding.holds_for.iter().map(|&(from, to)| json::numbers(&[from, to]));
             (!row.finding.holds_for.is_empty()).then(|| json::list(ends))

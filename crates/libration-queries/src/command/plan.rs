@@ -12,9 +12,9 @@ use libration_lab::fit::plan::{Plan, PlannedRecording, PlannedSwings, plan};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// Plan a measurement of g: from which amplitude, how many swings, how well the length must be known
+/// Plan a measurement of g: amplitude of release, number of swings, uncertainty of the length
 ///
-/// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace --model linear` does; without a model the fit does not know the law of damping either, and of few swings states about half as much more. What they leave open of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
+/// The rows have independent errors of the angle, and a fit finds ω0, damping and start from them, as `libration fit trace --model linear` does; without a model the fit does not know the law of damping either, and its uncertainties for few swings are about half as large again. The uncertainty of ω0 is the Cramér–Rao bound; length, clock and the scale of the angles add their parts, as in the budget of the measurement.
 #[derive(Debug, clap::Args)]
 #[command(override_usage = USAGE, after_help = "Examples:
   libration plan --g-to 1e-3 --length 1m±0.5mm --angle-noise 0.2deg --rate 60
@@ -23,10 +23,10 @@ use std::io::{self, Write};
   libration plan --g-to 2e-3 --length 57cm±1mm --angle-noise 1deg --rate 30 \\
     --linear-damping 0.03/s --amplitudes 5deg:60deg:5deg --csv")]
 pub(crate) struct PlanQuestion {
-    /// The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%
+    /// The target relative standard uncertainty of g, such as 1e-3 or 0.1%
     #[arg(long, value_name = "PART", value_parser = arguments::part)]
     g_to: f64,
-    /// From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m
+    /// Distance from the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m
     #[arg(long, value_parser = arguments::length_with_uncertainty)]
     length: Quantity,
     /// Standard deviation of the angle in a row, such as 0.2deg
@@ -61,7 +61,7 @@ const USAGE: &str = "libration plan --g-to <PART> --length <LENGTH> --angle-nois
 #[derive(Clone, Debug)]
 struct Choices(Vec<Amplitude>);
 
-/// More than these nobody tries.
+/// Largest number of amplitudes.
 const MOST: usize = 1000;
 
 fn amplitudes(text: &str) -> Result<Choices, String> {
@@ -125,31 +125,29 @@ fn write_table(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {
 fn of_plan() -> Fields<Plan> {
     type Of = Field<Plan>;
     Fields::from([
-        Of::number("wanted", "1", "wanted standard uncertainty of g, as a part of g", |it| it.target)
+        Of::number("wanted", "1", "target standard uncertainty of g, as a part of g", |it| it.target)
             .line("u(g)/g wanted", 3),
         Of::number(
             "left_for_recording",
             "1",
-            "what noise and scale of the angles may contribute to it, as a part of g",
+            "contribution to it that is left for noise and scale of the angles, as a part of g",
             |it| it.left_for_recording,
         )
         .line("for the recording", 3),
         Of::nullable(
             "length_uncertainty_needed_m",
             "m",
-            "to how much the length must be known, or null where it is known well enough",
+            "uncertainty of the length that is required, or null where the present one suffices",
             |it| it.length_needed,
         ),
-        Of::value("swings", "1", "fewest swings that do, or null where none do", |it| {
+        Of::value("swings", "1", "fewest swings that suffice, or null where none do", |it| {
             it.best().and_then(|best| best.swings).into()
         }),
         Of::nullable("amplitude_rad", "rad", "amplitude of their release, or null", |it| {
             it.best().map(|best| best.amplitude)
         }),
-        Of::nullable("duration_s", "s", "how long they take, or null", |it| {
-            it.best().map(|best| best.duration)
-        }),
-        Of::value("advice[]", "", "what to do, in sentences", |it| json::list(it.advice()))
+        Of::nullable("duration_s", "s", "their duration, or null", |it| it.best().map(|best| best.duration)),
+        Of::value("advice[]", "", "advice, in sentences", |it| json::list(it.advice()))
             .line_of("advice", |it| it.advice().join("; ")),
         Of::nested("choices[].", &of_choice(), |it| of_choice().records(&choices(it))),
     ])
@@ -163,11 +161,11 @@ fn of_choice<'a>() -> Fields<Choice<'a>> {
     Fields::from([
         Of::number("amplitude_rad", "rad", "amplitude of the release", |it| it.swings.amplitude)
             .degrees("amplitude / °", 4),
-        Of::value("swings", "1", "fewest swings that do, or null where 10000 do not", |it| {
+        Of::value("swings", "1", "fewest swings that suffice, or null where 10000 do not", |it| {
             it.swings.swings.map_or(Value::Null, Value::from)
         })
         .numeral("swings", |it| it.swings.swings.map_or("–".to_owned(), |swings| swings.to_string())),
-        Of::nullable("duration_s", "s", "how long they take, or null", |it| {
+        Of::nullable("duration_s", "s", "their duration, or null", |it| {
             it.swings.swings.map(|_| it.swings.duration)
         })
         .short("time / s", 4)
@@ -181,12 +179,12 @@ fn of_choice<'a>() -> Fields<Choice<'a>> {
             "scale",
             |it| it.swings.expected.angle_scale,
         ),
-        part("length", "the same by the length, as it is known now", "length", |it| {
+        part("length", "the same by the length, with its present uncertainty", "length", |it| {
             it.swings.expected.length
         }),
         part("clock", "the same by the clock", "clock", |it| it.swings.expected.clock),
         part("total", "the same by all of them", "u(g)/g", |it| it.swings.expected.total()),
-        Of::value("is_best", "", "whether it has the fewest swings", |it| it.is_best.into())
+        Of::value("is_best", "", "true if it has the fewest swings", |it| it.is_best.into())
             .words("", |it| if it.is_best { "best".to_owned() } else { String::new() }),
     ])
 }

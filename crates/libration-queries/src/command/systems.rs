@@ -48,8 +48,8 @@ impl Systems {
 fn of_system() -> Fields<NamedSystem> {
     type Of = Field<NamedSystem>;
     Fields::from([
-        Of::value("key", "", "short name that commands take", |it| it.key.into()),
-        Of::value("also[]", "", "other names that they take", |it| json::list(it.also.to_vec())),
+        Of::value("key", "", "short name that commands accept", |it| it.key.into()),
+        Of::value("also[]", "", "other names that they accept", |it| json::list(it.also.to_vec())),
         Of::value("title", "", "usual name", |it| it.title.into()),
         Of::value("equations[]", "", "equations of motion", |it| {
             json::list(it.equations.split(';').map(str::trim))
@@ -61,14 +61,12 @@ fn of_system() -> Fields<NamedSystem> {
         Of::value("parameters", "", "parameters with their default values", |it| defaults(it).into())
             .only_csv(),
         Of::value("energy", "", "formula of the energy, or null", |it| known(it.energy).into()),
-        Of::value("energy_unit", "", "what the energy is divided by, or its unit, or null", |it| {
+        Of::value("energy_unit", "", "divisor of the energy, or its unit, or null", |it| {
             known(it.energy_unit).into()
         })
         .only_json(),
-        Of::value("power", "", "formula of what the energy gains per time, or null", |it| {
-            known(it.power).into()
-        })
-        .only_json(),
+        Of::value("power", "", "formula of the power gained, or null", |it| known(it.power).into())
+            .only_json(),
         Of::value(
             "drive_frequency",
             "",
@@ -77,9 +75,10 @@ fn of_system() -> Fields<NamedSystem> {
         )
         .only_json(),
         Of::value("count", "", "parameter that counts the bodies, or null", |it| it.count.into()).only_json(),
-        Of::value("description", "", "what it describes", |it| it.description.into()).only_json(),
-        Of::value("domain", "", "what it holds for", |it| it.domain.into()),
-        Of::value("source", "", "where the equations are from", |it| it.source.into()),
+        Of::value("description", "", "system that the equation describes", |it| it.description.into())
+            .only_json(),
+        Of::value("domain", "", "domain of the equations", |it| it.domain.into()),
+        Of::value("source", "", "source of the equations", |it| it.source.into()),
     ])
 }
 
@@ -96,9 +95,9 @@ fn of_parameter() -> Fields<NamedParameter> {
     type Of = Field<NamedParameter>;
     Fields::from([
         Of::value("name", "", "name of the parameter", |it| it.name.into()),
-        Of::value("default", "", "value where none is given", |it| it.default.into()),
+        Of::value("default", "", "default value", |it| it.default.into()),
         Of::value("unit", "", "its unit", |it| it.unit.into()),
-        Of::value("meaning", "", "what the parameter is", |it| it.meaning.into()),
+        Of::value("meaning", "", "meaning of the parameter", |it| it.meaning.into()),
     ])
 }
 

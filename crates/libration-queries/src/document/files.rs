@@ -16,7 +16,7 @@ pub(crate) fn name(text: &str) -> Result<PathBuf, String> {
     Err("reports are written as HTML or Markdown: give a file name ending in .html or .md".to_owned())
 }
 
-/// Writes the document; with Markdown each picture becomes an SVG file beside it.
+/// Writes the document; with Markdown each picture becomes an SVG file next to it.
 pub(crate) fn write(path: &Path, document: &Document) -> Result<(), QueryError> {
     let mut files = vec![];
     if is(path, "md") {
@@ -36,7 +36,7 @@ fn file_name(stem: &str, figure: &DocumentFigure) -> String {
     format!("{stem}-{}.svg", figure.name)
 }
 
-/// Writes all files beside their places before the first one is put into its own.
+/// Writes all files next to their places before the first one is put into its own.
 fn place(files: &[(PathBuf, String)]) -> Result<(), QueryError> {
     let mut written = vec![];
     for (path, text) in files {

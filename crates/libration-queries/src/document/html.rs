@@ -47,7 +47,7 @@ figcaption,caption{color:#bbb}.aside{background:#2a2114}th,td,h2{border-color:#4
 /// Buttons below tables copy them: for word processors as a table, or as LaTeX. Without scripts there are no buttons.
 pub const SCRIPT: &str = "\
 for (const bar of document.querySelectorAll('.copy')) {
-  pub const table = bar.parentNode.querySelector('table');
+  const table = bar.parentNode.querySelector('table');
   const text = Array.from(table.rows, row => Array.from(row.cells, cell => cell.textContent).join('\\t')).join('\\n');
   bar.hidden = false;
   for (const button of bar.children) button.onclick = () => {

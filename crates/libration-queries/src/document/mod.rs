@@ -1,5 +1,5 @@
 //! Documents to read and to print: sections with words, tables and pictures, as one HTML file or as Markdown with its
-//! pictures beside it.
+//! pictures next to it.
 
 mod files;
 pub(crate) mod html;
@@ -60,7 +60,7 @@ pub struct DocumentTable {
     pub rows: Vec<Vec<String>>,
 }
 
-/// A picture with what there is to see in it.
+/// A picture with its caption.
 #[derive(Clone, Debug)]
 pub struct DocumentFigure {
     /// Part of the name of its file, where it has one of its own.

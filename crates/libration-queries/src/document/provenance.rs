@@ -11,7 +11,7 @@ pub(crate) fn provenance() -> Block {
     let command: Vec<String> = std::iter::once("libration".to_owned()).chain(words).collect();
     let row = |name: &str, value: String| vec![name.to_owned(), value];
     Block::Table(DocumentTable {
-        caption: "With this the report can be made again".to_owned(),
+        caption: "Settings for making the report again".to_owned(),
         columns: vec![Column::words("what"), Column::words("which")],
         rows: vec![
             row("program", format!("libration {}", env!("CARGO_PKG_VERSION"))),

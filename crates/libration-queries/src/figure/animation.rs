@@ -1,4 +1,4 @@
-//! A motion that is shown as it goes on, beside its curves.
+//! A motion that is shown as it goes on, next to its curves.
 
 use super::chart::{Animation, Hanging, Mechanism, MovingDot, Picture};
 use crate::output::number;
@@ -22,7 +22,7 @@ pub struct Playing {
 }
 
 impl Playing {
-    /// From one time to another, which may be before it.
+    /// The playing from one time to another, which may be before it.
     pub fn new(from: f64, to: f64) -> Self {
         let span = to - from;
         let seconds = span.abs();
@@ -74,7 +74,7 @@ fn steps(direction: i32) -> impl Iterator<Item = f64> {
     powers.map(move |step| if direction > 0 { step } else { 1.0 / step })
 }
 
-/// The picture of a pendulum's motion with the pendulum beside it.
+/// The picture of a pendulum's motion with the pendulum next to it.
 pub(crate) fn of_motion(picture: Picture, motion: &Motion, (from, to): (f64, f64)) -> Picture {
     let playing = Playing::new(from, to);
     let times = playing.times();
@@ -113,7 +113,7 @@ impl Sampled<'_> {
         values[first] + part * (values[next] - values[first])
     }
 
-    /// The picture of the coordinates with the bodies of the system beside it; each dot is to be on the panel and in the
+    /// The picture of the coordinates with the bodies of the system next to it; each dot is to be on the panel and in the
     /// scale that are given for its coordinate.
     pub(crate) fn animated(
         &self,

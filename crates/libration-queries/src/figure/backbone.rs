@@ -12,12 +12,12 @@ pub(crate) struct BackboneSetting {
     pub(crate) is_angle: bool,
 }
 
-/// Points between the amplitudes that are asked for, so that curves are smooth.
+/// Points between the amplitudes that are requested, so that curves are smooth.
 const SAMPLES: u32 = 240;
 /// The series is drawn as far as it leaves the orbits by this part of their range.
 const BEYOND: f64 = 0.5;
 
-/// Orbits as markers at the amplitudes asked for, on a curve of orbits, beside the series and its radius of convergence.
+/// Orbits as markers at the amplitudes requested, on a curve of orbits, with the series and its radius of convergence.
 pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &BackboneSetting) -> Picture {
     let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
     let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);
@@ -48,7 +48,7 @@ pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Bac
         shown.push(Series::line("radius of convergence", style::reference(), ends));
     }
     shown.push(Series { look: Look { width: 1.2, ..exact.look }, ..exact });
-    shown.push(Series::line("amplitudes asked for", style::markers(0), asked));
+    shown.push(Series::line("requested amplitudes", style::markers(0), asked));
     let name = if setting.is_angle { "amplitude / degrees" } else { "amplitude" };
     let (_, top) = around([0.0, unit * largest]);
     let y = Axis::linear(name, 0.0, top);

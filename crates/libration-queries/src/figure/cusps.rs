@@ -16,7 +16,7 @@ pub fn sizes(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     sizes
 }
 
-/// Down from the one side and up to the other, in steps that halve.
+/// The points of a cusp: down from one side and up to the other, in steps that halve.
 fn cusp(before: (f64, f64), after: (f64, f64)) -> impl Iterator<Item = (f64, f64)> {
     let zero = before.0 - before.1 * (after.0 - before.0) / (after.1 - before.1);
     let beside = move |(x, y): (f64, f64), k: i32| {

@@ -16,9 +16,9 @@ pub(crate) struct MeasuredCycle {
     pub(crate) duration: f64,
 }
 
-/// The turning points between both laws; below, the times of the cycles beside the exact period of the averaged amplitude.
+/// The turning points between both laws; below, the times of the cycles with the exact period of the averaged amplitude.
 ///
-/// The slow flow is drawn beside both laws where it is given, and its cycles beside the exact period.
+/// The slow flow is drawn with both laws where it is given, and its cycles with the exact period.
 pub(crate) fn dying_swings(
     decay: &Decay,
     slow: Option<&SlowDecay>,

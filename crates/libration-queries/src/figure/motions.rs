@@ -9,12 +9,12 @@ use super::simulation::{Trace, label, scale};
 use super::style;
 use libration::systems::Model;
 
-/// More motions than this are not told apart.
+/// More motions than this are not distinguished.
 pub(crate) const MOST_CURVES: usize = 12;
 
 /// Motions with their labels.
 pub(crate) struct Motions<'a> {
-    /// Without the parameters in which they differ.
+    /// The model without the parameters in which the motions differ.
     pub(crate) model: &'a Model,
     pub(crate) traces: Vec<(String, &'a Trace<'a>)>,
 }

@@ -1,8 +1,8 @@
-//! In a page, which draws pictures by itself, there is no PNG.
+//! Refusal of PNG in a page, which draws pictures itself.
 
 use libration_report::scene::Scene;
 
 /// The reason why there is none.
 pub(super) fn file(_: &Scene) -> Result<Vec<u8>, String> {
-    Err("a page has no PNG of its own: give a file name ending in .svg".to_owned())
+    Err("the page does not write PNG: give a file name ending in .svg".to_owned())
 }

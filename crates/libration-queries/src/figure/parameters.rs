@@ -53,7 +53,7 @@ pub(crate) fn of_model(model: &Model) -> Vec<String> {
     model.values().iter().filter_map(parameter).collect()
 }
 
-/// In what the angles of a start are written: in what the axes of the picture are.
+/// The unit in which the angles of a start are written: that of the axes of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Angles {
     Degrees,

@@ -14,7 +14,7 @@ const MOST_PIXELS: f64 = 9600.0;
 
 /// The bytes of a PNG file; why there are none, if there are.
 pub(super) fn file(scene: &Scene) -> Result<Vec<u8>, String> {
-    let canvas = Canvas::new(scene).ok_or("there is no memory for so large a picture")?;
+    let canvas = Canvas::new(scene).ok_or("there is not enough memory for a picture of this size")?;
     canvas.drawn(scene).encode_png().map_err(|error| error.to_string())
 }
 

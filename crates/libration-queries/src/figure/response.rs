@@ -94,13 +94,13 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
     let coordinate = &curve.model.coordinates()[curve.coordinate].name;
     let unit = if curve.is_angle() { " / degrees" } else { "" };
     let label = match curve.rotates() {
-        true => format!("{} from even rotation{unit}", symbol(coordinate)),
+        true => format!("{} from uniform rotation{unit}", symbol(coordinate)),
         false => format!("largest |{}|{unit}", symbol(coordinate)),
     };
     let y = Axis::linear(&label, 0.0, if top > 0.0 { 1.05 * top } else { 1.0 });
     let y = if curve.is_angle() { y.in_units(Units::Degrees) } else { y };
     let x = Axis::linear(&symbol(curve.parameter), from.min(to), from.max(to));
-    let title = format!("Periodic answers: {}", name(curve.model));
+    let title = format!("Periodic solutions: {}", name(curve.model));
     Picture::new(&title, vec![Panel { x, y, series, share: 1.0 }]).with_parameters(of_model(curve.model))
 }
 

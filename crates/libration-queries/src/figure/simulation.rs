@@ -180,7 +180,7 @@ fn units(model: &Model) -> Vec<&str> {
     units
 }
 
-/// From a unit to that of its axis.
+/// The factor from a unit to that of its axis.
 pub(super) fn scale(unit: &str) -> f64 {
     if unit == "rad" { 1_f64.to_degrees() } else { 1.0 }
 }

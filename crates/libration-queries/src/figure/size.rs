@@ -38,7 +38,7 @@ pub struct Side {
 #[derive(Debug, PartialEq)]
 struct Unit {
     name: &'static str,
-    /// In units of a picture.
+    /// The side in units of a picture.
     size: f64,
 }
 
@@ -52,7 +52,7 @@ const UNITS: [Unit; 3] =
 const LARGEST: f64 = 4000.0;
 
 impl Sizes {
-    /// The picture laid out in the size asked for, if that holds it.
+    /// The picture laid out in the size requested, if that holds it.
     pub(super) fn scene(&self, picture: &Picture) -> Result<Scene, QueryError> {
         let format = self.format();
         let refused = |side: Parameter, asked: Option<Side>, usual: f64, least: f64| {

@@ -17,9 +17,9 @@ pub(crate) struct Chart<'a> {
 
 /// The kinds of curves, at rest and of driven motions, with their names.
 const KINDS: [(SpecialKind, bool, &str); 7] = [
-    (SpecialKind::BranchPoint, true, "edge: same period"),
-    (SpecialKind::PeriodDoubling, true, "edge: twice the period"),
-    (SpecialKind::NeimarkSacker, true, "edge: second frequency"),
+    (SpecialKind::BranchPoint, true, "boundary: branch point"),
+    (SpecialKind::PeriodDoubling, true, "boundary: period doubling"),
+    (SpecialKind::NeimarkSacker, true, "boundary: Neimark–Sacker"),
     (SpecialKind::Fold, false, "folds"),
     (SpecialKind::SymmetryBreaking, false, "symmetry breaking"),
     (SpecialKind::PeriodDoubling, false, "period doubling"),
@@ -62,5 +62,5 @@ fn stable_dots(map: &Chart<'_>) -> Option<Series> {
         stable.map(|(first, _)| (*first, *second))
     });
     let look = Look { opacity: 0.6, mark: Mark::Markers(0), width: 1.2, ..style::band() };
-    Some(Series::line("rest is stable", look, dots.collect::<Vec<_>>()))
+    Some(Series::line("stable equilibrium", look, dots.collect::<Vec<_>>()))
 }

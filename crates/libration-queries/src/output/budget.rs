@@ -67,7 +67,7 @@ fn of_effect() -> Fields<BudgetRow> {
         Of::nullable(
             "usual_size",
             "1",
-            "size that the correction usually has, where it was not applied, or null",
+            "typical size of the correction, where it was not applied, or null",
             |it| match it.correction {
                 Correction::Typical(part) => Some(part),
                 _ => None,

@@ -62,7 +62,7 @@ fn degrees(of_freedom: f64) -> String {
 
 /// The two ways of the Guide to the Expression of Uncertainty in Measurement.
 pub(super) const KINDS: &str =
-    "A where it comes from the scatter of measurements, B from what is known otherwise";
+    "A where it is evaluated from the scatter of measurements, B from other knowledge";
 
 /// An input of an uncertainty.
 struct Input<'a> {

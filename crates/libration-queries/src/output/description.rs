@@ -1,9 +1,9 @@
 //! Descriptions of the fields of results: name, unit, meaning.
 
-/// A field of an answer. Parts of a name in capitals stand for names that the question decides.
+/// A field of a result. Parts of a name in capitals stand for names that the question decides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Description {
-    /// With the way to it in JSON: `results[].formulas[].ratio`.
+    /// Name with its path in JSON: `results[].formulas[].ratio`.
     pub name: String,
     /// `1` for ratios, empty for a field that is not a number or has the unit of what it describes.
     pub(crate) unit: &'static str,
@@ -17,7 +17,7 @@ impl Description {
     }
 }
 
-/// The fields of one kind of answer.
+/// The fields of one kind of result.
 #[derive(Clone, Debug)]
 pub(crate) struct Answers {
     /// The command as it is typed, without `libration`.

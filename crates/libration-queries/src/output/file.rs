@@ -1,4 +1,4 @@
-//! Files are written beside their place and renamed into it: whole or not at all. Streams are written into.
+//! Files are written next to their place and renamed into it: whole or not at all. Streams are written into.
 
 use super::destination::{self, Destination, Stream};
 use super::{leftover, standard};

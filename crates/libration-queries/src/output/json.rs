@@ -1,9 +1,9 @@
-//! JSON answers: records whose numbers are unrounded, null with a note where they are not finite.
+//! JSON results: records whose numbers are unrounded, null with a note where they are not finite.
 
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 
-/// The version of the field names, written with every answer.
+/// The version of the field names, written with every result.
 pub(crate) const SCHEMA: u64 = 2;
 
 /// A number, or null when it is not finite.
@@ -84,7 +84,7 @@ impl From<Record> for Value {
     }
 }
 
-/// Writes one record as a whole answer.
+/// Writes one record as a whole result.
 pub(crate) fn document(out: &mut dyn Write, record: Record) -> io::Result<()> {
     let mut fields = Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
     if let Value::Object(rest) = record.into() {
@@ -94,7 +94,7 @@ pub(crate) fn document(out: &mut dyn Write, record: Record) -> io::Result<()> {
     out.write_all(b"\n")
 }
 
-/// Writes an answer that ends in a list, item by item, so that long lists need no memory.
+/// Writes a result that ends in a list, item by item, so that long lists need no memory.
 pub fn document_with_list(
     out: &mut dyn Write,
     head: Record,
@@ -111,13 +111,13 @@ pub fn document_with_list(
     end_document(out, Record::new())
 }
 
-/// Begins an answer that is written part by part.
+/// Begins a result that is written part by part.
 pub(crate) fn begin_document(out: &mut dyn Write, head: Record) -> io::Result<()> {
     write!(out, "{{\"schema\":{SCHEMA}")?;
     fields(out, head)
 }
 
-/// Ends an answer that is written part by part, with its last fields.
+/// Ends a result that is written part by part, with its last fields.
 pub(crate) fn end_document(out: &mut dyn Write, tail: Record) -> io::Result<()> {
     fields(out, tail)?;
     out.write_all(b"}\n")
@@ -140,7 +140,7 @@ pub(crate) fn write_item(text: &mut Vec<u8>, item: Record) {
 /// The separator of two items.
 pub(crate) const BETWEEN_ITEMS: &[u8] = b",\n";
 
-/// A list in an answer that is written part by part, one item a line.
+/// A list in a result that is written part by part, one item a line.
 #[derive(Debug, Default)]
 pub(crate) struct List {
     has_items: bool,

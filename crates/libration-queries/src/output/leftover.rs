@@ -1,4 +1,4 @@
-//! Unfinished files that runs have left beside their place when they were ended by force.
+//! Unfinished files that runs have left next to their place when they were ended by force.
 //!
 //! A run keeps the lock of its unfinished file as long as it lives, so that those without are known to be left.
 
@@ -30,7 +30,7 @@ fn unfinished(path: &Path) -> Vec<PathBuf> {
     names.filter(|name| is_one(name)).map(|name| path.with_file_name(name)).collect()
 }
 
-/// An unfinished file that nobody writes any more; nobody else takes it as long as this lives.
+/// An unfinished file of an ended run, locked for other runs as long as this value lives.
 #[derive(Debug)]
 pub(crate) struct Leftover {
     pub(crate) path: PathBuf,
@@ -51,7 +51,7 @@ fn taken(path: PathBuf) -> Option<Leftover> {
     }
 }
 
-/// Removes what ended runs have left beside a place, and says so.
+/// Removes what ended runs have left next to a place, and says so.
 pub(super) fn remove(path: &Path) {
     for leftover in beside(path) {
         let removed = fs::remove_file(&leftover.path);

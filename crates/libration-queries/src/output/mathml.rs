@@ -47,7 +47,7 @@ pub(crate) fn power(base: &str, exponent: &str) -> String {
     if exponent == "1" { base.to_owned() } else { element("msup", &[base, &number(exponent)]) }
 }
 
-/// One beside the other, as a product.
+/// One with the other, as a product.
 pub(crate) fn product(factors: &[String]) -> String {
     factors.join(TIMES)
 }

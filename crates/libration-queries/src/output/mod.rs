@@ -28,7 +28,7 @@ pub(crate) mod warnings;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// The form of an answer.
+/// The form of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     Table,
@@ -36,7 +36,7 @@ pub(crate) enum Form {
     Csv,
 }
 
-/// Says below an answer to read what was written to files.
+/// Says below a result to read what was written to files.
 pub(crate) fn announce(out: &mut dyn Write, form: Form, written: &[String]) -> io::Result<()> {
     if form != Form::Table || written.is_empty() {
         return Ok(());

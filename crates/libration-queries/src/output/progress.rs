@@ -42,7 +42,7 @@ impl Drop for ProgressLine {
     }
 }
 
-/// The items one by one until somebody asks for an early end, with a line of progress.
+/// The items one by one until a cancellation, with a line of progress.
 pub(crate) fn watched<T>(
     items: impl Iterator<Item = T>,
     all: usize,

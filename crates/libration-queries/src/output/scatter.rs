@@ -15,7 +15,7 @@ pub(crate) fn birge_ratio_field<A>(value: fn(&A) -> Result<f64, String>) -> Fiel
 }
 
 pub(crate) fn birge_ratio(scatter: Option<Scatter>) -> Result<f64, String> {
-    const NONE: &str = "the table has no uncertainties of the periods, or no row to spare";
+    const NONE: &str = "the table has no uncertainties of the periods, or too few rows";
     scatter.map(Scatter::birge_ratio).ok_or_else(|| NONE.to_owned())
 }
 

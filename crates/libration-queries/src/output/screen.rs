@@ -5,7 +5,7 @@ use crate::call;
 /// Narrower than this no table can be read.
 const NARROWEST: usize = 40;
 
-/// The columns an answer may take.
+/// The columns a result may take.
 pub(crate) fn width() -> usize {
     call::current().host().columns().max(NARROWEST)
 }

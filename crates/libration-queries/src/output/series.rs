@@ -15,7 +15,7 @@ pub struct Notation {
     pub style: Style,
 }
 
-/// For whom.
+/// The notation of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// Plain text.

@@ -1,4 +1,4 @@
-//! The output of a question: it takes the answer, or a picture in its place.
+//! The output of a question: it takes the result, or a picture in its place.
 
 use crate::call::{self, Output};
 use std::io::{self, BufWriter, Write};

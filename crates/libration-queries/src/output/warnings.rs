@@ -10,7 +10,7 @@ pub(crate) type Named = (&'static str, String);
 /// Fields with the texts, and with the names.
 pub(crate) fn fields<A>(texts: fn(&A) -> Value, names: fn(&A) -> Value) -> [Field<A>; 2] {
     [
-        Field::value("warnings[]", "", "what is doubtful", texts),
+        Field::value("warnings[]", "", "warnings about the result", texts),
         Field::value("warning_kinds[]", "", "kind of each warning, in the same order", names),
     ]
 }

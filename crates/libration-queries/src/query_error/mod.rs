@@ -129,7 +129,7 @@ impl QueryError {
         Self::new(Kind::MissingFile, About::Nothing, &reason.to_string())
     }
 
-    /// An early end that was asked for.
+    /// An early end that was requested.
     pub(crate) fn cancelled(reason: impl Display) -> Self {
         Self::new(Kind::Cancelled, About::Nothing, &reason.to_string())
     }
@@ -304,7 +304,7 @@ impl From<Error> for QueryError {
 fn sentence(remedy: Remedy) -> &'static str {
     match remedy {
         Remedy::Simulation => "<libration simulate> follows the motion",
-        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives how the amplitude changes",
+        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives the rate of the amplitude",
         Remedy::Backbone => "<libration backbone> finds the frequency at any amplitude",
         Remedy::NormalModes => "<libration modes> computes normal modes",
         Remedy::Expansion => "<libration expand> has the series without its derivation, if there is one",

@@ -8,7 +8,7 @@ use std::fmt::{Display, Formatter};
 /// Its text is a mark, which a message in the words of a front end replaces by the parameter's name there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
-    /// In the help of the command without dashes: `over`, `OSCILLATOR|EQUATION`.
+    /// Name in the help of the command, without dashes: `over`, `OSCILLATOR|EQUATION`.
     shown: Cow<'static, str>,
     is_option: bool,
     /// The name of an argument among the parameters of its query, when that is known.

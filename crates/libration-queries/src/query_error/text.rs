@@ -83,7 +83,7 @@ impl Text {
     }
 }
 
-/// A text with marks in the words of the command.
+/// Replaces the marks of a text by the words of the command line.
 pub(crate) fn in_command_words(marked: &str) -> String {
     Text::marked(marked).in_words(&CommandWords)
 }

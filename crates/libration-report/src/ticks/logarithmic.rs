@@ -4,7 +4,7 @@ use super::{Ticks, linear};
 use crate::chart::{Axis, Units};
 use crate::numbers::power_of_ten;
 
-/// From one labelled power of ten to the next.
+/// Steps from one labelled power of ten to the next.
 const STEPS: [i32; 9] = [1, 2, 3, 4, 5, 10, 20, 50, 100];
 
 pub(super) fn choices(axis: &Axis) -> Vec<Ticks> {
@@ -36,7 +36,7 @@ fn of_powers(axis: &Axis, held: &[i32], step: i32) -> Ticks {
     Ticks { labelled, minor }
 }
 
-/// Twice to nine times the powers, also below the lowest on the axis.
+/// The ticks at two to nine times the powers, also below the lowest on the axis.
 fn between(axis: &Axis, held: &[i32]) -> Vec<f64> {
     let below = held.first().map(|power| power - 1);
     let values = below.into_iter().chain(held.iter().copied());

@@ -8,7 +8,7 @@ use crate::chart::{Axis, Scale, Units};
 /// The ticks of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
-    /// Parts of the length of the axis, with what is written beside them.
+    /// Parts of the length of the axis, with what is written next to them.
     pub labelled: Vec<(f64, String)>,
     /// Minor ticks, as parts of the length.
     pub minor: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Files and folders beside each other that use each other in a circle. A folder and its own files may: they are one idea.
+//! Files and folders next to each other that use each other in a circle. A folder and its own files may: they are one idea.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -5,6 +5,7 @@ mod circles;
 mod map;
 mod paths;
 mod source;
+mod tour;
 
 use std::collections::{BTreeMap, BTreeSet};
 

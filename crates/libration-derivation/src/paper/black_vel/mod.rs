@@ -25,7 +25,7 @@ mod appendix_a;
 mod appendix_b;
 mod appendix_c;
 
-/// In groups.
+/// The statements, in groups.
 pub(super) const STATEMENTS: &[&[Statement]] = &[
     equation_of_motion::STATEMENTS,
     approximations::STATEMENTS,

@@ -23,7 +23,7 @@ pub(super) const STATEMENTS: &[Statement] = &[
     text_after(
         "(1)",
         "text: the pendulum has two degrees of freedom",
-        "The number of coordinates that say where the pendulum is.",
+        "The number of coordinates that determine the position of the pendulum.",
         &["freedom = 2"],
         degrees_of_freedom,
     )

@@ -45,7 +45,7 @@ impl Contribution {
     }
 }
 
-/// Correlation of two inputs that are known by what they have in common.
+/// Correlation of two inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// The two inputs, different ones.

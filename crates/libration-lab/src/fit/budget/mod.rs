@@ -66,7 +66,7 @@ pub enum BudgetError {
     #[error("the amplitude {0:?} rad is not below pi")]
     Amplitude(f64),
     /// A mass of the rod without that of the bob, relative to which it counts.
-    #[error("a mass of the rod without one of the bob tells nothing: give the mass of the bob too")]
+    #[error("the mass of the rod is not used without that of the bob: give the mass of the bob too")]
     RodWithoutBob,
     /// A correlation of an input that the budget does not have.
     #[error(
@@ -75,7 +75,7 @@ pub enum BudgetError {
     CorrelationWithNothing(&'static str),
     /// A number that is not a correlation coefficient, or a correlation of an input with itself.
     #[error(
-        "a correlation of {coefficient} cannot be: give a number from -1 to 1 between two different inputs"
+        "a correlation coefficient of {coefficient} is not possible: give a number from -1 to 1 between two different inputs"
     )]
     Correlation {
         /// The given value.
@@ -83,7 +83,7 @@ pub enum BudgetError {
     },
     /// A pair of inputs with two coefficients.
     #[error(
-        "there are two correlations of {first} and {second}: give one; that of a period with the sizes it was found with is \
+        "there are two correlations of {first} and {second}: give one; that of a period with the dimensions of the bob used for it is \
          computed"
     )]
     CorrelationRepeated {

@@ -56,7 +56,7 @@ impl fmt::Display for BudgetWarning {
                 write!(f, "no uncertainty was given for {}: that of gravity is too small", names.join(", "))
             }
             Self::NotLinear => f.write_str(
-                "the uncertainties are so large that gravity does not follow them in proportion: ± is rough",
+                "the uncertainties are too large for linear propagation: that of gravity is approximate",
             ),
         }
     }

@@ -1,4 +1,4 @@
-//! From the landmarks of all stretches to cycles and their results.
+//! The cycles and their results, from the landmarks of all stretches.
 
 use std::f64::consts::TAU;
 
@@ -19,7 +19,7 @@ use crate::statistics::median;
 use libration::roots::{Tolerance, bisect};
 use libration::watch::{Interrupted, Watch};
 
-/// With fewer rows in a period, two in each quarter, passages and extremes cannot be placed.
+/// Fewest rows in a period, two in each quarter, with which passages and extremes can be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
 
 /// The cycles of a trace.

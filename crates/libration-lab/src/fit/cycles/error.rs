@@ -7,7 +7,7 @@ use libration::watch::Interrupted;
 #[non_exhaustive]
 pub enum CyclesError {
     /// Too few rows to see a swing in.
-    #[error("{0} rows are too few to see a swing in: give at least 12, from one full swing or more")]
+    #[error("{0} rows are too few to detect a swing: give at least 12, from one full swing or more")]
     TooFewRows(usize),
     /// All values are the same.
     #[error("all values of the trace are {0}: nothing swings")]
@@ -49,7 +49,7 @@ pub enum CyclesError {
     },
     /// Amplitudes whose noise is so large compared with their change that β would be drawn towards 0.
     #[error(
-        "the amplitudes change by too little beside their noise, which is {:.0} % of the variance of T/T0, and would draw \
+        "the amplitudes change by too little compared with their noise, which is {:.0} % of the variance of T/T0, and would draw \
          beta towards 0: record until the amplitude has fallen, or begin with a larger one",
         100.0 * noise_part.min(1.0)
     )]

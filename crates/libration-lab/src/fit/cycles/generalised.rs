@@ -23,8 +23,8 @@ const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;
 /// Fluctuations are believed in when they make the logarithm of the likelihood larger by this: chance does so in one of
 /// forty traces without any.
 const EVIDENCE: f64 = 2.0;
-/// With fewer degrees of freedom the fluctuations cannot be distinguished from the noise. With 3 nothing changed in twelve of the
-/// recordings (`mod.rs`); with 10 β of the strongly damped one moved by 1.4 uncertainties, and that fell to 0.4 of itself.
+/// Fewest degrees of freedom with which fluctuations are distinguished from the noise. With 3, nothing changed in twelve of the recordings
+/// (`mod.rs`); with 10, β of the strongly damped one moved by 1.4 uncertainties, and its uncertainty fell to 0.4 of itself.
 const FEWEST_TO_TELL: usize = 6;
 
 /// Coefficients of the columns.

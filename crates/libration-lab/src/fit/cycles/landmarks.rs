@@ -19,7 +19,7 @@ use std::f64::consts::FRAC_PI_2;
 /// recordings (`mod.rs`), with 2 fourteen changed, one by 22 uncertainties of β.
 const ROUNDS: usize = 4;
 
-/// With fewer rows to a passage its fit is too short to be handed to another core.
+/// Fewest rows of a passage whose fit is worth another core.
 const WORTH_A_CORE: usize = 200;
 
 /// Landmarks of one stretch: extreme k lies between the passages k and k + 1.

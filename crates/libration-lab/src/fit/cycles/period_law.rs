@@ -10,7 +10,8 @@ use libration::watch::Watch;
 
 /// Rounds in which the weights are renewed; the error falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
 const ROUNDS: usize = 5;
-/// With more of the variance of T/T0 than this from the noise of the amplitudes, its effect on β is not known well enough to be corrected.
+/// Largest part of the variance of T/T0 from the noise of the amplitudes: above it, its effect on β is not known well enough to be
+/// corrected.
 const MOST_NOISE: f64 = 0.05;
 
 /// T0 under the exact law.

@@ -92,7 +92,8 @@ impl Shape {
         }
     }
 
-    /// [`Self::slope_of_time`] at a distance from a zero in quarter periods, no nearer to the extreme than `nearest`, for this number of evaluations.
+    /// A function for [`Self::slope_of_time`] at a distance from a zero in quarter periods, no nearer to the extreme than `nearest`;
+    /// prepared for the given number of evaluations.
     pub fn slope_near_zero_for(&self, times: usize, nearest: f64) -> impl Fn(f64) -> f64 {
         let shape = *self;
         let slope = move |part: f64| shape.slope_of_time(shape.near_extreme((1.0 - part.abs()).max(nearest)));

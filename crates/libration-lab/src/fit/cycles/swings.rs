@@ -143,7 +143,7 @@ fn above_noise(values: &[f64], turns: &[usize]) -> usize {
 fn noise_at_rest(values: &[f64]) -> Option<f64> {
     /// Number of parts of which the last one is used: with 10 and 40 nothing changed in twelve of the recordings.
     const PARTS: usize = 20;
-    /// From this number of rows a standard deviation is known to 1/√46, or a seventh.
+    /// Fewest rows of a stretch: a standard deviation from them is known to 1/√46, or a seventh.
     const FEWEST_ROWS: usize = 24;
     /// Ratio of the scatter of differences, over √2, to that of values; 1 for white noise, at most 0.54 for a swing with 8 rows in a period.
     const WHITE: f64 = 0.6;
@@ -210,7 +210,7 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
     let mut last = None;
     for (place, pair) in turns.windows(2).enumerate() {
         if !apart(pair) || furthest_way(values, times, pair) >= TAU {
-            // A trace may begin and end at rest, which is no rotation.
+            // A trace may begin and end at rest, which is not a rotation.
             rotations += usize::from(place > 0 && place + 2 < turns.len());
             continue;
         }

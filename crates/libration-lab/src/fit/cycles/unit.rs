@@ -29,7 +29,7 @@ const DEGREES_PER_RADIAN: f64 = 180.0 / PI;
 pub struct BeyondATurn {
     /// Name of the trace.
     pub name: String,
-    /// Half of what the angle goes from one turning point to the next, in radians.
+    /// Half the change of the angle from one turning point to the next, in radians.
     pub half: f64,
     /// `true` if the numbers are angles of a pendulum when they are read as degrees.
     pub in_degrees: bool,

@@ -1,4 +1,4 @@
-//! From passages to periods and T0.
+//! Analysis of the passages of a gate: periods and T0.
 
 use std::f64::consts::PI;
 

@@ -12,8 +12,8 @@ use crate::statistics::median;
 /// A passage is accepted within this part of a period. 651 were lost and 712 in the wrong position; with 0.05 1231 and 337, with 0.15
 /// 885 and 2034.
 const TOLERANCE: f64 = 0.1;
-/// The second passage is neither sooner nor later than these parts of a period after the first one. From 0.05 and 0.2
-/// on the records were sorted alike, but for 20 passages; from 0.3 on 3988 were lost.
+/// Accepted intervals from the first passage to the second, in periods. With lower limits of 0.05 and 0.2 the records were sorted alike but
+/// for 20 passages; with 0.3, 3988 were lost.
 const BETWEEN: std::ops::RangeInclusive<f64> = 0.1..=0.9;
 /// Number of periods without a passage after which they are no longer counted. With 5 and 100 all were sorted alike; with 2 2814
 /// were lost.

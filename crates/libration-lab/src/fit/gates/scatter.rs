@@ -7,7 +7,7 @@ use crate::statistics::{count, robust_deviation, root_mean_square};
 /// second or first degree over these passages drops out.
 const DIFFERENCES: [&[f64]; 3] = [&[1.0, -4.0, 6.0, -4.0, 1.0], &[1.0, -3.0, 3.0, -1.0], &[1.0, -2.0, 1.0]];
 
-/// With fewer differences than this those of a lower order are used, of which there are more.
+/// Fewest differences of an order; with fewer, those of a lower order are used.
 const ENOUGH: usize = 8;
 
 /// Among fewer differences than this none is taken as an outlier.

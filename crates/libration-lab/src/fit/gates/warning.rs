@@ -95,8 +95,8 @@ impl fmt::Display for GatesWarning {
                 "the period of small swings is not known without an amplitude: give that of the first swing, or the width of the bob",
             ),
             Self::ScatterUnknown => f.write_str(
-                "the times do not tell by how much they scatter, since they are too few or exactly even: uncertainties by their scatter \
-                 say nothing",
+                "the scatter of the times is not known, since they are too few or exactly even: uncertainties from their scatter \
+                 mean nothing",
             ),
             Self::BetaNotOne { deviation, width_error } => beta_not_one(f, deviation, width_error),
             Self::PeriodBelowT0 { last, t0 } => write!(
@@ -137,8 +137,8 @@ fn is_scatter_unknown(fit: &GatesFit) -> bool {
 fn beta_not_one(f: &mut fmt::Formatter<'_>, deviation: f64, width_error: Option<f64>) -> fmt::Result {
     write!(
         f,
-        "β is {} standard uncertainties from 1: the period does not change with the amplitude, as the speeds at the gate give it, as \
-         the exact law says; ",
+        "β is {} standard uncertainties from 1: the period does not follow the exact law at the amplitudes given by the \
+         speeds at the gate;  ",
         rounded(deviation, 2)
     )?;
     match width_error {

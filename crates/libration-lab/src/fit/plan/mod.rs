@@ -19,7 +19,7 @@ pub const MOST_SWINGS: usize = 10_000;
 /// Fewer swings than this do not separate the motion from an offset well enough.
 pub const FEWEST_SWINGS: usize = 2;
 
-/// With fewer rows in a period than this a fit of the trace finds no start: swings of 60° with 4.8 rows had none, with 6 they had.
+/// Fewest rows in a period with which a fit of the trace finds a start: swings of 60° had none with 4.8 rows, and one with 6.
 const FEWEST_ROWS: f64 = 6.0;
 
 /// The pendulum, and the instrument that records its angle.
@@ -72,7 +72,7 @@ pub enum PlanError {
     },
     /// The uncertainty of the clock alone exceeds the wanted one of g.
     #[error(
-        "the clock alone leaves g uncertain by {part} of it, more than the {target} that are wanted: compare it with a better one"
+        "the clock alone gives g a relative uncertainty of {part}, more than the target of {target}: calibrate it against a better one"
     )]
     Clock {
         /// Contribution of the clock, relative to g.
@@ -223,7 +223,7 @@ impl Plan {
     pub fn advice(&self) -> Vec<String> {
         let length = self.length_needed.map(|needed| {
             format!(
-                "measure the length to {} mm: as it is known now g cannot be known to {}",
+                "measure the length to {} mm: with its present uncertainty g cannot be known to {}",
                 short(1e3 * needed, 2),
                 percent(self.target)
             )
@@ -237,7 +237,7 @@ impl Plan {
                 )
             }
             None => format!(
-                "no recording of up to {MOST_SWINGS} swings does at these amplitudes: use an instrument with less noise, more rows per second or a better known scale of angles"
+                "no recording of up to {MOST_SWINGS} swings is sufficient at these amplitudes: use an instrument with less noise, more rows per second or a better known scale of angles"
             ),
         };
         length.into_iter().chain([swings]).collect()

@@ -85,13 +85,13 @@ pub enum ResponseFitError {
     },
     /// Rows that do not determine a parameter.
     #[error(
-        "the rows leave the parameters of a {0} response open: measure frequencies on both sides of the resonance and close to it, or \
+        "the rows do not determine the parameters of a {0} response: measure frequencies on both sides of the resonance and close to it, or \
          phases too"
     )]
     Undetermined(ResponseModel),
     /// No parameters at which the search converges.
     #[error(
-        "no {0} response was found that comes close to the rows: the search ended nowhere from any of its starts"
+        "no {0} response close to the rows was found: the search did not converge from any of its starts"
     )]
     NoConvergence(ResponseModel),
     /// Cancelled by the caller.

@@ -17,7 +17,7 @@ use crate::statistics::count;
 const LEAST: f64 = 1e-11;
 /// Initial scatter, relative to the largest amplitude.
 const FIRST: f64 = 0.01;
-/// With fewer rows than this beyond the parameters the two kinds count as in the fit of one sine to a noisy trace.
+/// Fewest rows beyond the parameters; with fewer, the two kinds count as in the fit of one sine to a noisy trace.
 const FEWEST_SPARE: usize = 3;
 
 /// Dependence of the scatter of phases on the amplitude of their rows.

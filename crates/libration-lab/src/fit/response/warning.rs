@@ -54,7 +54,7 @@ impl fmt::Display for ResponseWarning {
         match self {
             Self::BetweenFolds(rows) => write!(
                 f,
-                "{} between the folds of the curve, where no answer lasts: a transient was measured, or the model does not hold",
+                "{} between the folds of the curve, where no response is stable: a transient was measured, or the model does not hold",
                 counted(rows)
             ),
             Self::BeyondFold(rows) => write!(
@@ -67,14 +67,14 @@ impl fmt::Display for ResponseWarning {
                 "the damping is less than two of its uncertainties: measure closer to the resonance, or phases too",
             ),
             Self::OneSided => f.write_str(
-                "all frequencies are on one side of the resonance: its place and the drive are known by extrapolation alone",
+                "all frequencies are on one side of the resonance: its frequency and the drive are known by extrapolation alone",
             ),
             Self::Systematic => f.write_str(
-                "neighbouring rows are off to the same side: the model does not hold, and the uncertainties are too small",
+                "neighbouring rows deviate to the same side: the model does not hold, and the uncertainties are too small",
             ),
             Self::NotFitted(models) => {
                 let names: Vec<&str> = models.iter().map(|model| model.name()).collect();
-                write!(f, "no fit was found of the model {}: these rows do not speak against it", names.join(", "))
+                write!(f, "no fit of the model {} was found: the rows do not rule it out", names.join(", "))
             }
         }
     }

@@ -14,7 +14,7 @@ pub enum SpectrumError {
     #[error(transparent)]
     BeyondATurn(#[from] BeyondATurn),
     /// Less than a window of swings.
-    #[error("{swings:.1} swings are too few to tell harmonics from noise: give at least {needed}")]
+    #[error("{swings:.1} swings are too few to separate harmonics from noise: give at least {needed}")]
     TooShort {
         /// Number of swings in the trace.
         swings: f64,
@@ -23,15 +23,15 @@ pub enum SpectrumError {
     },
     /// Windows of fewer swings than separate harmonics from noise.
     #[error(
-        "windows of {0} swings are too short to tell harmonics from noise: ask for {FEWEST_SWINGS} or more"
+        "windows of {0} swings are too short to separate harmonics from noise: give {FEWEST_SWINGS} or more"
     )]
     ShortWindows(usize),
     /// A request for no harmonics.
-    #[error("no harmonics are asked for: ask for one or more")]
+    #[error("no harmonics are requested: give one or more")]
     NoHarmonics,
     /// No part of the trace is sampled well enough, or has swings far enough above the noise.
     #[error(
-        "no window of swings can be used, of {windows} tried: rows are missing, or what swings is lost in noise; give a part of \
+        "none of {windows} windows of swings can be used: rows are missing, or the swing is lost in noise; give a part of \
          the trace with clear swings, or fewer harmonics"
     )]
     NoWindow {

@@ -5,7 +5,7 @@ use crate::statistics::count;
 
 /// Distance from a harmonic, in orders: two waves from both lines in a window of five swings, where a further whole wave fits in.
 const BESIDE: f64 = 0.4;
-/// With fewer waves all residuals are used together, as if the noise were white: windows of three swings have no others.
+/// Fewest waves of a band; with fewer, all residuals are used together as if the noise were white, as for windows of three swings.
 const FEWEST: usize = 4;
 /// A wave of which the columns span more than this part has too little information about the noise to count.
 const LEAST_FREE: f64 = 0.3;

@@ -159,24 +159,23 @@ impl fmt::Display for SpectrumRemark {
                 };
                 write!(
                     f,
-                    "the swings go about {degrees} degrees: the zero of the angle is not where the pendulum rests"
+                    "the swings are centred at {degrees} degrees: the zero of the angle is not the position at rest"
                 )
             }
             Self::Offset { value, .. } => {
-                write!(f, "the velocities go about {value} rad/s: the zero of the gyroscope is off")
+                write!(f, "the velocities are centred at {value} rad/s: the zero of the gyroscope is wrong")
             }
             Self::Even { n, part } => write!(
                 f,
-                "harmonic {n} is {} % of the first, where a pendulum has none: the two sides differ, as with a scale of the \
-                 angle that is not straight (a camera at a slant), a centre that is not the pivot's, or a torque that is \
-                 not the same to both sides",
+                "harmonic {n} is {} % of the first, where a pendulum has none: the two sides differ, as with a nonlinear \
+                 scale of the angle (a camera at a slant), a centre other than the pivot, or a torque that differs between the sides",
                 percent(part)
             ),
             Self::Odd { n, ratio, scale } => {
                 write!(
                     f,
                     "harmonic {n} is {ratio} times that of a pendulum of this amplitude: the restoring torque is not that of \
-                     gravity alone, or the scale of the angle is off"
+                     gravity alone, or the scale of the angle is wrong"
                 )?;
                 match scale {
                     Some(scale) => write!(f, " (by the factor {scale:.3}, if that is all)"),
@@ -185,14 +184,14 @@ impl fmt::Display for SpectrumRemark {
             }
             Self::Quadrature { n, part } => write!(
                 f,
-                "harmonic {n} has {} % of the first a quarter of its period off, which no torque that depends on the angle \
-                 alone makes: a damping that is not linear, such as dry friction or that of air, or a delay of the instrument",
+                "harmonic {n} has {} % of the first in quadrature, which no torque that depends on the angle \
+                 alone causes: nonlinear damping, such as dry friction or air drag, or a delay of the instrument",
                 percent(part)
             ),
             Self::NotSampled { highest, asked } => write!(
                 f,
-                "harmonics above {highest} are not told, though {asked} were asked for: rows that far apart leave them \
-                 open, and what they have appears among the lower ones"
+                "harmonics above {highest} are not determined, though {asked} were requested: the rows are too far \
+                 apart, and these harmonics appear among the lower ones"
             ),
             Self::WindowsLeftOut { windows, of } => write!(
                 f,

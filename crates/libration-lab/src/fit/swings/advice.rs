@@ -104,10 +104,10 @@ const WHERE: &str = "from the axis of the pivot to the middle of the bob, which 
 impl fmt::Display for Advice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::GiveLength => write!(f, "Give the length, such as 0.57m±0.004m, to have gravity: measure it {WHERE}."),
+            Self::GiveLength => write!(f, "Give the length, such as 0.57m±0.004m, to obtain gravity: measure it {WHERE}."),
             Self::GiveLengthUncertainty => write!(
                 f,
-                "The length was given without an uncertainty, so that gravity has too small a one: write it as 0.57m±0.004m. Measure \
+                "The length was given without an uncertainty, so that the uncertainty of gravity is too small: write it as 0.57m±0.004m. Measure \
                  it {WHERE}."
             ),
             Self::MeasureLengthBetter { relative_uncertainty, share } => write!(
@@ -124,15 +124,15 @@ impl fmt::Display for Advice {
             Self::RecordLonger { amplitudes } => record_longer(f, *amplitudes),
             Self::LookAtResiduals => f.write_str(
                 "Look at the picture of the residuals: if they repeat with the swing, suspect the scale or the perspective of the \
-                 camera, a pivot that gives way, or a string that stretches; if they grow at the beginning, leave out the release.",
+                 camera, a pivot that moves, or a string that stretches; if they grow at the beginning, leave out the release.",
             ),
             Self::CorrectOutliers => f.write_str(
-                "Some rows are far from all others: correct them in the tracking, or fit so that outliers count less.",
+                "Some rows are far from all others: correct them in the tracking, or use a robust fit.",
             ),
             Self::LeaveOutEnds { ends } => leave_out_ends(f, ends),
             Self::WriteMoreDigitsOfTimes { resolution, part } => write!(
                 f,
-                "The times are rounded to {} s, which makes {} % of the scatter: export them with more digits, or take them for even.",
+                "The times are rounded to {} s, which makes {} % of the scatter: export them with more digits, or treat them as evenly spaced.",
                 short(*resolution, 6),
                 rounded(100.0 * part, 2)
             ),
@@ -144,7 +144,7 @@ impl fmt::Display for Advice {
             ),
             Self::SampleFaster { rows_per_period } => write!(
                 f,
-                "There are only {} rows in a period: take more pictures a second.",
+                "There are only {} rows in a period: record more frames per second.",
                 rounded(*rows_per_period, 2)
             ),
         }
@@ -163,12 +163,12 @@ fn record_longer(f: &mut fmt::Formatter<'_>, amplitudes: [f64; 2]) -> fmt::Resul
     }
     if is_far {
         return f.write_str(
-            "The kinds of damping differ in how the decay slows down, which more of this decay would not show better: read the angles with \
+            "The damping models differ in how the decay slows down, which more of this decay would not show better: measure the angles with \
              less noise, or begin with a larger amplitude.",
         );
     }
     f.write_str(
-        "The kinds of damping differ in how the decay slows down: record for longer, until the amplitude is a quarter of what it was \
+        "The damping models differ in how the decay slows down: record for longer, until the amplitude is a quarter of what it was \
          at first.",
     )
 }

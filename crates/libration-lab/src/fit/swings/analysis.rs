@@ -1,4 +1,4 @@
-//! From recordings of swings to all results.
+//! Analysis of recordings of swings.
 
 use libration::watch::Watch;
 

@@ -23,7 +23,7 @@ impl fmt::Display for Warning {
             ),
             Self::ModelRefuted(contradiction) => write!(
                 f,
-                "the model is refuted: {contradiction}. The uncertainty of T₀ includes the difference"
+                "the model is rejected: {contradiction}. The uncertainty of T₀ includes the difference"
             ),
             Self::PivotContradicted { given: [x, y], found: [u, v] } => write!(
                 f,
@@ -150,8 +150,8 @@ fn negative_damping(f: &mut fmt::Formatter<'_>, coefficients: &[Coefficient]) ->
     let values: Vec<String> = coefficients.iter().map(ToString::to_string).collect();
     write!(
         f,
-        "the {} damping is negative, {}: no drag pushes. The friction may fall as the speed rises, or something else that is not in \
-         the model is described by it",
+        "the {} damping is negative, {}: drag cannot drive. The friction may fall as the speed rises, or the term describes an \
+         effect that the model lacks",
         names.join(" and "),
         values.join(" and ")
     )
@@ -175,7 +175,7 @@ fn better_model(
     write!(
         f,
         "`{damping}` fits the data {how_much} (AICc lower by {}) but is not preferred, since {why}: the pendulum or the instrument \
-         does something that is in no model",
+         has an effect that is in no model",
         rounded(excess, 3)
     )
 }
@@ -189,7 +189,7 @@ fn residuals(f: &mut fmt::Formatter<'_>, rows: f64, inflation: f64) -> fmt::Resu
     };
     write!(
         f,
-        "the residuals are not noise: {how}, so the pendulum does something the model does not, or the instrument does. "
+        "the residuals are not noise: {how}, so the model lacks an effect of the pendulum or of the instrument.  "
     )?;
     match inflation {
         inflation if inflation < ALIKE => {
@@ -224,7 +224,7 @@ fn beta(
             let [largest, smallest] = amplitudes.map(|size| rounded(size.to_degrees(), 3));
             write!(
                 f,
-                "No scale of the angles is wrong by so much; with amplitudes from {largest}° to {smallest}° only, anything that \
+                "A scale of the angles is not wrong by that much; with amplitudes from {largest}° to {smallest}° only, anything that \
                  changes the period in time looks like this"
             )
         }

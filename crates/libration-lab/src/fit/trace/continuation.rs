@@ -51,8 +51,8 @@ pub enum ContinuationError {
     Decay(#[from] DecayError),
 }
 
-/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top, (2/π)·ln(8e15)/2;
-/// a motion that rotates for so much longer is not a swing.
+/// Longest search for a turning point, in periods of small swings. A swing turns within 12 of them even from 1e-15 below the top,
+/// (2/π)·ln(8e15)/2; a motion that rotates for this long is not a swing.
 const LONGEST: f64 = 100.0;
 /// Step of differences relative to an uncertainty, upwards, since coefficients of damping are never negative: a derivative that changes by a
 /// tenth over an uncertainty errs by half a hundredth.
@@ -137,7 +137,7 @@ impl TraceFit {
         self.traces.get(trace).map(|trace| trace.start_time).ok_or(missing)
     }
 
-    /// The standard deviation of a number that changes by these amounts with one uncertainty of each parameter.
+    /// The standard deviation of a value, from its changes with one standard uncertainty of each parameter.
     fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
         let product = |(i, &a): (usize, &usize)| -> f64 {
             let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);

@@ -30,9 +30,9 @@ pub struct Effect {
     pub degrees_of_freedom: f64,
 }
 
-/// White parts of the variance that are tried; 1 is white noise alone. Of 21 recordings with 0 and ½ alone one swing nearly at rest had an
-/// uncertainty 4.3 times as large, with 0.95 too none changed by a twentieth. With ten parts from 0 to 0.9 two preferred another model, and
-/// others changed by up to 7 %.
+/// Fractions of white noise in the variance that are tried; 1 is white noise alone. Tests with 21 recordings: with 0 and ½ alone, the
+/// uncertainty of one swing nearly at rest was 4.3 times as large; with 0.95 in addition, none changed by 5 %. With ten fractions from 0 to
+/// 0.9, two recordings preferred another model, and others changed by up to 7 %.
 const WHITE_PARTS: [f64; 5] = [0.0, 0.25, 0.5, 0.7, 0.85];
 /// Shortest correlation time, in steps between rows; each further one is longer by [`FACTOR`]. From 0.2 and 0.8 on, and with a factor of
 /// 1.3, the uncertainty of T0 changed by a tenth in one of twelve recordings (`search.rs`); with 2.2 by a fifth in two.

@@ -1,4 +1,4 @@
-//! From the minimum to parameters with uncertainties.
+//! Parameters with uncertainties, from the minimum.
 
 use libration::watch::Watch;
 

@@ -6,7 +6,7 @@ use rawzip::extra_fields::ExtraFieldId;
 /// The upper half of the code page 437, in which names stand that are not in UTF-8.
 const UPPER_HALF: &str = "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u{a0}";
 
-/// The name with its folders. A second name in Unicode beside one of a code page goes before it.
+/// The name with its folders. A second name in Unicode takes precedence over one of a code page.
 pub(super) fn entry_name(entry: &ZipFileHeaderRecord<'_>) -> String {
     let path = entry.file_path();
     let (fields, name) = (entry.extra_fields(), path.as_bytes());

@@ -11,7 +11,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// No cells yet, and a limit to what they may take.
+    /// An empty grid, with a limit to the size of its cells.
     pub fn new(limit: usize) -> Self {
         Self { cells: Vec::new(), bytes: 0, limit }
     }

@@ -31,9 +31,9 @@ pub struct Clock {
 pub struct Gap {
     /// The row before it.
     pub after: usize,
-    /// In seconds.
+    /// Duration of the gap in seconds.
     pub duration: f64,
-    /// About how many rows are missing.
+    /// Approximate number of missing rows.
     pub missing: usize,
 }
 
@@ -129,8 +129,8 @@ fn resolution(times: &[f64]) -> Option<f64> {
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
 }
 
-/// The grid of times with a number of significant digits: row by row, or with gaps where the early times, which have finer steps than the rows, show
-/// them.
+/// The grid of times with a given number of significant digits: one step per row, or with gaps where early times, whose rounding is finer
+/// than the interval, show gaps.
 fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Option<Grid> {
     let half_steps: Vec<f64> = times
         .iter()

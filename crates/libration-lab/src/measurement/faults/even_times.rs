@@ -16,7 +16,7 @@ const TWICE_ROUNDED: f64 = 0.01;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvenTimes {
     pub(super) first: f64,
-    /// From each time to the next.
+    /// Interval between successive times.
     pub interval: f64,
     /// One standard deviation.
     pub interval_uncertainty: f64,

@@ -9,7 +9,7 @@ pub struct Grid {
     pub first: f64,
     /// In seconds.
     pub interval: f64,
-    /// Its standard uncertainty: what the rounding leaves open.
+    /// The standard uncertainty of the interval, from the rounding.
     pub interval_uncertainty: f64,
     /// The root mean square difference of the times as written from these, in seconds.
     pub rms_deviation: f64,

@@ -16,9 +16,7 @@ impl Faults {
         };
         let told = [
             of(&self.restarts, |_, places| {
-                format!(
-                    "the times begin anew at {places}: several runs in one table, of which one can be read at a time"
-                )
+                format!("the times restart at {places}: several runs in one table, to be read one at a time")
             }),
             of(&self.repeated, |rows, places| {
                 format!("{rows} with the time of the row before ({places}): left out")

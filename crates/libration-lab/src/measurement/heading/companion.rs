@@ -2,9 +2,9 @@
 
 use super::Heading;
 
-/// Before a name.
+/// Marks of an uncertainty before a name.
 const BEFORE: [&str; 8] = ["d", "Δ", "∆", "δ", "delta", "u", "σ", "sigma"];
-/// After a name, in lower case.
+/// Marks of an uncertainty after a name, in lower case.
 const AFTER: [&str; 8] = ["err", "error", "unc", "uncert", "sd", "std", "stdev", "sigma"];
 
 /// Marks the headings whose names are a sign of uncertainty and the name of another column of the same unit. `distance`, `diameter` and a lone

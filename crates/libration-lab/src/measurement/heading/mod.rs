@@ -124,7 +124,7 @@ pub(super) fn bare(unit: &str) -> &str {
     unit.trim().trim_start_matches(['(', '[', '/', '{']).trim_end_matches([')', ']', '}']).trim()
 }
 
-/// Before the brackets around a quantity.
+/// Marks of an uncertainty before the brackets around a quantity.
 const SIGNS: [&str; 10] = ["u(", "σ(", "δ(", "∆(", "sigma(", "delta(", "sd(", "err(", "error(", "unc("];
 
 /// `u(θ)`, `σ(θ)`, `Δ(θ)` → θ; `+/-` → ±. A capital U of what is not known here is a voltage.

@@ -132,9 +132,9 @@ impl Unit {
         }
     }
 
-    /// A value in seconds, radians, radians per second or metres, the same as of the text on a command line: the decimal with fewest
-    /// digits that reads back as the number, converted exactly and rounded once. Counts and pixels stay as they are; of a frequency it is
-    /// the angular one.
+    /// Converts a value to seconds, radians, radians per second or metres. The result is that of the same text on a command line: the
+    /// shortest decimal that reads back as the number is converted exactly and rounded once. Counts and pixels are unchanged; a frequency
+    /// becomes an angular frequency.
     #[must_use]
     pub fn to_si(self, value: f64) -> f64 {
         let dimension = match self.measures() {

@@ -31,7 +31,7 @@ use rows::Rows;
 pub struct Traces {
     /// One for each run.
     pub traces: Vec<Trace>,
-    /// For each trace, the line of each of its rows, counted from one.
+    /// The line of each row of each trace, counted from one.
     pub lines: Vec<Vec<u64>>,
     /// Inferences from the file.
     pub findings: Vec<Finding>,

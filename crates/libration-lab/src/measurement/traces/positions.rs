@@ -45,10 +45,10 @@ pub(super) fn angles(
     let contradicting = pivot.and_then(|_| contradicting(&circle, &points));
     let how = match pivot {
         Some(_) => contradicting.as_ref().map_or_else(
-            || "as said".to_owned(),
+            || "as given".to_owned(),
             |found| {
                 format!(
-                    "as said, which contradicts the circle of the positions about ({:.6}, {:.6})",
+                    "as given, which contradicts the circle of the positions about ({:.6}, {:.6})",
                     found.x, found.y
                 )
             },
@@ -95,7 +95,7 @@ fn contradicting(given: &Circle, points: &[(f64, f64)]) -> Option<Circle> {
 
 fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {
     let unknown = |why: String| MeasurementError::PivotUnknown(why);
-    let circle = Circle::fit(points).ok_or_else(|| unknown("the positions lie on no circle".into()))?;
+    let circle = Circle::fit(points).ok_or_else(|| unknown("the positions do not lie on a circle".into()))?;
     let part = circle.radius_uncertainty / circle.radius;
     let height = height(&circle, points);
     if height < HEIGHT_OVER_SCATTER * circle.scatter || part.is_nan() || part > RADIUS_TOLERANCE {

@@ -13,11 +13,11 @@ use super::{positions, runs, stamps, turns, units};
 /// A column with more numbers than this numbers no runs.
 const MOST_RUNS: usize = 1000;
 
-/// Some rows of a sheet, as columns of what the file holds.
+/// Some rows of a sheet, as columns of the file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     name: String,
-    /// From zero.
+    /// Numbers of the rows, from zero.
     rows: Vec<usize>,
     times: Vec<f64>,
     /// One for each column that the values are made of.
@@ -175,7 +175,7 @@ impl Rows {
         }
     }
 
-    /// Leaves out what is before and after the times that are asked for.
+    /// Leaves out what is before and after the times that are requested.
     fn keep_between(&mut self, unit: Unit, choices: &Choices) -> Result<(), MeasurementError> {
         let (from, to) = (choices.from.unwrap_or(f64::NEG_INFINITY), choices.to.unwrap_or(f64::INFINITY));
         let is_between = |row: &usize| (from..=to).contains(&unit.to_si(self.times[*row]));

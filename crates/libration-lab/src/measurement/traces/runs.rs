@@ -58,7 +58,7 @@ fn named_runs(sheet: &Sheet) -> Vec<Option<String>> {
     runs
 }
 
-/// `Run #3` is asked for by its name or by 3.
+/// `Run #3` is requested by its name or by 3.
 pub(super) fn is_run(run: &str, asked: &str) -> bool {
     let asked = asked.trim().to_lowercase();
     let run = run.to_lowercase();

@@ -74,7 +74,7 @@ impl Sequence {
             Some(Finding::fact(format!("{run}line {first}{more}: {what}")))
         };
         let runs = self.pieces.len();
-        let cut = format!("the time goes back and begins anew: cut there into {runs} runs");
+        let cut = format!("the time goes back and restarts: cut there into {runs} runs");
         [
             told(&self.moved, "the time is out of order: put where it belongs"),
             told(&self.left_out, "the time is out of order and belongs nowhere: left out"),

@@ -8,11 +8,11 @@ use super::super::{Faults, MeasurementError};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Even {
     pub(super) times: Vec<f64>,
-    /// The part by which all of them may be too long or too short.
+    /// The relative uncertainty common to all times.
     pub(super) relative_uncertainty: f64,
 }
 
-/// The even times, where they are asked for, or where the rounding is so coarse that rows share times or its steps grow with the
+/// The even times, where they are requested, or where the rounding is so coarse that rows share times or its steps grow with the
 /// times, and nothing contradicts even ones.
 pub(super) fn even(
     times: &[f64],

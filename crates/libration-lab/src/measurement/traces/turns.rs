@@ -24,7 +24,7 @@ pub fn unwrap(angles: &mut [f64], name: &str, tell: &mut impl FnMut(Finding)) {
     }
 }
 
-/// Values within a turn, with the noise and the rounding of those at its ends.
+/// Largest range of angles within one turn, with an allowance for noise and rounding at its ends.
 const A_TURN: f64 = 1.02 * TAU;
 
 /// Takes out jumps where all angles are within one turn. A step is a jump if without whole turns it is below a quarter, or agrees with the steps

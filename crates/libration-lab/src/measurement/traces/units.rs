@@ -1,4 +1,4 @@
-//! In which units the columns are: said, written, or inferred from the numbers where only one can be.
+//! Units of the columns: given, written, or inferred from the numbers where only one is possible.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Weights that belong to what they are to find: effective variances depend on by how much the period changes with the amplitude.
+//! Weights that depend on the solution: effective variances contain the derivative of the period with respect to the amplitude.
 
 use libration_lab::fit::{FitError, Law, PeriodTable, Uncertainties, Weighting};
 use libration_lab::internals::fit::effective_weights::{Weighted, settled};

@@ -66,7 +66,7 @@ fn names() -> Vec<Case> {
     let plain = csv();
     let named = |name: &[u8]| Packed::deflated(name, plain.as_bytes());
     let both = |first: Packed, second: Packed| archive(&[first, second]);
-    // `Zähler.csv` in the code page 437, in UTF-8, and in UTF-8 beside a name without the letter.
+    // `Zähler.csv` in the code page 437, in UTF-8, and in UTF-8 with a name without the letter.
     let of_code_page = named(b"Z\x84hler.csv");
     let of_unicode = named("Zähler.csv".as_bytes());
     let beside = |checksum: u32| {

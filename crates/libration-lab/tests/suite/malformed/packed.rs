@@ -31,7 +31,7 @@ const SPACE: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
 const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 
-/// A workbook whose one worksheet has these rows of cells as XML, with these parts beside it.
+/// A workbook whose one worksheet has these rows of cells as XML, with these parts next to it.
 fn workbook_with(rows: &str, parts: &[(&str, &[u8])]) -> Vec<u8> {
     let types = "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
                  <Default Extension=\"xml\" ContentType=\"application/xml\"/></Types>";

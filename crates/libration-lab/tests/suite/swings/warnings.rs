@@ -175,7 +175,7 @@ fn no_scale_explains_a_period_that_changes_in_time() {
     let Some(doubt @ Warning::BetaNotOne { scale_error: None, .. }) = named(&said, "beta_not_one") else {
         panic!("{said:?}")
     };
-    assert!(doubt.to_string().contains("No scale of the angles is wrong by so much"));
+    assert!(doubt.to_string().contains("A scale of the angles is not wrong by that much"));
 }
 
 /// A clock that stopped for a moment moves the phase of the whole motion, and only one cycle.

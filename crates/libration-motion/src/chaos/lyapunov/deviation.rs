@@ -87,7 +87,7 @@ fn merged(layout: &StateLayout, motion: &[f64], deviation: &[f64]) -> Vec<f64> {
     both
 }
 
-/// The motion and the deviation in such a state.
+/// The motion and the deviation of a merged state.
 fn split(layout: &StateLayout, both: &[f64]) -> [Vec<f64>; 2] {
     let number = |number, copy| both[layout.place_in_copy(number, copy, 1)];
     [0, 1].map(|copy| (0..layout.numbers()).map(|n| number(n, copy)).collect())

@@ -46,7 +46,7 @@ impl<'a> Laboratory<'a> {
         Ok(Self { plain, extended, schedule, effort, units, unconfined, known, settled })
     }
 
-    /// Measures the motion asked for.
+    /// Measures the motion requested.
     pub(super) fn measure(&self, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         watch.begin(Stage::Motion { number: 0 }, Some(self.schedule.intervals));
         self.follow(self.settled.clone(), watch)

@@ -33,7 +33,7 @@ pub use verdict::{Doubt, LyapunovVerdict, Regularity};
 pub struct LyapunovExponent {
     /// The mean rate at which the logarithm of a deviation grows, in 1/time.
     pub exponent: f64,
-    /// Its standard error from ten blocks, or what the second half of the time has changed, if that is more.
+    /// The standard error of the exponent from ten blocks, or its change in the second half of the time, if larger.
     pub uncertainty: f64,
     /// Regular, chaotic or undecided.
     pub verdict: LyapunovVerdict,
@@ -71,7 +71,7 @@ pub enum LyapunovError {
 ///
 /// # The verdict
 /// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
-/// extent beside it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
+/// extent next to it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
 /// exponents are of the same size; the motion stays bounded, angles and coordinates that no force depends on apart; and the
 /// deviation never shrinks so much in between that errors of the integration take over, as they do next to a separatrix.
 /// Motions are `Regular` by a theorem (one coordinate without time; linear equations), when deviations

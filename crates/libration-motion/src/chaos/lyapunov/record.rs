@@ -62,7 +62,7 @@ impl Record {
         (0..blocks).map(|block| self.rate(edge(block), edge(block + 1))).collect()
     }
 
-    /// The larger of the standard error of the blocks' mean and of what the second half of the record has changed.
+    /// The larger of the standard error of the blocks' mean and the change in the second half of the record.
     pub fn uncertainty(&self) -> f64 {
         let blocks = self.blocks();
         if blocks.is_empty() {
@@ -80,7 +80,7 @@ impl Record {
         self.last() - self.logarithms[self.beginning()]
     }
 
-    /// The deepest valley of the logarithm: how far it lies below what was before and what comes after.
+    /// The depth of the deepest valley of the logarithm, below the values before and after it.
     pub fn deepest_valley(&self) -> f64 {
         let running = |highest: &mut f64, now: &f64| {
             *highest = highest.max(*now);

@@ -44,7 +44,7 @@ impl Schedule {
     }
 }
 
-/// About a period of the fastest coordinate: 2π times half its width over its largest speed.
+/// The approximate period of the fastest coordinate: 2π times half its width over its largest speed.
 fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Result<f64, LyapunovError> {
     const STEPS: usize = 400;
     const LONG: f64 = 1e9;

@@ -209,10 +209,10 @@ impl fmt::Display for Regularity {
                  (Poincaré and Bendixson)",
             ),
             Self::Theorem(Theorem::Linear) => {
-                formatter.write_str("the equations are linear, and deviations obey them as motions do")
+                formatter.write_str("the equations are linear, so deviations obey the same equations as motions")
             }
-            Self::AtRest => formatter.write_str("the motion rests in an equilibrium"),
-            Self::Converging => formatter.write_str("neighbouring motions come nearer all along the motion"),
+            Self::AtRest => formatter.write_str("the motion stays at an equilibrium"),
+            Self::Converging => formatter.write_str("neighbouring motions converge all along the motion"),
             Self::Slow { below } => write!(
                 formatter,
                 "deviations grow no faster than in proportion to the time, so far: an exponent above {below:.1e} would have \
@@ -232,7 +232,7 @@ impl fmt::Display for Doubt {
                  or until it grows in proportion to the time"
             ),
             Self::Unsteady => formatter.write_str("the growth is not steady: measure longer"),
-            Self::Unbounded => formatter.write_str("the motion goes farther and farther"),
+            Self::Unbounded => formatter.write_str("the motion is not bounded"),
             Self::DigitsLost { valley } => write!(
                 formatter,
                 "the deviation shrinks by the factor e^-{valley:.1} in between, as next to a separatrix, and loses its \

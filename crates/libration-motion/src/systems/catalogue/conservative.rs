@@ -15,7 +15,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "energy over m",
         power: "0",
         description: "a planet in its plane, the sun at zero; from x = 1 - e, y' = sqrt((1 + e)/(1 - e)) at mu = 1 it goes about an ellipse of eccentricity e in the time 2*pi; x*y' - y*x' is conserved",
-        domain: "motions that do not meet the centre; nowhere is it at rest: x = 1 is what is taken where nothing is given",
+        domain: "motions that do not meet the centre; there is no equilibrium: the start is x = 1 where none is given",
         source: "I. Newton, Philosophiae Naturalis Principia Mathematica (1687), book I, proposition 11",
         ..NOTHING_SAID
     },
@@ -48,8 +48,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
             parameter("n", "32", "1", "number of masses, from 1 to 1000"),
         ],
         count: Some("n"),
-        description: "n equal masses between n + 1 equal springs whose ends are fixed, in units of mass and spring; x[i] is how far a mass is from its rest; its modes have the angular frequencies 2*sin(pi*k/(2*(n + 1))); the energy is the sum of x[i]'^2/2 + d^2/2 + alpha*d^3/3 + beta*d^4/4 over masses and springs, d = x[i+1] - x[i]",
-        domain: "with alpha alone, springs that are not pressed or drawn beyond |alpha*d| = 1, where they give way",
+        description: "n equal masses between n + 1 equal springs whose ends are fixed, in units of mass and spring; x[i] is the displacement of a mass from equilibrium; its modes have the angular frequencies 2*sin(pi*k/(2*(n + 1))); the energy is the sum of x[i]'^2/2 + d^2/2 + alpha*d^3/3 + beta*d^4/4 over masses and springs, d = x[i+1] - x[i]",
+        domain: "with alpha alone, |alpha*d| < 1 for all springs, beyond which a spring may not restore",
         source: "E. Fermi, J. Pasta and S. Ulam, Studies of nonlinear problems I, Los Alamos report LA-1940 (1955), doi:10.2172/4376203",
         ..NOTHING_SAID
     },

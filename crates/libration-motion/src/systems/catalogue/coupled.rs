@@ -23,7 +23,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "m^2/s^2, energy over m",
         power: "0",
         bodies: &[NamedBody { place: ["r*sin(theta)", "-r*cos(theta)"], pivot: ["0", "0"] }],
-        description: "a mass on a massless spring in the place of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
+        description: "a mass on a massless spring instead of the rod; r is the length of the spring, theta its angle from the downward vertical; at kappa*l = 3*g the spring is in 2:1 resonance with the swing",
         domain: "r above zero",
         source: "derived from its Lagrangian; A. Vitt and G. Gorelik, Zh. Tekh. Fiz. 3, 294 (1933)",
         ..NOTHING_SAID
@@ -72,8 +72,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "1/s^2, energy over m*l^2",
         power: "0",
         bodies: &[NamedBody { place: ["sin(theta)*cos(phi)", "-cos(theta)"], pivot: ["0", "0"] }],
-        description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta keeps with phi' = omega0/sqrt(cos(theta))",
-        domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy has nothing special at the lowest",
+        description: "a pendulum free to swing in all directions; theta from the downward vertical, phi around it; sin(theta)^2*phi' is conserved, and theta is constant with phi' = omega0/sqrt(cos(theta))",
+        domain: "motions that pass neither the lowest nor the highest point, where phi has no meaning and the integration stops; spherical_pendulum_xy is regular at the lowest",
         source: "derived from its Lagrangian: L. D. Landau and E. M. Lifshitz, Mechanics, 3rd ed. (1976), section 14, problem 1",
         ..NOTHING_SAID
     },
@@ -88,9 +88,9 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         energy_unit: "m^2/s^2, energy over m",
         power: "0",
         bodies: &[NamedBody { place: ["x", "-sqrt(l^2 - x^2 - y^2)"], pivot: ["0", "0"] }],
-        description: "the same pendulum by the horizontal place of its bob, of which each component feels the same pull of the rod; nothing is special about the lowest point; x*y' - y*x' is conserved",
-        domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: beyond take spherical_pendulum",
-        source: "derived from the force of the rod that keeps its length; J. L. Lagrange, Mécanique analytique (1788), in Oeuvres 12, \
+        description: "the same pendulum in the horizontal coordinates of its bob, which the pull of the rod affects alike; the lowest point is regular; x*y' - y*x' is conserved",
+        domain: "motions below the horizontal, x^2 + y^2 < l^2, where the integration stops: use spherical_pendulum beyond",
+        source: "derived from the constraint force of the rod; J. L. Lagrange, Mécanique analytique (1788), in Oeuvres 12, \
                  part 2, section VIII",
         ..NOTHING_SAID
     },
@@ -119,7 +119,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
             NamedBody { place: ["sin(theta1)", "-cos(theta1)"], pivot: ["0", "0"] },
             NamedBody { place: ["sin(theta2)", "-cos(theta2)"], pivot: ["0", "0"] },
         ],
-        description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; in beats the swing goes over from one to the other and back",
+        description: "two pendulums of the same moment of inertia on one axis with a torsion spring between them; beats transfer the swing from one to the other and back",
         domain: "all motions; a straight spring of stiffness k between points at the depth h gives the same with kappa = k*h^2/(m*l^2) at small angles only",
         source: "derived from the torques; attributed to A. Sommerfeld, Mechanics (1952), section 20; not verified against the original",
         ..NOTHING_SAID

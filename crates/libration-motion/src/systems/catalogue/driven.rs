@@ -26,7 +26,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "A*cos(omega*t)*theta' - c*theta'^2",
         drive_frequency: Some("omega"),
         bodies: HANGING,
-        description: "a torque that alternates drives the pendulum at its axis; the standard example of chaos",
+        description: "an alternating torque drives the pendulum at its axis; the standard example of chaos",
         domain: "all motions",
         source: "G. L. Baker and J. P. Gollub, Chaotic Dynamics: An Introduction, 2nd ed., Cambridge University Press (1996)",
         ..NOTHING_SAID

@@ -15,8 +15,8 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
             parameter("rho", "28", "1", "Rayleigh number over that at which convection begins"),
             parameter("beta", "8/3", "1", "geometry of the rolls"),
         ],
-        description: "convection between two plates: x is the speed of the rolls, y the difference in temperature between what rises and what sinks, z how far the profile of temperatures is from a line; chaotic with the default values, with the largest Lyapunov exponent 0.9056",
-        domain: "all motions; at rest in zero, which is unstable from rho = 1 on",
+        description: "convection between two plates: x is the speed of the rolls, y the difference in temperature between rising and sinking fluid, z the deviation of the temperature profile from a line; chaotic with the default values, with the largest Lyapunov exponent 0.9056",
+        domain: "all motions; the equilibrium at zero is unstable for rho > 1",
         source: "E. N. Lorenz, J. Atmos. Sci. 20, 130 (1963), doi:10.1175/1520-0469(1963)020<0130:DNF>2.0.CO;2",
         ..NOTHING_SAID
     },
@@ -32,11 +32,11 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         ],
         parameters: &[
             parameter("a", "1/5", "1", "growth of the spiral"),
-            parameter("b", "1/5", "1", "what lifts the motion off the plane"),
-            parameter("c", "57/10", "1", "where the motion is folded back"),
+            parameter("b", "1/5", "1", "rate at which the motion is lifted off the plane"),
+            parameter("c", "57/10", "1", "position at which the motion is folded back"),
         ],
         description: "the simplest flow that folds a band onto itself: a spiral in the plane of x and y that is lifted and led back; chaotic with the default values, with the largest Lyapunov exponent 0.0714",
-        domain: "motions near the band; far from it they run away. Rest in the middle of the band: c^2 above 4*a*b",
+        domain: "motions near the band; far from it they diverge. The equilibrium inside the band requires c^2 > 4*a*b",
         source: "O. E. Rössler, Phys. Lett. A 57, 397 (1976), doi:10.1016/0375-9601(76)90101-8",
         ..NOTHING_SAID
     },
@@ -47,13 +47,13 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         equations: "x' = alpha*x - beta*x*y; y' = delta*x*y - gamma*y",
         coordinates: &[number("x", "gamma/delta"), number("y", "alpha/beta")],
         parameters: &[
-            parameter("alpha", "1", "1/s", "growth of the prey alone"),
-            parameter("beta", "1", "1/s", "what a predator eats"),
-            parameter("gamma", "1", "1/s", "how fast predators without prey die out"),
-            parameter("delta", "1", "1/s", "what predators gain by it"),
+            parameter("alpha", "1", "1/s", "growth rate of the prey alone"),
+            parameter("beta", "1", "1/s", "rate of predation by one predator"),
+            parameter("gamma", "1", "1/s", "death rate of predators without prey"),
+            parameter("delta", "1", "1/s", "growth rate of predators per prey"),
         ],
         description: "x is the number of prey, y of predators, each in units of its own; delta*x - gamma*ln(x) + beta*y - alpha*ln(y) is conserved, so that every motion is periodic; small ones have the angular frequency sqrt(alpha*gamma)",
-        domain: "x and y above zero, which they stay",
+        domain: "x and y above zero, where they stay",
         source: "A. J. Lotka, Proc. Natl. Acad. Sci. 6, 410 (1920), doi:10.1073/pnas.6.7.410, and V. Volterra, Nature 118, 558 (1926), \
                  doi:10.1038/118558a0",
         ..NOTHING_SAID

@@ -32,7 +32,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
             OMEGA0,
             parameter("c", "0", "s^(n-2)", "strength of the damping by the n-th power of the speed"),
             parameter("n", "1", "1", "this power, a whole number: 0 dry friction, 1 linear, 2 quadratic"),
-            parameter("c0", "0", "1/s^2", "dry friction, which may hold the pendulum fast"),
+            parameter("c0", "0", "1/s^2", "dry friction, which may hold the pendulum at rest"),
             parameter("c1", "0", "1/s", "linear damping, as in slow viscous flow"),
             parameter("c2", "0", "1", "quadratic damping, as in fast turbulent flow"),
             parameter("c3", "0", "s", "cubic damping"),
@@ -42,7 +42,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "-(c*abs(theta')^(n + 1) + c0*abs(theta') + c1*theta'^2 + c2*abs(theta')^3 + c3*theta'^4)",
         velocity_power: Some(VelocityPower::Any),
         bodies: HANGING,
-        description: "a pendulum with a resistance against its velocity, whatever its direction: c*theta'*abs(theta')^(n-1), and any sum of powers",
+        description: "a pendulum with a resistance opposite to its velocity: c*theta'*abs(theta')^(n-1), and any sum of powers",
         domain: "all motions; with dry friction the pendulum rests where omega0^2*abs(sin(theta)) is below the friction",
         source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54), always against the velocity; Coulomb \
                  and Stokes damping: arXiv:2602.19725",
@@ -64,7 +64,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "-c*theta'^(n + 1)",
         velocity_power: Some(VelocityPower::Whole),
         bodies: HANGING,
-        description: "as printed: for odd n it damps, for even n it is no damping, as it drives the swing back as much as it brakes the swing forth, and for n = 2 there is even a conserved quantity; damped_pendulum is what was meant",
+        description: "as printed: damping for odd n only; for even n it drives the backward swing as much as it brakes the forward swing, and for n = 2 a quantity is conserved; damped_pendulum is the intended equation",
         domain: "whole n",
         source: "B. Black and V. Vel, Am. J. Phys. 91, 776 (2023), doi:10.1119/5.0130943, eq. (54)",
         ..NOTHING_SAID
@@ -93,7 +93,7 @@ pub(super) const SYSTEMS: &[NamedSystem] = &[
         power: "0",
         bodies: HANGING,
         description: "a body about a fixed axis; it displaces rho*m of fluid, whose weight m*g*rho lifts it at its centre of mass and which it must accelerate, Ca*rho*m at the distance d",
-        domain: "homogeneous bodies small beside d, for buoyancy to act at the centre of mass and added mass to move as one point; without fluid (rho = 0) any body; resistance is left out",
+        domain: "homogeneous bodies small compared with d, so that buoyancy acts at the centre of mass and added mass moves as one point; without fluid (rho = 0) any body; resistance is left out",
         source: "derived; G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851); attributed to R. A. Nelson and M. G. Olsson, Am. J. Phys. \
                  54, 112 (1986); not verified against the original",
         ..NOTHING_SAID

@@ -36,7 +36,7 @@ fn next_to_separatrices() -> Vec<Case> {
     distances().flat_map(pair).collect()
 }
 
-/// Systems of one coordinate each that rotated axes or a moving frame make look coupled or driven.
+/// Systems of independent single coordinates, disguised as coupled or driven ones by rotated axes or a moving frame.
 fn disguised() -> Vec<Case> {
     let of_distance = |d: f64| {
         let (top, edge) = (core::f64::consts::PI - d, libm::sqrt(2.0) * (1.0 - d));

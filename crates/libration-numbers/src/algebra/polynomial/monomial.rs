@@ -7,7 +7,7 @@ use super::Variable;
 /// A product of positive powers of different variables; 1 without any.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Monomial<V = Variable> {
-    /// In the order of the variables.
+    /// Factors in the order of the variables.
     factors: Vec<(V, u32)>,
 }
 

@@ -45,7 +45,7 @@ pub enum EquationError {
     /// t''.
     #[error("t is the time and cannot be a variable: call the variable x, say")]
     TimeAsVariable,
-    /// x' = y beside x'' = -x.
+    /// x' = y together with x'' = -x.
     #[error(
         "`{equation}` is an equation for {rate}, but {name} has one for {name}'' already, with which {rate} is the velocity: leave one of \
          them out, or call one of the two variables something else",
@@ -73,7 +73,7 @@ pub enum EquationError {
     SolvedTwice(Symbol),
     /// `x[i]` without `, i = 1..32`.
     #[error(
-        "the index {letter} of {name} has no range: write it behind the equation, as in x[i]'' = -x[i], i = 1..32"
+        "the index {letter} of {name} has no range: write it after the equation, as in x[i]'' = -x[i], i = 1..32"
     )]
     IndexWithoutRange {
         /// The member.
@@ -105,12 +105,12 @@ pub enum EquationError {
         last: u32,
     },
     /// i = 1..100000.
-    #[error("the ranges stand for more than {limit} equations: give at most so many")]
+    #[error("the ranges stand for more than {limit} equations: give smaller ranges")]
     TooManyEquations {
         /// The maximum number.
         limit: usize,
     },
-    /// `x[3]` = 0 beside an equation for `x[3]''`.
+    /// `x[3]` = 0 together with an equation for `x[3]''`.
     #[error("`{equation}` gives a value to {name}, which has an equation of motion: leave one of them out")]
     ValueOfVariable {
         /// The equation, shortened.
@@ -120,7 +120,7 @@ pub enum EquationError {
     },
     /// `x[0]` = `x[-1]`, both outside.
     #[error(
-        "{name} is given by {other}, which is outside of the range too: give it by members inside, t and parameters"
+        "{name} is defined by {other}, which is outside the range too: define it by members inside, t and parameters"
     )]
     EndByEnd {
         /// The member.
@@ -130,7 +130,7 @@ pub enum EquationError {
     },
     /// `x[0]'` where `x[0]` = `2*x[1]`.
     #[error(
-        "{rate} stands in an equation, and is not worked out for an end that is {end}: give the end by t and parameters, or as one other member"
+        "an equation contains {rate}, which cannot be derived for an end defined as {end}: define the end by t and parameters, or as one other member"
     )]
     RateOfEnd {
         /// The velocity.
@@ -140,12 +140,12 @@ pub enum EquationError {
     },
     /// x0 beside `x[i]`.
     #[error(
-        "`{name}` may be a parameter or {indexed}, which is outside of the range: write {indexed}, or call the parameter something else"
+        "`{name}` may be a parameter or {indexed}, which is outside the range: write {indexed}, or call the parameter something else"
     )]
     AmbiguousMember {
         /// The name.
         name: String,
-        /// With an index.
+        /// The name with an index.
         indexed: String,
     },
     /// A derivative of what has no equation.

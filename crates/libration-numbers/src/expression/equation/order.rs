@@ -14,9 +14,9 @@ use super::{EquationError, Sides, Symbol, TIME};
 /// Order of an equation of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// It gives the rate of change of its variable.
+    /// An equation for the rate of change of its variable.
     First,
-    /// It gives the acceleration.
+    /// An equation for the acceleration.
     Second,
 }
 

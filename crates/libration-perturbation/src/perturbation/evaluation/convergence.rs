@@ -43,9 +43,9 @@ pub struct Convergence {
 /// The direction of the singularity that limits convergence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Singularity {
-    /// At a positive value: all later coefficients have one sign.
+    /// A singularity at a positive value: all later coefficients have one sign.
     Positive,
-    /// At a negative value: the signs alternate.
+    /// A singularity at a negative value: the signs alternate.
     Negative,
     /// A pair of conjugate values.
     Pair {
@@ -77,7 +77,7 @@ impl Convergence {
     }
 }
 
-/// 1/ρ and how far it may be off.
+/// 1/ρ and its uncertainty.
 #[derive(Clone, Copy, Debug)]
 struct Inverse {
     value: f64,
@@ -101,8 +101,8 @@ impl Inverse {
     }
 }
 
-/// From the signs of the later half of the coefficients, and the ratios extrapolated to 1/n = 0, linearly and with a
-/// square. How far these are from one another and from those before tells how far they may be off.
+/// A single singularity, from the signs of the later half of the coefficients and the ratios extrapolated to 1/n = 0, linearly and
+/// quadratically. The differences of these from one another and from the ones before are the uncertainty.
 fn one_singularity(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> {
     let end = coefficients.len() - 1;
     let ratio = |n: usize| Some(coefficients[n].checked_div(&coefficients[n - 1])?.to_f64());
@@ -126,7 +126,7 @@ fn one_singularity(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> 
     (value > 0.0).then_some((Inverse { value, uncertainty }, singularity))
 }
 
-/// From cₙ₊₁cₙ₋₁ − cₙ² and the like, which for a pair of singularities go to powers of 1/ρ², and its angle from three
+/// A pair of singularities: the radius from cₙ₊₁cₙ₋₁ − cₙ² and the like, which then tend to powers of 1/ρ², and the angle from three
 /// successive coefficients.
 fn pair_of_singularities(coefficients: &[Rational]) -> Option<(Inverse, Singularity)> {
     let end = coefficients.len() - 1;
@@ -171,7 +171,7 @@ fn line_at_zero(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     Some((value, libm::sqrt(mean(&square)))).filter(|(value, deviation)| (value + deviation).is_finite())
 }
 
-/// From |cₙ|^(1/n), which has 1/ρ as its upper limit: the largest of the later third, and the spread.
+/// The radius from |cₙ|^(1/n), whose upper limit is 1/ρ: the largest of the later third, and the spread.
 fn by_roots(coefficients: &[Rational]) -> Inverse {
     let end = coefficients.len() - 1;
     let root = |n: usize| {

@@ -114,8 +114,7 @@ impl SeriesEvaluation {
         Self { at: x, steps: steps.collect() }
     }
 
-    /// The same with proven remainders: `remainder_after` gives a bound of what is missing when the terms up to a
-    /// power are kept.
+    /// The same with proven remainders: `remainder_after` gives a bound on the remainder after the terms up to a power.
     #[must_use]
     pub fn with_bound(mut self, remainder_after: impl Fn(usize) -> f64) -> Self {
         for step in &mut self.steps {

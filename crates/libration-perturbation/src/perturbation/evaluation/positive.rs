@@ -29,7 +29,7 @@ impl PositiveSeries {
         Self { coefficients, first, stride }
     }
 
-    /// At x, where `value` gives the whole series, right to 1e-11 or larger, at any place below the limit.
+    /// The remainder at x, where `value` gives the whole series, right to 1e-11 or larger, at any x below the limit.
     pub(crate) fn at(&self, x: f64, limit: f64, value: impl Fn(f64) -> f64) -> PositiveSeriesAt<'_> {
         // All coefficients being positive, the remainder at x is at most (x/y)^next of that at a larger y. At x itself rounding would
         // hide a remainder that is small, near the limit the value is large: the best of some is taken.

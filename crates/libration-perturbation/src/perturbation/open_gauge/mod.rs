@@ -169,7 +169,7 @@ pub enum OpenGaugeError {
     /// g₁ ≤ 0.
     #[error("the force has no linear term that pulls back to the equilibrium; perturbation starts from one")]
     NotRestoring,
-    /// An even term beside an ansatz of odd powers.
+    /// An even term with an ansatz of odd powers.
     #[error("the force has a term in x^{power}, so the expansion needs all powers, not only odd ones")]
     EvenTerm {
         /// Its exponent.

@@ -24,7 +24,7 @@ use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 pub(super) enum Amplitude {
     /// The first harmonic is A·cos ψ.
     FirstHarmonic,
-    /// At ψ = 0 the motion turns at A.
+    /// The motion turns at A for ψ = 0.
     TurningPoint,
 }
 
@@ -172,7 +172,7 @@ impl<'a, R: PhaseFunctions> Solution<'a, R> {
         Some(())
     }
 
-    /// The wave beside a forced motion with which neither xₙⱼ nor vₙⱼ has a value at ψ = 0.
+    /// The wave in addition to a forced motion with which neither xₙⱼ nor vₙⱼ has a value at ψ = 0.
     fn free_wave(
         &self,
         forced: &R::Element,

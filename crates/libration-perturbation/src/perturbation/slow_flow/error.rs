@@ -18,7 +18,7 @@ pub enum SlowFlowError {
     Equation(#[from] EquationError),
     /// No letter is left.
     #[error(
-        "no letter is without a value: leave the one open that multiplies the small terms, such as c in x'' + c*x' + x = 0"
+        "no parameter is symbolic: leave the one without a value that multiplies the small terms, such as c in x'' + c*x' + x = 0"
     )]
     NoSmallParameter,
     /// Several letters, and none is named.
@@ -27,14 +27,14 @@ pub enum SlowFlowError {
         /// Their names.
         open: Vec<String>,
     },
-    /// Letters beside the small one.
-    #[error("no value is given for {}: only the small parameter stays a letter", names.join(", "))]
+    /// Letters other than the small one.
+    #[error("no value is given for {}: only the small parameter stays symbolic", names.join(", "))]
     WithoutValue {
         /// Their names.
         names: Vec<String>,
     },
     /// A name that is not a letter without a value.
-    #[error("`{name}` is not a letter without a value in the equation: those are {}", open.join(", "))]
+    #[error("`{name}` is not a symbolic parameter of the equation: these are {}", open.join(", "))]
     UnknownParameter {
         /// The name.
         name: String,
@@ -80,7 +80,7 @@ pub enum SlowFlowError {
          whole, and forces without kinks but for abs(x') and sign(x')"
     )]
     NoSeries,
-    /// It was told to stop.
+    /// The call was cancelled.
     #[error("interrupted")]
     Interrupted,
 }

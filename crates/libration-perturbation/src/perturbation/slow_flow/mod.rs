@@ -89,8 +89,8 @@ pub struct SlowFlow {
     pub phase_rate: SlowSeries,
     /// The displacement as a sum of these; only for 0 ≤ ψ ≤ π where [`half_swing`](Self::half_swing) says so.
     pub motion: Vec<PhaseTerm>,
-    /// Up to this power of the parameter A′ and ψ′ are whole: polynomials in A of which no term is beyond [`order`](Self::order). Zero
-    /// where the force without the small terms is not linear, or the small ones are no polynomial in displacement and velocity.
+    /// Power of the parameter up to which A′ and ψ′ are complete: polynomials in A without terms beyond [`order`](Self::order). Zero where
+    /// the force without the small terms is not linear, or the small terms are not polynomials in displacement and velocity.
     pub whole_powers: usize,
     /// The force has kinks where the motion turns: the displacement at ψ + π is the opposite of that at ψ.
     pub half_swing: bool,
@@ -199,7 +199,7 @@ pub fn slow_flow_watched(
     Question::new(&force, [order, parameter_order], gauge)?.answer(watch)
 }
 
-/// An oscillator under a weak force, and what is asked about it.
+/// An oscillator under a weak force, and the slow flow requested.
 struct Question<'a> {
     force: &'a WeakForce,
     tape: Tape,
@@ -236,7 +236,7 @@ impl<'a> Question<'a> {
         Ok(Self { force, tape, equilibrium, omega0_squared, gauge, amplitude, order, parameter_order })
     }
 
-    /// Over fractions, or with √ω0² and powers of π where they are needed.
+    /// The slow flow over fractions, or with √ω0² and powers of π where they are needed.
     fn answer(&self, watch: &Watch<'_>) -> Result<SlowFlow, SlowFlowError> {
         let field = QuadraticField { base: Rationals, square: self.omega0_squared.clone() };
         let surd =

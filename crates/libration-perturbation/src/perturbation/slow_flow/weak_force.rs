@@ -19,7 +19,7 @@ pub struct WeakForce {
 }
 
 impl WeakForce {
-    /// An equation of which one letter has no value, the small parameter, or the one that is named.
+    /// The weak force of an equation with one symbolic parameter, which is the small one, or with several of which it is named.
     ///
     /// # Errors
     /// No letter or several, the time in the equation, no oscillator where the letter is zero, kinks without the symmetry of both half

@@ -75,7 +75,7 @@ pub fn expand_symbolically(
     expand_symbolically_watched(oscillator, order, gauge, &Watch::none())
 }
 
-/// Expands as [`expand_symbolically`] does, and asks `watch` at each order.
+/// Expands as [`expand_symbolically`] does, and checks `watch` at each order.
 ///
 /// # Errors
 /// As [`expand_symbolically`], or [`SymbolicExpansionError::Interrupted`] with the orders that were found.
@@ -231,12 +231,12 @@ pub enum SymbolicExpansionError {
     Expansion(#[from] ExpansionError),
     /// A coefficient that is not a Laurent polynomial.
     #[error(
-        "the acceleration has no power series about the equilibrium whose coefficients are sums of products of letters, their powers and roots: give some of the letters values"
+        "the acceleration has no power series about the equilibrium whose coefficients are sums of products of symbols, their powers and roots: give values to some of the symbols"
     )]
     NoSeries,
     /// Coefficients that are too long.
     #[error(
-        "a coefficient would have more than ten thousand terms: ask for a lower order, or give some of the letters values"
+        "a coefficient would have more than ten thousand terms: give a lower order, or values to some of the symbols"
     )]
     TooManyTerms,
     /// The computation was interrupted.

@@ -9,7 +9,7 @@ use libration_numbers::algebra::{Complex, Rational};
 /// The force and the phases at which it is taken.
 #[derive(Clone, Debug)]
 pub(super) struct Collocation {
-    /// For each phase the cosines of its odd multiples.
+    /// Cosines of the odd multiples of each phase.
     cosines: Vec<Vec<f64>>,
     /// The coefficients of x, x³, x⁵, ….
     force: Vec<f64>,
@@ -18,12 +18,12 @@ pub(super) struct Collocation {
 /// The projections of the force on the harmonics.
 pub(super) struct Projections {
     pub(super) values: Vec<Complex>,
-    /// With respect to each amplitude, a row for each value.
+    /// Derivatives with respect to each amplitude, a row for each value.
     pub(super) derivatives: Vec<Vec<Complex>>,
 }
 
 impl Collocation {
-    /// For the first odd harmonics, and an odd force given by its coefficients of x, x², x³, ….
+    /// The collocation for the first odd harmonics, and an odd force given by its coefficients of x, x², x³, ….
     pub(super) fn new(harmonics: u32, force: &[Rational]) -> Self {
         // A power of the force times a harmonic.
         Self::exact_to(harmonics, force, (force.len() + 1) * highest(harmonics))
@@ -34,7 +34,7 @@ impl Collocation {
         Self::exact_to(harmonics, force, 2 * force.len() * highest(harmonics))
     }
 
-    /// With sums over the phases that are exact for multiples of τ up to this one.
+    /// The collocation with sums over the phases that are exact for multiples of τ up to this one.
     fn exact_to(harmonics: u32, force: &[Rational], multiple: usize) -> Self {
         let force: Vec<f64> = force.iter().step_by(2).map(Rational::to_f64).collect();
         let points = multiple / 4 + 1;

@@ -23,8 +23,8 @@ pub enum TruncatedSystemError {
     },
     /// No harmonic, or too many solutions.
     #[error(
-        "{harmonics} harmonics and a force of degree {degree} are out of reach: take at least one harmonic, and \
-         so few that the 1 + {degree} + {degree}^2 + ... solutions, a term for each, are at most {}",
+        "{harmonics} harmonics and a force of degree {degree} have too many solutions: give at least one harmonic, and \
+         few enough that the number of solutions, 1 + {degree} + {degree}^2 + ... with a term for each, is at most {}",
         TruncatedSystem::MAX_SOLUTIONS
     )]
     Size {

@@ -11,7 +11,7 @@ use libration_numbers::algebra::Complex;
 /// The verdict on a solution of a truncated system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SolutionVerdict {
-    /// It grows out of small oscillations: followed to amplitude 0 it has a₁ = amplitude and Δ = 1.
+    /// The solution grows out of small oscillations: continued to amplitude 0 it has a₁ = amplitude and Δ = 1.
     Accepted,
     /// Real with a₁ = 0: a motion such as x = a₃ cos 3Ωt, whose frequency is not Ω but 3Ω.
     Overtone,

@@ -6,7 +6,7 @@ use libration_kernels::elementary::count;
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
 use libration_numbers::watch::Watch;
 
-/// For each k the coefficients of (1/π)∫ X·cos kθ dθ by powers of ρ, half of it for k = 0. `None` when it is interrupted.
+/// The coefficients of (1/π)∫ X·cos kθ dθ for each k, by powers of ρ; half of it for k = 0. `None` when cancelled.
 pub(super) fn integrals(
     floats: Floats,
     side: &Side<'_, BigFloat>,
@@ -28,7 +28,7 @@ pub(super) fn integrals(
     Some(sums)
 }
 
-/// At one χ.
+/// The values at one χ.
 struct Place<'a> {
     floats: Floats,
     side: &'a Side<'a, BigFloat>,

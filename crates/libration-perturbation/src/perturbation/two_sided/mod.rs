@@ -33,10 +33,10 @@ use libration_numbers::{
     internals::expression::{Jet, Tape},
 };
 
-/// Up to this order coefficients are given exactly; a coefficient has some order³/12 terms on the way, a product the square of it.
+/// Highest order with exact coefficients; a coefficient has some order³/12 terms in the computation, a product the square of it.
 pub(crate) const MAX_PI_ORDER: usize = 15;
 
-/// A force with two sides, and what is asked about it.
+/// A force with two sides, and the expansion requested.
 #[derive(Debug)]
 pub(crate) struct TwoSided<'a> {
     /// Force as a function of the distance from the equilibrium.
@@ -53,7 +53,7 @@ pub(crate) struct TwoSided<'a> {
 type Integrals<'a, R> =
     &'a dyn Fn(&Side<'_, <R as Ring>::Element>, &[usize]) -> Option<Vec<Vec<<R as Ring>::Element>>>;
 
-/// A family whose turning points are not sums of the harmonics that are known.
+/// A family with both its turning points, which are not sums of its known harmonics.
 type FamilyWithTurns<E> = (Family<E>, BothTurns<E>);
 
 /// X by powers of ρ, and Ω/ω0.
@@ -165,7 +165,7 @@ impl<'a> TwoSided<'a> {
         Some(harmonics)
     }
 
-    /// With the variable of the gauge in the place of ρ.
+    /// The family with the variable of the gauge in place of ρ.
     fn in_gauge<R: Ring>(
         &self,
         ring: &R,
@@ -234,7 +234,7 @@ fn letters() -> LaurentPolynomials {
     LaurentPolynomials::new(vec!["pi".to_owned()])
 }
 
-/// With π as a letter.
+/// The sum as a polynomial with π as a symbol.
 fn laurent_polynomial(sum: &PiPolynomial<Rational>) -> LaurentPolynomial {
     let ring = letters();
     sum.terms().fold(ring.zero(), |total, (power, factor)| {

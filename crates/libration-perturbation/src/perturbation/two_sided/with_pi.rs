@@ -13,7 +13,7 @@ const NUMBERS: PiPowers<Rationals> = PiPowers { numbers: Rationals };
 type Number = PiPolynomial<Rational>;
 type Function = <HalfSwings<Rationals> as Ring>::Element;
 
-/// For each k the coefficients of (1/π)∫ X·cos kθ dθ by powers of ρ, half of it for k = 0.
+/// The coefficients of (1/π)∫ X·cos kθ dθ for each k, by powers of ρ; half of it for k = 0.
 pub(super) fn integrals(side: &Side<'_, Number>, harmonics: &[usize]) -> Option<Vec<Vec<Number>>> {
     let swing = Swing::new(side)?;
     harmonics.iter().map(|&k| swing.integral(k)).collect()

@@ -256,9 +256,9 @@ fn where_no_equilibrium_is_found_nothing_is_claimed_beyond_the_search() {
             "there is no equilibrium to oscillate about: the acceleration at rest never passes through zero",
         ),
         ("x'' = -(x - 100)^2 - 1", "never passes through zero"),
-        ("x'' = -exp(x)", "no equilibrium is found: from -10 to 10, where one is looked for"),
+        ("x'' = -exp(x)", "through zero from -10 to 10, the range of the search"),
         ("x'' = -(x - 12.5)*exp(-x^2)", "if there is one further out, give it, such as 20"),
-        ("x'' = ln(-1 - x^2) - x", "has no value at any place looked at"),
+        ("x'' = ln(-1 - x^2) - x", "has no value at any position tried"),
     ] {
         let error = refusal(text);
         assert!(error.contains(part), "{text}: {error}");
@@ -302,7 +302,7 @@ fn a_place_is_a_number() {
     assert!(about("1").contains("there is no equilibrium at 1"));
 }
 
-/// Reference equations, for which series and periods are known independently, beside the keys they have here.
+/// Reference equations, for which series and periods are known independently, with the keys they have here.
 const REFERENCES: &[(&str, &str)] = &[
     ("pendulum", "theta'' + sin(theta) = 0"),
     ("duffing", "x'' + x + x^3 = 0"),

@@ -8,7 +8,7 @@ use crate::output::number::{at_most, rounded, short};
 use crate::output::series::{certainty, radius_certainty};
 use libration::comparison::{BackbonePoint, ExactValue, OrbitFrequency};
 
-/// A point of the backbone of an answer.
+/// A point of the backbone of a result.
 pub(super) struct Point<'a> {
     answer: &'a Answer,
     pub(super) point: &'a BackbonePoint,
@@ -46,13 +46,13 @@ pub(super) fn of_backbone() -> Fields<Answer> {
         Of::value(
             "centre_is_equilibrium",
             "",
-            "whether it is a stable equilibrium; if not, amplitudes are measured from 0",
+            "true if it is a stable equilibrium; if false, amplitudes are measured from 0",
             |it| it.curve.has_equilibrium().into(),
         ),
         Of::known("omega0_rad_per_s", "rad/s", "angular frequency of small oscillations, or null", |it| {
             it.curve.omega0().ok_or_else(|| no_series(it).unwrap_or_default())
         }),
-        Of::value("no_series", "", "why there is no series, or null", |it| no_series(it).into()),
+        Of::value("no_series", "", "reason why there is no series, or null", |it| no_series(it).into()),
         Of::present("series_radius", "", "amplitude below which the series converges", |it| {
             it.curve.radius().map(|radius| radius.value())
         }),
@@ -100,7 +100,7 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
             it.orbit().map(|orbit| orbit.encloses.map(json::number).into())
         })
         .only_json(),
-        Of::present_value("no_orbit", "", "why there is no orbit", |it| {
+        Of::present_value("no_orbit", "", "reason why there is no orbit", |it| {
             it.point.orbit.as_ref().err().map(|reason| reason.to_string().into())
         })
         .only_json(),
@@ -113,7 +113,7 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
         Of::present_value(
             "series_remainder_rad_per_s",
             "rad/s",
-            "bound on what the series leaves out, or an estimate of it, too small in about 1 of 100 cases; or null",
+            "bound on the remainder of the series, or an estimate of it, too small in about 1 of 100 cases; or null",
             |it| it.point.series.as_ref().map(|series| json::number(series.remainder.size)),
         )
         .only_json(),

@@ -33,7 +33,7 @@ pub(super) fn table(out: &mut dyn Write, answer: &Answer, listed: bool) -> io::R
     write_reasons(out, answer)
 }
 
-/// From where on orbits are of another family.
+/// Writes the amplitude from which orbits belong to another family.
 fn write_enclosing(out: &mut dyn Write, answer: &Answer, points: &[Point<'_>]) -> io::Result<()> {
     let enclosing: Vec<(&Point<'_>, f64)> =
         points.iter().filter_map(|point| Some((point, point.encloses()?))).collect();

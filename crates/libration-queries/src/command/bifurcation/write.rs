@@ -18,7 +18,7 @@ pub(crate) struct Row {
 }
 
 impl Diagram<'_> {
-    /// In the form asked for; the table lists the points only if that is wanted.
+    /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
@@ -103,20 +103,22 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
         Of::value("parameter", "", "name of the parameter that is varied", |it| {
             it.parameter.name.as_str().into()
         }),
-        Of::value("section", "", "where the points are taken, in words", |it| it.place.as_str().into())
-            .line_of("points", Diagram::points_text),
-        Of::value("skipped", "1", "points of the transient that were left out, for each value", |it| {
+        Of::value("section", "", "condition at which points are recorded, in words", |it| {
+            it.place.as_str().into()
+        })
+        .line_of("points", Diagram::points_text),
+        Of::value("skipped", "1", "number of points discarded as transient, for each value", |it| {
             it.points.skipped.into()
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("complete", "", "whether each sweep has all values", |it| it.is_complete().into()),
+        Of::value("complete", "", "true if each sweep has all values", |it| it.is_complete().into()),
         Of::value("stopped[]", "", "values for which the motion stopped early, and why", |it| {
             json::list(it.stopped())
         }),

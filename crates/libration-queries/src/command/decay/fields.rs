@@ -59,7 +59,7 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
         Of::value(
             "ending",
             "",
-            "why the swings end: sticks, vanishes or creeps; null where they go on",
+            "reason why the swings end: sticks, vanishes or creeps; null where they go on",
             |it| match it.report.ending {
                 None => Value::Null,
                 Some(DecayEnding::Sticks) => "sticks".into(),
@@ -120,7 +120,7 @@ pub(super) fn of_cycle() -> Fields<Cycle> {
         Of::number(
             "duration_of_the_cycle_s",
             "s",
-            "time that the cycle took which ends there, given for whole cycles",
+            "duration of the cycle that ends there, given for whole cycles",
             |cycle| cycle.duration,
         )
         .rounded("time of the cycle / s", 8),

@@ -34,7 +34,7 @@ use report::{Cycle, Report};
   libration decay 90deg --dry 0.2 --linear 0.02     # until friction holds it
   libration decay 150deg --quadratic 0.05 --until 60s --figure decay.svg
   libration decay 40deg --power 1.5:0.1 --csv       # any power of the velocity
-  libration decay 30deg --quadratic 0.1 --order 5   # the slow flow beside it
+  libration decay 30deg --quadratic 0.1 --order 5   # with the slow flow
 
 Coefficients are divided by the moment of inertia, in SI units: a drag torque of
 b kg m²/s times θ′ on a pendulum of moment of inertia ml² has c = b/(ml²).")]

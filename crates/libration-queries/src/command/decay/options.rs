@@ -55,7 +55,7 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok()
 }
 
-/// The slow flow beside it.
+/// The slow flow.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct SlowFlowOptions {
     /// Compare with the slow flow too, its amplitude law to this power of the amplitude (whole powers of the velocity)
@@ -67,7 +67,7 @@ pub(super) struct SlowFlowOptions {
 }
 
 impl SlowFlowOptions {
-    /// The powers of amplitude and damping, if it is asked for.
+    /// The powers of amplitude and damping, if it is requested.
     pub(super) fn orders(self) -> Option<[usize; 2]> {
         Some([self.order?, self.damping_order.unwrap_or(DAMPING_ORDER)])
     }

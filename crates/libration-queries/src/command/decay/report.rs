@@ -26,7 +26,7 @@ pub(crate) struct Turn {
     pub(crate) point: TurningPoint,
     pub(crate) averaged: f64,
     pub(crate) small: f64,
-    /// If it is asked for.
+    /// The slow flow, if requested.
     pub(crate) slow: Option<SlowTurn>,
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct Cycle {
     pub(crate) duration: f64,
     /// The exact period of the amplitude in its middle.
     pub(crate) exact_period: f64,
-    /// If it is asked for.
+    /// The slow flow, if requested.
     pub(crate) slow: Option<SlowCycle>,
 }
 

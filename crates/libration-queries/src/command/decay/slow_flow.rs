@@ -1,4 +1,4 @@
-//! The slow flow beside a decay: what is asked of it, and what is said.
+//! The slow flow compared with a decay: options and output.
 
 use crate::output::field::{Field, Fields};
 use crate::output::number::short;
@@ -12,7 +12,7 @@ use libration::watch::Watch;
 /// The slow flow at a turning point of the integrated motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlowTurn {
-    /// At its time, in radians.
+    /// Amplitude at its time, in radians.
     pub(crate) amplitude: f64,
     pub(crate) phase: f64,
     /// Less what is integrated, in radians.
@@ -20,7 +20,7 @@ pub(crate) struct SlowTurn {
     pub(crate) phase_error: f64,
 }
 
-/// The cycle of the slow flow beside one of the integrated motion, in seconds.
+/// The cycle of the slow flow with one of the integrated motion, in seconds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlowCycle {
     pub(crate) duration: f64,
@@ -55,7 +55,7 @@ pub(super) fn of_all<'a>() -> Fields<Compared<'a>> {
         Of::value(
             "slow_flow_order",
             "1",
-            "highest power of the amplitude in the slow flow, which --order asks for",
+            "highest power of the amplitude in the slow flow, as given by --order",
             |it| it.slow.flow().order.into(),
         ),
         Of::value("slow_flow_damping_order", "1", "highest power of the damping in the slow flow", |it| {
@@ -81,14 +81,14 @@ pub(super) fn of_turn() -> Fields<SlowTurn> {
     Fields::from([
         Of::number("slow_flow_rad", "rad", "amplitude at that time by the slow flow", |it| it.amplitude)
             .degrees("slow flow / °", 8),
-        Of::number("slow_flow_error_rad", "rad", "that less the integrated amplitude", |it| {
+        Of::number("slow_flow_error_rad", "rad", "difference from the integrated amplitude", |it| {
             it.amplitude_error
         }),
         Of::number("slow_flow_phase_rad", "rad", "phase at that time by the slow flow", |it| it.phase),
         Of::number(
             "slow_flow_phase_error_rad",
             "rad",
-            "that less the phase of the turning point, a multiple of π",
+            "difference from the phase of the turning point, a multiple of π",
             |it| it.phase_error,
         )
         .short("error of the phase / rad", 3),
@@ -100,7 +100,7 @@ pub(super) fn of_cycle() -> Fields<SlowCycle> {
     Fields::from([
         Of::number("slow_flow_duration_s", "s", "time of that cycle by the slow flow", |it| it.duration)
             .rounded("slow flow / s", 8),
-        Of::number("slow_flow_duration_error_s", "s", "that less the integrated time", |it| it.error),
+        Of::number("slow_flow_duration_error_s", "s", "difference from the integrated time", |it| it.error),
     ])
 }
 

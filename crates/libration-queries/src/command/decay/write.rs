@@ -18,7 +18,7 @@ pub(super) struct Answer<'a> {
     /// Length and gravity, if the pendulum was given by them.
     pub(super) given: Option<PendulumOptions>,
     pub(super) decay: &'a Decay,
-    /// If it is asked for.
+    /// The slow flow, if requested.
     pub(super) slow: Option<&'a SlowDecay>,
     pub(super) report: &'a Report,
     /// `true` if the table lists the cycles; a picture shows them better.
@@ -155,7 +155,7 @@ impl Answer<'_> {
         let ends = [self.report.turns.first(), self.report.turns.last()];
         let [first, last] = ends.map(|turn| turn.map_or_else(String::new, loss));
         format!(
-            "{first} in an undamped cycle at the first amplitude, {last} at the last; averaging is meant for small losses, away from the top"
+            "{first} in an undamped cycle at the first amplitude, {last} at the last; averaging is valid for small losses, away from the top"
         )
     }
 

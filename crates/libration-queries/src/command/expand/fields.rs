@@ -41,23 +41,20 @@ pub(super) struct Coefficient<'a> {
 pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     let letters = Fields::from([
-        Of::<C>::value(
-            "letters[]",
-            "",
-            "parameters that have no value and stand in the coefficients",
-            |it| it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into(),
-        ),
+        Of::<C>::value("letters[]", "", "symbolic parameters, which stand in the coefficients", |it| {
+            it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
+        }),
         Of::<C>::present_value(
             "constants.NAME",
             "",
-            "with letters: the constant that this name stands for in the coefficients",
+            "with symbols: the constant that this name stands for in the coefficients",
             |it| Some(json::object(it.letters.as_ref()?.explained().cloned())),
         ),
     ]);
     of_subject().and(letters).and(of_setting()).and(of_series())
 }
 
-/// About what, by powers of what.
+/// The fields of the equilibrium and the expansion parameter.
 fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
     type Of<C> = Field<Answer<C>>;
     Fields::from([
@@ -65,7 +62,7 @@ fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::value(
             "gauge",
             "",
-            "what the expansion parameter means, null for the strength of a self-excited oscillator",
+            "meaning of the expansion parameter, null for the strength of a self-excited oscillator",
             |it| match &it.expansion.variable {
                 ExpansionVariable::Epsilon(gauge) => gauge.to_string().into(),
                 ExpansionVariable::Parameter(_) => Value::Null,
@@ -77,13 +74,16 @@ fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::value(
             "phase_origin",
             "",
-            "where the phase τ is zero: at the upper `turning point`, at a `passage` upward through the equilibrium, or where the `first \
+            "point where the phase τ is zero: at the upper `turning point`, at a `passage` upward through the equilibrium, or where the `first \
              harmonic` has its maximum",
             |it| phase_origin(it.expansion.phase_origin).into(),
         ),
-        Of::<C>::value("precision", "", "`exact`, or to how many digits the coefficients are known", |it| {
-            precision(it.expansion.precision).into()
-        }),
+        Of::<C>::value(
+            "precision",
+            "",
+            "`exact`, or the number of digits to which the coefficients are known",
+            |it| precision(it.expansion.precision).into(),
+        ),
         Of::<C>::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |it| {
             text(&it.expansion, &it.expansion.equilibrium).into()
         }),
@@ -96,13 +96,13 @@ fn of_setting<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::present_value(
             "omega0",
             "",
-            "with letters: the frequency ω0 of small oscillations, for positive letters",
+            "with symbols: the frequency ω0 of small oscillations, for positive symbols",
             |it| it.letters.as_ref().map(|letters| letters.omega0.clone().into()),
         ),
         Of::<C>::present_value(
             "omega0_name",
             "",
-            "with letters: the name that stands for ω0 in coefficients, null where none does",
+            "with symbols: the name that stands for ω0 in coefficients, null where none does",
             |it| it.letters.as_ref().map(|letters| letters.omega0_name.clone().into()),
         ),
     ])
@@ -114,7 +114,7 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::present_value(
             "angular_frequency[]",
             "",
-            "with letters, where ω0 is a product of them: coefficients of the frequency itself",
+            "with symbols, where ω0 is a product of them: coefficients of the frequency itself",
             |it| {
                 Some(it.letters.as_ref()?.frequency.as_ref()?.iter().map(written).collect::<Series>().into())
             },
@@ -135,7 +135,7 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::value(
             "has_all_harmonics",
             "",
-            "whether harmonics that are not given begin at higher powers; false where the force has two sides, and there are harmonics without end",
+            "true if harmonics that are not given begin at higher powers; false where the force has two sides, and there are harmonics without end",
             |it| it.expansion.has_all_harmonics.into(),
         ),
         Of::<C>::value(
@@ -157,7 +157,7 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::value(
             "certified",
             "",
-            "whether an independent exact computation proves the coefficients",
+            "true if an independent exact computation proves the coefficients",
             |it| it.expansion.certificate.is_proof().into(),
         ),
         Of::<C>::value("certificate", "", "the check that was made", |it| {
@@ -166,7 +166,7 @@ fn of_series<C: series::Coefficient>() -> Fields<Answer<C>> {
         Of::<C>::present_value(
             "interrupted",
             "",
-            "true where Ctrl-C ended the work before the order asked for, else left out",
+            "true where Ctrl-C ended the work before the requested order, else left out",
             |it| it.interrupted.map(|_| true.into()),
         ),
     ])
@@ -210,13 +210,13 @@ fn of_amplitude() -> Fields<OfAmplitude> {
 pub(super) fn of_coefficient<'a>() -> Fields<Coefficient<'a>> {
     type Of<'a> = Field<Coefficient<'a>>;
     Fields::from([
-        Of::value("quantity", "", "what is expanded", |it| it.quantity.as_str().into()),
-        Of::value("variable", "", "in powers of what", |it| it.variable.into()),
+        Of::value("quantity", "", "quantity that is expanded", |it| it.quantity.as_str().into()),
+        Of::value("variable", "", "variable of the power series", |it| it.variable.into()),
         Of::value("power", "1", "power", |it| it.power.into()),
         Of::value(
             "coefficient",
             "",
-            "coefficient of that power: a fraction, a decimal, or a formula of letters",
+            "coefficient of that power: a fraction, a decimal, or a formula of symbols",
             |it| it.text.as_str().into(),
         ),
     ])

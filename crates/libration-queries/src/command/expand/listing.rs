@@ -64,7 +64,7 @@ impl<'a> Symbols<'a> {
     }
 }
 
-/// In a sentence.
+/// A number for a sentence.
 fn number<C: Coefficient>(value: &C, precision: Precision) -> String {
     let notation = Notation { precision, style: Style::Sentence };
     let (is_negative, text) = value.split(notation, false);
@@ -86,7 +86,7 @@ fn root_in_words<C>(letters: &Letters<C>) -> String {
     let omega0 = &letters.omega0;
     let root = match &letters.omega0_name {
         _ if omega0 == "1" => String::new(),
-        None => format!(", so that ω0 = {omega0} for positive letters"),
+        None => format!(", so that ω0 = {omega0} for positive symbols"),
         Some(name) => format!(", so that ω0 = {omega0}, which is called {name} in the coefficients"),
     };
     root + &constants
@@ -240,29 +240,29 @@ fn checked<C>(answer: &Answer<C>) -> String {
     let how = match expansion.certificate {
         Certificate::PlainRationals => "proven by a second computation in plain rational arithmetic",
         Certificate::Potential => {
-            "how the frequency depends on the turning points is proven by the reversion of the potential, \
+            "the dependence of the frequency on the turning points is proven by the reversion of the potential, \
              the rest is confirmed modulo five further primes of 30 bits"
         }
         Certificate::FirstIntegral => {
-            "how the period depends on the amplitude is proven by the first integral, \
+            "the dependence of the period on the amplitude is proven by the first integral, \
              the rest is confirmed modulo five further primes of 30 bits"
         }
         Certificate::FreshPrimes => "confirmed modulo five further primes of 30 bits, not proven",
         Certificate::TwoPrecisions => "computed twice, with different numbers of digits",
         Certificate::Quadrature => "to 30 digits they are those that a quadrature gives",
-        Certificate::Substitution | Certificate::Unchecked => "not checked by another road",
+        Certificate::Substitution | Certificate::Unchecked => "not checked by a second method",
     };
     format!("{precision}; {how}")
 }
 
 fn checked_with_letters(certificate: Certificate) -> String {
     let substituted =
-        "with fractions in the place of the letters all of them are those of the expansion with numbers";
+        "with fractions in place of the symbols all of them are those of the expansion with numbers";
     match certificate {
-        Certificate::Unchecked => "all coefficients are exact; not checked by another road".to_owned(),
+        Certificate::Unchecked => "all coefficients are exact; not checked by a second method".to_owned(),
         Certificate::Potential => format!(
-            "all coefficients are exact; how the frequency depends on the turning points is proven by the reversion of the potential in \
-             letters, and {substituted}"
+            "all coefficients are exact; the dependence of the frequency on the turning points is proven by the symbolic reversion of the \
+             potential, and {substituted}"
         ),
         _ => format!("all coefficients are exact; {substituted}"),
     }

@@ -38,14 +38,14 @@ use subject::{About, Subject};
 /// Periodic motions are expanded by Lindstedt and Poincaré's method in a parameter ε whose meaning, the gauge, can be
 /// chosen; frequency, period and harmonics are also given as functions of the amplitude, which is the same in every
 /// gauge. Self-excited oscillators with an open parameter, such as `van_der_pol`, are expanded in that parameter.
-/// Other parameters without a value stay letters: the coefficients are then polynomials in them.
+/// Other parameters without a value are symbolic: the coefficients are then polynomials in them.
 ///
-/// A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the answer is
+/// A force in proportion to one power of the displacement, such as x^3 or x*abs(x), has no small oscillations to expand about; the result is
 /// then its scaling law, Ω = C·√k·A^((p−1)/2) with the exact C, and its harmonics, which are the same at all amplitudes.
 ///
-/// Under weak damping or excitation, whose strength stays a letter, the answer is the slow flow: A′, how the amplitude changes, and ψ′,
-/// how the phase runs, as polynomials in the amplitude and the letter, with the motion x(A, ψ). Powers of the velocity may be even,
-/// x'*abs(x'), and zero, sign(x'). Where a limit cycle has no expansion in an open strength, the slow flow is the answer without being asked for.
+/// Under weak damping or excitation of symbolic strength, the result is the slow flow: A′, the rate of the amplitude, and ψ′, the rate
+/// of the phase, as polynomials in the amplitude and the strength, with the motion x(A, ψ). Powers of the velocity may be even,
+/// x'*abs(x'), and zero, sign(x'). Where a limit cycle has no expansion in a symbolic strength, the slow flow is the result without --damping-order too.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration expand pendulum --order 7
@@ -74,19 +74,19 @@ energy (ε = √(2E)/ω0), nome (pendulum, ε = 8√q), or the coefficients of
 a₁ = A₁ε + A₂ε² + …, such as A1=1,A3=-1. In a slow flow A is x_max, where
 the motion turns, or fundamental, the coefficient of cos ψ.
 
-Letters: parameters of a typed equation that --set gives no value, and those of
-a built-in one that --letters names. Roots are those for positive letters; where
+Symbols: parameters of a typed equation that --set gives no value, and those of
+a built-in one that --letters names. Roots are those for positive symbols; where
 ω0² is a sum, a name for ω0 stays in the coefficients.
 
 What --evaluate leaves out is below a proven bound where there is one. Elsewhere it
 is an estimate, which is too small in about 1 of 100 cases, at order 5 and below
 in about 2 of 100.
 
-Ctrl-C stops a long computation and writes the orders that are certain by then.")]
+Ctrl-C stops a long computation and writes the orders confirmed by then.")]
 pub(crate) struct Expand {
     #[command(flatten)]
     oscillator: OscillatorOptions,
-    /// Parameters of a built-in oscillator that stay letters, with commas between
+    /// Symbolic parameters of a built-in oscillator, separated by commas
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     letters: Vec<String>,
     /// The highest power of the expansion parameter [default: 7; 31 with --evaluate, 15 where no powers vanish]
@@ -98,7 +98,7 @@ pub(crate) struct Expand {
     /// Give the slow flow under weak damping or excitation to this power of its strength [default: 2]
     #[arg(long, value_name = "POWER", value_parser = arguments::count::<MAX_PARAMETER_ORDER>, conflicts_with_all = ["evaluate", "letters"])]
     damping_order: Option<usize>,
-    /// The letter that is this strength, where several have no value; the strength left open of a named system
+    /// The symbol of this strength, where several have no value; the symbolic strength of a named system
     #[arg(long, value_name = "NAME", conflicts_with_all = ["evaluate", "letters"])]
     small: Option<String>,
     /// Evaluate the series term by term at this amplitude, the largest displacement from the equilibrium, such as 0.5,
@@ -162,7 +162,7 @@ struct Answer<C = Rational> {
     /// Letters and constants, where parameters are letters.
     letters: Option<Letters<C>>,
     expansion: Expansion<C>,
-    /// The order that was asked for, when Ctrl-C was pressed before it was reached.
+    /// The order that was requested, when Ctrl-C was pressed before it was reached.
     interrupted: Option<usize>,
 }
 
@@ -214,7 +214,7 @@ impl Expand {
             ChosenWithLetters::Letters(chosen) => {
                 let answer = letters::answer(chosen, self.order.unwrap_or(LISTED), &self.gauge())?;
                 self.write(out, &answer, || {
-                    "with letters nothing is known of how far the series converge".to_owned()
+                    "with symbols, the radius of convergence of the series is not known".to_owned()
                 })?;
                 answer.missing_orders()
             }
@@ -238,12 +238,12 @@ impl Expand {
             Err(_) => return Err(refused),
         }
         call::current().note(
-            "there is no expansion as a limit cycle; this is the slow flow (--damping-order), how the amplitude changes",
+            "there is no expansion as a limit cycle; this is the slow flow (--damping-order), with the rate of the amplitude",
         );
         Ok(out.write_all(&answer)?)
     }
 
-    /// Writes the answer, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the answer.
+    /// Writes the result, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the result.
     fn answer_in_numbers(
         &self,
         out: &mut dyn Write,
@@ -289,7 +289,7 @@ impl Expand {
         self.gauge.clone().unwrap_or(Gauge::Fundamental)
     }
 
-    /// The equation whose slow flow is asked for, by an option or by a key that only damped systems have.
+    /// The equation whose slow flow is requested, by an option or by a key that only damped systems have.
     fn slow_flow(&self) -> Result<Option<Asked>, QueryError> {
         match self.oscillator.asked_of_system(self.small.as_deref()) {
             Some(asked) => asked.map(Some),
@@ -364,7 +364,7 @@ impl Expand {
 fn refusal(error: ExpansionError) -> QueryError {
     match error {
         ExpansionError::Interrupted { .. } => {
-            QueryError::cancelled("interrupted before any order was certain")
+            QueryError::cancelled("interrupted before any order was confirmed")
         }
         error => QueryError::no_result("expansion", &error).with_remedies(&error.remedies()),
     }
@@ -376,7 +376,9 @@ fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
     let radius = until_asked("the radius of convergence", |_| relation.radius()).flatten();
     let variable = if expansion.variable.is_strength() { "strengths" } else { "amplitudes" };
     match radius {
-        None => format!("how far the series converge is not known; they are for small {variable}"),
+        None => {
+            format!("the radius of convergence of the series is not known; they are for small {variable}")
+        }
         Some(radius) if radius.value().is_infinite() => {
             format!("the series of the period converges for all {variable}")
         }
@@ -454,7 +456,7 @@ impl<C> Answer<C> {
         let asked = self.interrupted?;
         let order = self.expansion.order;
         let is_certain = order < asked && self.letters.is_none();
-        let left = if is_certain { "which is certain" } else { "which is not checked by another road" };
+        let left = if is_certain { "which is confirmed" } else { "which is not checked by a second method" };
         Some(format!("order {order} of {asked}, {left}, is written"))
     }
 }

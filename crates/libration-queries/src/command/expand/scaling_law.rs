@@ -24,7 +24,7 @@ pub(super) struct Answer {
     subject: Subject,
     law: ScalingLaw,
     harmonics: Vec<HarmonicRatio>,
-    /// The amplitude that was asked for, with the frequency there.
+    /// The amplitude that was requested, with the frequency there.
     at: Option<(f64, f64)>,
 }
 
@@ -54,7 +54,7 @@ impl Answer {
         let Some(frequency) = self.law.frequency_at(amplitude) else {
             let strength = self.law.force().strength();
             return Err(refusal(format!(
-                "the force is {strength} times a power: give its letters values with <--set>"
+                "the force is {strength} times a power: give values to its symbols with <--set>"
             )));
         };
         Ok(Self { at: Some((amplitude, frequency)), ..self })
@@ -103,13 +103,10 @@ pub(super) fn answers() -> Answers {
 fn of_law() -> Fields<Answer> {
     type Of = Field<Answer>;
     of_subject().and([
-        Of::value(
-            "equilibrium",
-            "",
-            "place to which the force drives back, from which amplitudes count",
-            |it| it.law.force().centre().to_string().into(),
-        ),
-        Of::value("strength", "", "k of the force k·sign(x)·|x|^p, a formula of the letters", |it| {
+        Of::value("equilibrium", "", "equilibrium, from which amplitudes are measured", |it| {
+            it.law.force().centre().to_string().into()
+        }),
+        Of::value("strength", "", "k of the force k·sign(x)·|x|^p, a formula of the symbols", |it| {
             it.law.force().strength().to_string().into()
         }),
         Of::value("exponent", "1", "p of that force", |it| it.law.force().exponent().to_string().into()),
@@ -120,7 +117,7 @@ fn of_law() -> Fields<Answer> {
             |it| it.constant().into(),
         ),
         Of::value("angular_frequency_factor", "1", "C", |it| json::number(it.law.frequency_factor())),
-        Of::value("angular_frequency_factor_uncertainty", "1", "C may be off by this much", |it| {
+        Of::value("angular_frequency_factor_uncertainty", "1", "uncertainty of C", |it| {
             json::number(it.law.frequency_factor_uncertainty())
         }),
         Of::value("period_factor", "1", "2π/C of the period 2π/C·A^((1-p)/2)/√k", |it| {
@@ -145,7 +142,7 @@ fn of_law() -> Fields<Answer> {
 fn of_harmonic() -> Fields<HarmonicRatio> {
     type Of = Field<HarmonicRatio>;
     Fields::from([
-        Of::value("k", "1", "which harmonic; even ones vanish", |it| it.k.into()),
+        Of::value("k", "1", "number of the harmonic; even ones vanish", |it| it.k.into()),
         Of::value("ratio", "1", "coefficient of cos kΩt over the amplitude", |it| json::number(it.ratio)),
         Of::value("uncertainty", "1", "it may be off by this much", |it| json::number(it.uncertainty)),
     ])

@@ -20,7 +20,7 @@ pub(super) struct Subject {
     read_as: Option<String>,
 }
 
-/// An answer about an oscillator.
+/// A result about an oscillator.
 pub(super) trait About {
     fn subject(&self) -> &Subject;
 }
@@ -69,7 +69,7 @@ pub(super) fn of_subject<A: About>() -> Fields<A> {
         Field::value(
             "read_as",
             "",
-            "how the equation was read, null where it was a key or plain: names, brackets, primes and operators",
+            "reading of the equation, null where it was a key or plain: names, brackets, primes and operators",
             |it: &A| it.subject().read_as.clone().into(),
         ),
         Field::value("parameters.NAME", "", "value of the parameter with this name, as text", |it: &A| {

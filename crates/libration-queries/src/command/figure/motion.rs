@@ -9,7 +9,7 @@ use crate::query_error::{QueryError, option};
 use libration::pendulum::Pendulum;
 use std::f64::consts::TAU;
 
-/// The angle in time after release from several amplitudes, beside the small-angle cosine
+/// The angle in time after release from several amplitudes, with the small-angle cosine
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure motion --output motion.svg

@@ -45,7 +45,7 @@ fn of_series() -> Fields<Series> {
     Fields::from([
         Of::value("label", "", "name of the curve in the legend", |it| it.label.as_str().into())
             .words("shown", |it| it.label.clone()),
-        Of::value("points[][]", "", "places of the points, x and y, in the units of the axes", |it| {
+        Of::value("points[][]", "", "coordinates of the points, x and y, in the units of the axes", |it| {
             json::list(it.points.iter().map(|point| json::numbers(&[point.x, point.y])))
         })
         .numeral("points", |it| it.points.len().to_string()),
@@ -57,8 +57,8 @@ fn of_point<'a>() -> Fields<(&'a str, f64, f64)> {
     type Of<'a> = Field<(&'a str, f64, f64)>;
     Fields::from([
         Of::value("series", "", "name of the curve in the legend", |it| it.0.into()),
-        Of::number("x", "", "place on the horizontal axis, in the unit of that axis", |it| it.1),
-        Of::number("y", "", "place on the vertical axis, in the unit of that axis", |it| it.2),
+        Of::number("x", "", "position on the horizontal axis, in the unit of that axis", |it| it.1),
+        Of::number("y", "", "position on the vertical axis, in the unit of that axis", |it| it.2),
     ])
 }
 

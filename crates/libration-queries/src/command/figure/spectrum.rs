@@ -8,7 +8,7 @@ use crate::figure::spectrum::spectra;
 use crate::query_error::{QueryError, option};
 use libration::pendulum::Pendulum;
 
-/// The highest harmonic that may be asked for.
+/// The highest harmonic that may be requested.
 const HIGHEST: usize = 4000;
 
 /// The harmonics of the angle at several amplitudes

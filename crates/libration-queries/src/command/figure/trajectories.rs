@@ -122,15 +122,16 @@ impl Trajectories {
             }
         }
         if runs.len() > MOST_MOTIONS {
-            let reason =
-                format!("a picture keeps at most {MOST_MOTIONS} motions apart: give fewer starts and values");
+            let reason = format!(
+                "a picture distinguishes at most {MOST_MOTIONS} motions: give fewer starts and values"
+            );
             return Err(QueryError::usage("figure trajectories", reason));
         }
         label_starts(&mut runs);
         Ok(runs)
     }
 
-    /// The motions that are done before somebody presses Ctrl-C.
+    /// The motions that are done before a cancellation.
     fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, QueryError> {
         let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(POINTS - 1));
         done(runs, |run| {
@@ -146,7 +147,7 @@ impl Trajectories {
         })
     }
 
-    /// The spectra of the motions that are done before somebody presses Ctrl-C.
+    /// The spectra of the motions that are done before a cancellation.
     fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, QueryError> {
         done(runs, |run| {
             let mut motion = DenseSolution::default();
@@ -161,7 +162,7 @@ impl Trajectories {
     }
 }
 
-/// The results of the runs that are done before somebody presses Ctrl-C: at least one.
+/// The results of the runs that are done before a cancellation: at least one.
 fn done<T>(runs: &[Run], each: impl Fn(&Run) -> Result<T, QueryError>) -> Result<Vec<T>, QueryError> {
     let mut done = vec![];
     for run in runs {

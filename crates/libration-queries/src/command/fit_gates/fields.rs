@@ -18,7 +18,7 @@ pub(super) struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    /// With names that stay.
+    /// The warnings with their stable names.
     fn warnings(&self) -> Vec<Named> {
         let of_times = self.fit.warnings.iter().map(|warning| (warning.name(), warning.to_string()));
         of_times.chain(self.budget.into_iter().flat_map(|(budget, _)| budget::warnings(budget))).collect()
@@ -38,19 +38,21 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
         Of::value("passages", "1", "passages of the bob", |it| it.fit.passages.into()),
-        Of::value("edges", "", "whether the times are edges, two for each passage", |it| it.fit.edges.into()),
-        Of::value("unpaired_edges", "1", "edges whose other one is missing", |it| it.fit.unpaired.into()),
+        Of::value("edges", "", "true if the times are edges, two for each passage", |it| it.fit.edges.into()),
+        Of::value("unpaired_edges", "1", "edges without the other of their passage", |it| {
+            it.fit.unpaired.into()
+        }),
         Of::value("double_triggers", "1", "passages too close to others, left out", |it| {
             it.fit.double_triggers.into()
         }),
-        Of::value("missed_passages", "1", "passages that should have been seen", |it| it.fit.missed.into()),
+        Of::value("missed_passages", "1", "passages that were not recorded", |it| it.fit.missed.into()),
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
             it.incomplete.into()
         }),
         Of::number(
             "part_between_passages",
             "1",
-            "part of a period from a passage of the first side to the other, 0.5 at the centre",
+            "fraction of a period from a passage of the first side to one of the other, 0.5 at the centre",
             |it| it.fit.part_between,
         ),
         Of::known(
@@ -69,7 +71,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::known("t0_uncertainty_s", "s", "standard uncertainty of T₀, or null", |it| {
             it.fit.t0.map(|t0| t0.uncertainty).ok_or_else(no_t0)
         }),
-        Of::value("t0_by", "", "what amplitude T₀ was found by", |it| it.source().into()),
+        Of::value("t0_by", "", "source of the amplitude used for T₀", |it| it.source().into()),
         Of::known(
             "beta",
             "1",
@@ -97,7 +99,7 @@ fn no_beta() -> String {
 }
 
 fn no_gravity() -> String {
-    "give --length, and what gives T0, to have gravity".to_owned()
+    "give --length, and what determines T0, to obtain gravity".to_owned()
 }
 
 /// The fields after the budget.
@@ -109,7 +111,7 @@ pub(super) fn of_cycles<'a>() -> Fields<Answer<'a>> {
     );
     Fields::from([
         Of::nested("cycles[].", &of_cycle(), |it| of_cycle().records(&it.fit.cycles)),
-        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
             json::list(it.findings.clone())
         }),
     ])

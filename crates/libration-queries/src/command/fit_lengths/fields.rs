@@ -55,10 +55,10 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
             it.table.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
             json::list(it.table.inferences.clone())
         }),
-        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("law", "", "law that the data prefer, which gravity is from", |it| {
             it.fit.best().model.name().into()
         }),
@@ -90,7 +90,7 @@ pub(super) fn of_law() -> Fields<LengthFit> {
     Fields::from([
         scatter::birge_ratio_field(|it: &LengthFit| scatter::birge_ratio(it.scatter())),
         scatter::enlargement_field(|it: &LengthFit| Some(scatter::enlargement(it.scatter()))),
-        Of::value("law", "", "what is free in this law beside gravity", |it| it.model.name().into())
+        Of::value("law", "", "free parameters of this law besides gravity", |it| it.model.name().into())
             .words(COLUMNS[0], |it| it.model.name().to_owned()),
         Of::number("g_m_per_s2", "m/s²", "acceleration of free fall under this law", |it| it.g.value)
             .rounded(COLUMNS[1], 6),
@@ -131,7 +131,7 @@ pub(super) fn of_law() -> Fields<LengthFit> {
         Of::known(
             "chance_of_last_parameter",
             "1",
-            "probability that chance makes the last free parameter as large if it is zero, or null",
+            "p-value of the last free parameter: probability of one at least as large by chance if it is zero, or null",
             |it| it.p_value.ok_or_else(|| "nothing but g is free, or too few rows".to_owned()),
         )
         .only_json()

@@ -56,10 +56,10 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
             it.measured.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
             json::list(it.measured.inferences.clone())
         }),
-        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("outlier_lines[]", "1", "lines of the file whose period is far from the exact law", |it| {
             json::list(it.outlier_lines())
         }),
@@ -98,7 +98,7 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
 }
 
 fn no_gravity() -> String {
-    "give --length to have gravity".to_owned()
+    "give --length to obtain gravity".to_owned()
 }
 
 pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {

@@ -55,7 +55,7 @@ impl Answer<'_> {
         }
     }
 
-    /// In the order of the covariance.
+    /// The parameters in the order of the covariance.
     fn parameters(&self) -> Vec<Parameter> {
         let (best, unit) = (self.fit.best(), self.file.unit);
         let parameter = |name, estimate, unit: &str| Parameter { name, estimate, unit: unit.to_owned() };
@@ -88,25 +88,25 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value("rows_incomplete", "1", "rows left out because a number is missing", |it| {
             it.file.dropped.into()
         }),
-        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
             json::list(it.file.inferences.clone())
         }),
-        Of::value("weighting", "", "what the rows are weighted by", |it| it.weighting().into()),
+        Of::value("weighting", "", "weights of the rows", |it| it.weighting().into()),
         Of::value("amplitude_unit", "", "rad, m or counts: the unit of all amplitudes here", |it| {
             it.file.unit.into()
         }),
         Of::value(
             "phases_lead",
             "",
-            "whether the phases of the file are those by which answers lead",
+            "true if the phases of the file are leads of the response over the drive",
             |it| it.file.measured.table.leads().into(),
         ),
-        Of::value("preferred", "", "the simplest model that the rows go with", |it| {
+        Of::value("preferred", "", "the simplest model consistent with the rows", |it| {
             it.fit.best().model.name().into()
         }),
         Of::nested("parameters[].", &of_parameter(), |it| of_parameter().records(&it.parameters())),
         Of::nested("models[].", &of_model(), |it| of_model().records(&it.fit.fits)),
-        Of::value("left_out[]", "", "why other models could not be fitted", |it| {
+        Of::value("left_out[]", "", "reasons why other models could not be fitted", |it| {
             json::list(it.fit.left_out.iter().map(ToString::to_string))
         }),
         Of::nested("jumps[].", &of_jump(), |it| of_jump().records(&it.curve.jumps)),
@@ -158,7 +158,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
         Of::value("covariance[][]", "", "of ω0, c, perhaps κ, and A, in their units", covariance).only_json(),
         Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |it| {
             it.chi2_per_dof()
-                .ok_or_else(|| "no uncertainties are stated, or there is no row to spare".to_owned())
+                .ok_or_else(|| "no uncertainties are stated, or there are too few rows".to_owned())
         })
         .rounded(COLUMNS[8], 4)
         .or("–"),
@@ -190,7 +190,7 @@ fn not_free() -> String {
     "not free in this model".to_owned()
 }
 
-/// To two digits of the uncertainty.
+/// A value with two digits of its uncertainty.
 fn value(estimate: Uncertain) -> String {
     let text = estimate.to_string();
     text.split(" ±").next().unwrap_or_default().to_owned()
@@ -211,8 +211,8 @@ fn of_curve() -> Fields<OnCurve> {
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1", |it| it.branch.into()),
         Of::number("angular_frequency_rad_per_s", "rad/s", "frequency of the drive", |it| it.point.frequency),
-        Of::number("amplitude", "", "as it was measured", |it| it.point.amplitude),
-        Of::number("phase_rad", "rad", "by how much the answer lags behind the drive", |it| it.point.phase),
+        Of::number("amplitude", "", "as measured", |it| it.point.amplitude),
+        Of::number("phase_rad", "rad", "phase lag of the response behind the drive", |it| it.point.phase),
         Of::value("stability", "", "attracting, neutral, unstable or undetermined", |it| {
             it.point.stability.name().into()
         }),
@@ -222,8 +222,8 @@ fn of_curve() -> Fields<OnCurve> {
 pub(super) fn of_jump() -> Fields<FittedJump> {
     type Of = Field<FittedJump>;
     Fields::from([
-        Of::value("rising", "", "whether it is met while the frequency rises", |it| it.rising.into()),
-        Of::number("angular_frequency_rad_per_s", "rad/s", "where a slow sweep jumps", |it| {
+        Of::value("rising", "", "true if it occurs at rising frequency", |it| it.rising.into()),
+        Of::number("angular_frequency_rad_per_s", "rad/s", "frequency at which a slow sweep jumps", |it| {
             it.frequency.value
         }),
         Of::number(
@@ -233,8 +233,9 @@ pub(super) fn of_jump() -> Fields<FittedJump> {
             |it| it.frequency.uncertainty,
         ),
         Of::number("amplitude", "", "the largest displacement before the jump", |it| it.amplitude),
-        Of::known("to_amplitude", "", "the largest displacement behind it, or null", |it| {
-            it.to_amplitude.ok_or_else(|| "no stable answer with the period of the drive is there".to_owned())
+        Of::known("to_amplitude", "", "the largest displacement after the jump, or null", |it| {
+            it.to_amplitude
+                .ok_or_else(|| "there is no stable response with the period of the drive".to_owned())
         }),
     ])
 }
@@ -246,20 +247,18 @@ pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
             it.frequency
         }),
         Of::number("amplitude", "", "the amplitude that was measured", |it| it.amplitude),
-        Of::number("fitted_amplitude", "", "what the fit puts in its place, on the same branch", |it| {
-            it.fitted.amplitude
-        }),
-        Of::number("residual", "1", "what is left, in standard deviations", |it| it.fitted.residual),
+        Of::number("fitted_amplitude", "", "fitted amplitude on the same branch", |it| it.fitted.amplitude),
+        Of::number("residual", "1", "residual, in standard deviations", |it| it.fitted.residual),
         Of::value("stability", "", "stability of this response: attracting or unstable", |it| {
             it.fitted.stability.name().into()
         }),
-        Of::value("between_folds", "", "whether it surely is where no answer lasts", |it| {
+        Of::value("between_folds", "", "true if it is certain to lie where no response is stable", |it| {
             it.fitted.between_folds.into()
         }),
         Of::nullable(
             "beyond_fold_rad_per_s",
             "rad/s",
-            "how far it surely is beyond the end of its branch, or null",
+            "least distance beyond the end of its branch, or null",
             |it| it.fitted.beyond_fold,
         ),
     ])

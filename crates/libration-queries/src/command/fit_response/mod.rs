@@ -29,13 +29,13 @@ pub(crate) use fields::answers;
     --amplitude-unit deg --json
 
 x'' = -c x' - ω0² sin x + A cos Ωt, or with ω0² x + κ x³ (duffing), or ω0² x
-(linear), with all harmonics. The drive that an answer of the measured amplitude
-takes is compared with A: it is one number on each branch, so that points of
-sweeps up and down are fitted at once.")]
+(linear), with all harmonics. The drive that sustains a response of the measured
+amplitude is compared with A: it is single-valued on each branch, so that points
+of sweeps up and down are fitted together.")]
 pub(crate) struct FitResponse {
     #[command(flatten)]
     input: Input,
-    /// The oscillator [default: the simplest that goes with the rows; a pendulum where amplitudes are angles]
+    /// The oscillator [default: the simplest consistent with the rows; a pendulum where amplitudes are angles]
     #[arg(long, value_enum)]
     model: Option<ModelChoice>,
     /// The quantity measured as the amplitude

@@ -41,7 +41,10 @@ impl Answer<'_> {
             lines.push(("units", self.file.inferences.join("; ")));
         }
         if self.file.measured.table.leads() {
-            lines.push(("phases", "are those by which the answers lead: their signs are changed".to_owned()));
+            lines.push((
+                "phases",
+                "are leads of the response over the drive: their signs are changed".to_owned(),
+            ));
         }
         let of = |it: libration_lab::fit::Uncertain, unit: &str| {
             number::with_uncertainty(it.value, it.uncertainty, unit)

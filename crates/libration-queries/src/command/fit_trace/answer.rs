@@ -48,12 +48,12 @@ impl<'a> Answer<'a> {
         Ok(Self { measured, swings: swings.map_err(|error| failure(measured, error))? })
     }
 
-    /// With the options that help.
+    /// The warnings with the options that help.
     pub(super) fn warnings(&self) -> Vec<String> {
         self.swings.warnings.iter().map(options::warning).collect()
     }
 
-    /// With the options that follow it.
+    /// The advice with the options that follow it.
     pub(super) fn advice(&self) -> Vec<String> {
         self.swings.advice.iter().map(options::advice).collect()
     }

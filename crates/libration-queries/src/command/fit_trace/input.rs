@@ -45,7 +45,7 @@ impl Input {
         Ok(measured)
     }
 
-    /// The name of the run, the file, or both: whatever tells the trace from the others.
+    /// The name of the run, the file, or both: whatever distinguishes the trace from the others.
     fn name(&self, trace: &Trace, path: &Path) -> String {
         let file = short_name(path);
         match trace.name() {
@@ -56,7 +56,7 @@ impl Input {
     }
 }
 
-/// Without the folders.
+/// The name of a file without its folders.
 fn short_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

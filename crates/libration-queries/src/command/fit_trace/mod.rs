@@ -48,7 +48,7 @@ pub(crate) struct FitTrace {
     /// Fit the scale of the angles too, from how the period depends on the amplitude
     #[arg(long)]
     free_scale: bool,
-    /// Write a report with pictures to FILE.html, or to FILE.md with the pictures beside it
+    /// Write a report with pictures to FILE.html, or to FILE.md with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
     /// Draw the data, the fitted motion and the residuals to FILE.svg or FILE.png

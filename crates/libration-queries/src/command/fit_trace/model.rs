@@ -8,7 +8,7 @@ use std::str::FromStr;
 pub(super) enum DampingChoice {
     /// All combinations, of which the data choose.
     Auto,
-    /// This one.
+    /// The given model.
     Given(DampingModel),
 }
 

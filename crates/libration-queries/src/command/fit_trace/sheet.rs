@@ -1,4 +1,4 @@
-//! The answer as a sheet with tables, for people at a terminal.
+//! The result as a sheet with tables, for people at a terminal.
 
 use super::answer::Answer;
 use super::fields::{self, DampingModel};
@@ -103,7 +103,7 @@ pub(super) fn gravity_or_length(answer: &Answer<'_>) -> (&'static str, String) {
     }
 }
 
-/// In degrees for angles.
+/// The residual, in degrees for angles.
 pub(super) fn residual(answer: &Answer<'_>) -> String {
     let rms = in_unit(answer, answer.swings.fit.rms, 3);
     answer.swings.fit.chi2_per_dof.map_or(rms.clone(), |chi2| format!("{rms}, χ²/dof {}", rounded(chi2, 3)))

@@ -37,16 +37,18 @@ fn of_entry() -> Fields<Entry> {
         Of::value("name", "", "name of the formula", |it| it.formula.name().into())
             .only_json()
             .words("formula", |it| it.formula.name().to_owned()),
-        Of::value("authors", "", "who published it", |it| it.formula.authors().into())
+        Of::value("authors", "", "authors of the publication", |it| it.formula.authors().into())
             .words("authors", |it| it.formula.authors().to_owned()),
         Of::value("year", "", "year of the publication, null where it is not known", |it| {
             it.formula.year().into()
         })
         .words("year", |it| it.formula.year().map_or_else(String::new, |year| year.to_string())),
-        Of::value("source", "", "where it was published", |it| it.formula.source().into()),
+        Of::value("source", "", "source of the formula", |it| it.formula.source().into()),
         Of::value("latex", "", "the formula in LaTeX", |it| it.formula.latex().into()),
-        Of::value("domain", "", "where it is good, and how it ends", |it| it.formula.domain().into())
-            .only_json(),
+        Of::value("domain", "", "domain in which it is good, and its limit at the end", |it| {
+            it.formula.domain().into()
+        })
+        .only_json(),
         Of::value("complexity", "1", "effort: an operation counts 1, a root 2, a function 3", |it| {
             it.formula.complexity().rank().into()
         })

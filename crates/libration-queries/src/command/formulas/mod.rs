@@ -1,4 +1,4 @@
-//! `libration formulas`: the catalogue, which formula suffices, and who overtakes whom.
+//! `libration formulas`: the catalogue, the formulas within a tolerance, and crossovers.
 
 mod catalogue;
 mod crossovers;

@@ -56,9 +56,7 @@ fn of_sheet() -> Fields<Sheet> {
     type Of = Field<Sheet>;
     Fields::from([
         Of::value("name", "", "name of the sheet, empty in text", |it| it.name.as_str().into()),
-        Of::value("delimiter", "", "what stands between columns", |it| {
-            it.dialect.delimiter.to_string().into()
-        }),
+        Of::value("delimiter", "", "separator of the columns", |it| it.dialect.delimiter.to_string().into()),
         Of::value("decimal", "", "decimal mark", |it| it.dialect.mark.to_string().into()),
         Of::value("header_line", "1", "number of the line with the names of the columns, or null", |it| {
             it.header_line.into()
@@ -115,9 +113,12 @@ fn of_column_values<'a>() -> Fields<SheetColumn<'a>> {
         Of::value("sheet", "", "name of the sheet, empty in text", |it| it.sheet.name.as_str().into()),
         Of::value("number", "1", "number of the column, from 1", |it| it.number.into()),
         Of::value("name", "", "header of the column", |it| it.channel.heading.text.as_str().into()),
-        Of::value("values[]", "", "its cells in the unit of the file, null where one is no number", |it| {
-            json::list(it.channel.numbers().map(|number| number.map_or(Value::Null, json::number)))
-        }),
+        Of::value(
+            "values[]",
+            "",
+            "its cells in the unit of the file, null where one is not a number",
+            |it| json::list(it.channel.numbers().map(|number| number.map_or(Value::Null, json::number))),
+        ),
     ])
 }
 
@@ -145,8 +146,8 @@ fn of_trace() -> Fields<Trace> {
     type Of = Field<Trace>;
     Fields::from([
         Of::value("name", "", "name of the run", |it| it.name().into()),
-        Of::value("seen", "", "what was measured: angle or angular velocity", |it| observable(it).into()),
-        Of::value("unit", "", "unit of what was measured, after conversion", |it| unit(it).into()),
+        Of::value("seen", "", "measured quantity: angle or angular velocity", |it| observable(it).into()),
+        Of::value("unit", "", "unit of the measured quantity, after conversion", |it| unit(it).into()),
         Of::value("rows", "1", "rows that would be fitted", |it| it.len().into()),
         Of::number("first_time_s", "s", "time of the first row", |it| it.times()[0]),
         Of::number("last_time_s", "s", "time of the last row", |it| it.times()[it.len() - 1]),
@@ -158,7 +159,7 @@ fn of_trace() -> Fields<Trace> {
         }),
         Of::number("smallest", "", "smallest value, in the unit above", |it| range(it).0),
         Of::number("largest", "", "largest value, in the unit above", |it| range(it).1),
-        Of::value("has_uncertainties", "", "whether the rows have uncertainties", |it| {
+        Of::value("has_uncertainties", "", "true if the rows have uncertainties", |it| {
             it.uncertainties().is_some().into()
         }),
     ])
@@ -167,7 +168,7 @@ fn of_trace() -> Fields<Trace> {
 fn of_finding() -> Fields<Finding> {
     type Of = Field<Finding>;
     Fields::from([
-        Of::value("text", "", "what was concluded from the file", |it| it.text.as_str().into()),
+        Of::value("text", "", "settings inferred from the file", |it| it.text.as_str().into()),
         Of::value("option", "", "option that overrides it, or null", |it| {
             it.choice.map(|choice| format!("--{choice}")).into()
         }),
@@ -177,7 +178,9 @@ fn of_finding() -> Fields<Finding> {
 fn of_error() -> Fields<MeasurementError> {
     type Of = Field<MeasurementError>;
     Fields::from([
-        Of::value("why", "", "why there is no trace", |it| in_command_words(&what_would_decide(it)).into()),
+        Of::value("why", "", "reason why there is no trace", |it| {
+            in_command_words(&what_would_decide(it)).into()
+        }),
         Of::value("options[]", "", "options that would decide it", |it| match it {
             MeasurementError::Undecided { choices, .. } => {
                 json::list(choices.iter().map(|it| format!("--{} {}", it.choice, it.value)))

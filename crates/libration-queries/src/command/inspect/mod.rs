@@ -14,7 +14,7 @@ use spectrum::SpectrumQuestion;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// With and without harmonics.
+/// The fields with and without harmonics.
 pub(crate) fn answers() -> Vec<Answers> {
     [fields::answers(), vec![spectrum::answers()]].concat()
 }

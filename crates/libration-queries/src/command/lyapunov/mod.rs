@@ -18,7 +18,7 @@ use std::sync::Mutex;
 
 pub(crate) use write::answers;
 
-/// More intervals than this are never asked for.
+/// More intervals than this are never requested.
 const MOST_INTERVALS: usize = 100_000_000;
 
 /// The largest Lyapunov exponent: how fast neighbouring motions diverge, and whether the motion is chaotic
@@ -35,8 +35,8 @@ const MOST_INTERVALS: usize = 100_000_000;
 `chaotic` requires evidence: deviations that grow by e^100, in every part of the
 run, from the motion and from two neighbouring ones, and no passage so close to a
 separatrix that all digits are lost. `regular` follows from a theorem, or was
-observed over the time measured. Otherwise the verdict is `undecided` and says
-what is missing. Ctrl-C stops early and keeps the estimate so far.")]
+observed over the time measured. Otherwise the verdict is `undecided` and the
+reason states what is missing. Ctrl-C stops early and keeps the estimate so far.")]
 pub(crate) struct Lyapunov {
     #[command(flatten)]
     system: SystemOptions,
@@ -128,7 +128,7 @@ fn measured(
     let how_far = || {
         let latest: Option<Progress> = latest.lock().ok().and_then(|latest| *latest);
         let beside = latest.is_some_and(|it| it.stage != Stage::Motion { number: 0 });
-        let which = if beside { " of a motion beside it" } else { "" };
+        let which = if beside { " of a neighbouring motion" } else { "" };
         format!("{} of {} intervals{which}", latest.map_or(0, |it| it.done), schedule.intervals)
     };
     let ask = |progress| {

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer<'_> {
-    /// In the form asked for; the table lists the points only if that is wanted.
+    /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
@@ -51,7 +51,7 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
@@ -76,11 +76,11 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::number(
             "exponent_uncertainty_per_s",
             "1/s",
-            "standard error of the exponent from ten blocks of the time, or what the second half changed if that is more",
+            "standard error of the exponent from ten blocks of the time, or the change in the second half, if larger",
             |it| it.found.uncertainty,
         ),
         Of::value("verdict", "", "regular, chaotic or undecided", |it| it.found.verdict.to_string().into()),
-        Of::value("reason", "", "what the verdict rests on, or what is missing", |it| {
+        Of::value("reason", "", "evidence for the verdict, or the evidence that is missing", |it| {
             it.found.verdict.reason().into()
         }),
     ])

@@ -41,7 +41,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equation of motion as it was understood", |it| {
+        Of::value("equation", "", "equation of motion as it was read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
@@ -74,9 +74,12 @@ pub(super) fn of_answer() -> Fields<Answer> {
                 drive.map_or_else(|| "no drive".to_owned(), |it| format!("drive {} rad/s", short(it, 10)));
             format!("ω0 = {} rad/s, {drive}", short(it.pendulum.omega0(), 10))
         }),
-        Of::value("closed_form", "", "whether the integrals are residues; quadrature else", |it| {
-            it.pendulum.is_closed().into()
-        })
+        Of::value(
+            "closed_form",
+            "",
+            "true if the integrals are found by residues, false by quadrature",
+            |it| it.pendulum.is_closed().into(),
+        )
         .line_of("integrals", |it| {
             if it.pendulum.is_closed() { "in closed form, by residues" } else { "by quadrature" }.to_owned()
         }),
@@ -108,13 +111,13 @@ fn of_separatrix() -> Fields<Melnikov> {
         Of::value(
             "simple_zeros",
             "",
-            "whether M has simple zeros: the manifolds cross; null at the threshold",
+            "true if M has simple zeros: the manifolds cross; null at the threshold",
             |it| it.has_simple_zeros().into(),
         ),
         Of::nullable(
             "threshold_factor",
             "1",
-            "factor of what depends on the phase from which on there are simple zeros, or null where nothing does",
+            "factor of the phase-dependent part above which there are simple zeros, or null where there is none",
             |it| Some(it.threshold_factor()).filter(|factor| factor.is_finite()),
         ),
         Of::value(
@@ -147,11 +150,11 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
             it.threshold.value
         })
         .rounded("threshold", 16),
-        Of::number("error", "", "bound on the error of that value as a threshold to the first order", |it| {
+        Of::number("error", "", "bound on the error of that value as a first-order threshold", |it| {
             it.threshold.error
         })
         .numeral("to", |it| at_most(it.threshold.error)),
-        Of::value("above", "", "whether the manifolds cross above the value, or below it", |it| {
+        Of::value("above", "", "true if the manifolds cross above the value, false if below", |it| {
             it.threshold.above.into()
         })
         .words("manifolds cross", |it| if it.threshold.above { "above" } else { "below" }.to_owned()),
@@ -175,10 +178,10 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
         Of::nullable(
             "tangency_place_error",
             "",
-            "phase and velocity there may be wrong by so much, in rad and rad/s, or null",
+            "error bound of phase and velocity there, in rad and rad/s, or null",
             |it| it.tangency.as_ref().ok().map(|it| it.place_error),
         ),
-        Of::value("no_tangency", "", "why no tangency is known, or null", |it| {
+        Of::value("no_tangency", "", "reason why no tangency is known, or null", |it| {
             it.tangency.as_ref().err().map(ToString::to_string).into()
         }),
     ])
@@ -190,7 +193,7 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
         Of::value("motion_periods", "1", "p: periods or turns of the motion", |it| {
             it.own.motion_periods.into()
         }),
-        Of::value("drive_periods", "1", "q: in so many periods of the drive", |it| {
+        Of::value("drive_periods", "1", "q: number of periods of the drive", |it| {
             it.own.drive_periods.into()
         })
         .words("p:q", |it| format!("{}:{}", it.own.motion_periods, it.own.drive_periods)),
@@ -222,7 +225,7 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
             "energy per m*l^2 and time from the perturbation at any phase",
             |it| it.own.mean_power,
         ),
-        Of::number("resonant_power_rad2_per_s3", "rad²/s³", "what the best phase adds", |it| {
+        Of::number("resonant_power_rad2_per_s3", "rad²/s³", "addition to it at the best phase", |it| {
             it.own.resonant_power
         }),
         Of::number("error_rad2_per_s3", "rad²/s³", "bound on the error of both powers", |it| it.own.error),
@@ -236,7 +239,7 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
         Of::number(
             "half_width_error_rad2_per_s",
             "rad²/s",
-            "bound on the error of half_width as one of the first order in the perturbation",
+            "bound on the error of half_width as a first-order half-width",
             |it| it.own.half_width_error(),
         ),
         Of::number(
@@ -248,7 +251,7 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
         Of::number(
             "threshold_factor",
             "1",
-            "factor of the drive from which on it keeps up the motion against what damps",
+            "factor of the drive above which it sustains the motion against the damping",
             |it| it.own.threshold_factor(),
         ),
         Of::nullable(

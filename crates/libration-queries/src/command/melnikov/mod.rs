@@ -23,7 +23,7 @@ const MOST_PERIODS: usize = 1000;
 
 /// Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its zeros and thresholds, resonances, their widths and overlap
 ///
-/// Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to the first order. Where the Melnikov function has
+/// Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to first order. Where the Melnikov function has
 /// simple zeros, the motions that leave the upright position and those that return to it cross, and there is chaos next to them.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:

@@ -14,7 +14,7 @@ const COLUMNS: usize = 100;
 const OVERLAP: f64 = 2.0 / 3.0;
 
 impl Answer {
-    /// In the form asked for; the table lists the resonances only if that is wanted.
+    /// Writes the result in the given form; the table lists the resonances only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => {
@@ -47,7 +47,7 @@ impl Answer {
             } else {
                 of_crossing().write_table(out, thresholds)?;
                 if let Some(reason) = thresholds.iter().find_map(|it| it.tangency.as_ref().err()) {
-                    write_text(out, "", &format!("Not known where they touch: {reason}."))?;
+                    write_text(out, "", &format!("The tangency is not known: {reason}."))?;
                 }
             }
         }
@@ -67,7 +67,7 @@ impl Answer {
         let known = || self.neighbours().filter_map(|it| it.overlap());
         let most = known().fold(0.0, f64::max);
         match known().count() {
-            0 => "No two resonances of a kind are beside each other.".to_owned(),
+            0 => "No two resonances of one kind are adjacent.".to_owned(),
             _ if most < OVERLAP => format!(
                 "Neighbouring resonances do not overlap: the sum of half-widths is {} of their distance at most.",
                 short(most, 3)
@@ -101,17 +101,17 @@ fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
             "nothing depends on the phase, and the manifolds do not cross".to_owned()
         }
         None if at_threshold => "it touches zero".to_owned(),
-        None => "whether it has zeros is beyond its error".to_owned(),
+        None => "its error does not decide whether it has zeros".to_owned(),
         Some(true) => format!(
-            "it has simple zeros, so that the manifolds of the upright position cross; they would from {} of this drive on",
+            "it has simple zeros, so that the manifolds of the upright position cross; they cross above {} of this drive",
             rounded(factor, 6)
         ),
         Some(false) => format!(
-            "it has no zeros, and the manifolds do not cross; they would from {} times this drive on",
+            "it has no zeros, and the manifolds do not cross; they cross above {} times this drive",
             rounded(factor, 6)
         ),
     };
     format!(
-        "Upon the {name} separatrix M(φ) = {sum}, to {error}, with φ the phase of the drive at the bottom: {consequence}."
+        "On the {name} separatrix M(φ) = {sum}, to {error}, with φ the phase of the drive at the bottom: {consequence}."
     )
 }

@@ -26,7 +26,7 @@ pub(super) fn of_equilibrium() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+        Of::value("equations[]", "", "equations of motion as they were read", |it| {
             json::list(it.model.equation().to_string().split("; "))
         }),
         Of::value("parameters.NAME", "", "value of the parameter with this name, as text", |it| {
@@ -103,7 +103,7 @@ pub(super) fn of_shift<'a>() -> Fields<Numbered<'a>> {
             relative.map(ToString::to_string).into()
         })
         .only_json(),
-        Of::value("no_shift", "", "why no κ is given, or null", |it| {
+        Of::value("no_shift", "", "reason why no κ is given, or null", |it| {
             it.mode.shift.as_ref().err().map(ToString::to_string).into()
         })
         .only_json(),
@@ -114,13 +114,13 @@ fn of_resonance() -> Fields<Resonance> {
     type Of = Field<Resonance>;
     Fields::from([
         Of::value("with_mode", "1", "number of the other mode, from 1", |it| (it.other + 1).into()),
-        Of::value("multiple", "1", "whole number that the faster frequency is of the slower one", |it| {
+        Of::value("multiple", "1", "integer ratio of the faster frequency to the slower one", |it| {
             it.multiple.into()
         }),
-        Of::value("other_is_faster", "", "whether the other mode is the faster one", |it| {
+        Of::value("other_is_faster", "", "true if the other mode is the faster one", |it| {
             it.other_is_faster.into()
         }),
-        Of::value("exact", "", "whether the ratio is exact", |it| it.exact.into()),
+        Of::value("exact", "", "true if the ratio is exact", |it| it.exact.into()),
         Of::number("detuning", "1", "faster frequency over the multiple of the slower one, minus 1", |it| {
             it.detuning
         }),

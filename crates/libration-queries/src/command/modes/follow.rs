@@ -24,7 +24,7 @@ pub(super) struct FollowOptions {
     /// Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5
     #[arg(long, value_name = "LIST", requires = "follow")]
     amplitudes: Option<String>,
-    /// The coordinate whose amplitude is meant [default: the first]
+    /// The coordinate of the amplitude [default: the first]
     #[arg(long, value_name = "NAME", requires = "follow")]
     coordinate: Option<String>,
 }
@@ -117,7 +117,10 @@ impl Followed {
     /// The amplitude in degrees for angles.
     fn ending(&self, lost: &LostMode) -> String {
         let reached = self.amplitude_text(lost.reached);
-        format!("It ends early: beyond the amplitude {reached} the mode is not followed: {}.", lost.reason)
+        format!(
+            "It ends early: the mode could not be continued beyond the amplitude {reached}: {}.",
+            lost.reason
+        )
     }
 }
 
@@ -128,13 +131,13 @@ fn of_family() -> Fields<Followed> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+        Of::value("equations[]", "", "equations of motion as they were read", |it| {
             json::list(it.model.equation().to_string().split("; "))
         })
         .line_of("equations", |it| it.model.equation().to_string()),
         Of::value("mode", "1", "number of the mode, from 1", |it| (it.mode + 1).into())
             .line_of("mode", |it| (it.mode + 1).to_string()),
-        Of::value("coordinate", "", "coordinate whose amplitude is meant", |it| {
+        Of::value("coordinate", "", "coordinate of the amplitude", |it| {
             it.model.coordinates()[it.coordinate].name.as_str().into()
         })
         .line_of("amplitude of", |it| it.model.coordinates()[it.coordinate].name.clone()),
@@ -146,7 +149,7 @@ fn of_family() -> Fields<Followed> {
             "amplitude up to which ω + κa² is within 1 % of the frequency, or null",
             |it| it.found.series_reach(0.01),
         ),
-        Of::value("lost", "", "why it does not come to the last amplitude, or null", |it| {
+        Of::value("lost", "", "reason why it does not reach the last amplitude, or null", |it| {
             it.found.lost.as_ref().map(ToString::to_string).into()
         }),
     ])
@@ -157,7 +160,7 @@ fn of_change() -> Fields<StabilityChange> {
     Fields::from([
         Of::number("from", "", "amplitude below the change of stability", |it| it.between[0]),
         Of::number("to", "", "amplitude above it", |it| it.between[1]),
-        Of::value("stable_above", "", "whether the mode is stable above", |it| it.stable_above.into()),
+        Of::value("stable_above", "", "true if the mode is stable above", |it| it.stable_above.into()),
     ])
 }
 

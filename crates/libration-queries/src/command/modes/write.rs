@@ -160,7 +160,7 @@ fn resonance_text(resonance: &Resonance) -> String {
     let consequence = match (exact, other_is_faster) {
         (true, _) => "the two exchange energy at any amplitude if the forces couple them",
         (false, true) => "the frequency shift above holds only while it is smaller than the detuning",
-        (false, false) => "small swings of this mode may feed the other",
+        (false, false) => "small swings of this mode may drive the other",
     };
     format!("{ratio} with mode {}, {nearness}: {consequence}", other + 1)
 }

@@ -13,7 +13,7 @@ pub(super) struct Sample {
     pub(super) state: State,
 }
 
-/// The angle by an approximate motion at a time, beside the exact one.
+/// The angle by an approximate motion at a time, with the exact one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approximation<'a> {
     pub(super) motion: &'a ApproximateMotion,

@@ -40,7 +40,7 @@ pub(crate) struct Motion {
     /// Draw the motion to FILE.svg or FILE.png instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
-    /// Animate the pendulum beside its curve (an SVG animation, for browsers)
+    /// Animate the pendulum next to its curve (an SVG animation, for browsers)
     #[arg(long, requires = "figure")]
     animate: bool,
     #[command(flatten)]
@@ -94,7 +94,7 @@ impl Motion {
     }
 }
 
-/// The approximate motions beside the exact one, with what they need.
+/// The approximate motions with the exact one, with what they need.
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     pub(crate) approximations: Vec<ApproximateMotion>,

@@ -42,7 +42,7 @@ pub(super) fn of_orbit() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
@@ -52,7 +52,7 @@ pub(super) fn of_orbit() -> Fields<Answer> {
         Of::number(
             "period_uncertainty_s",
             "s",
-            "bound on its error, 0 where the drive sets it, null where the equations leave it open",
+            "bound on its error, 0 where the drive sets it, null where the equations do not determine it",
             |it| it.orbit.period_uncertainty(),
         ),
         Of::number("angular_frequency_rad_per_s", "rad/s", "2π over the period", |it| it.orbit.frequency())
@@ -68,7 +68,7 @@ pub(super) fn of_orbit() -> Fields<Answer> {
         Of::value(
             "closing_error[]",
             "",
-            "how far each number of the state misses its start after a period",
+            "closing error of each state component after a period",
             |it| json::numbers(&it.orbit.closing_error()),
         )
         .line_of("closes to", |it| {
@@ -98,14 +98,14 @@ pub(super) fn of_orbit() -> Fields<Answer> {
         Of::value(
             "stability",
             "",
-            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); null where it was not asked for",
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); null where it was not requested",
             |it| it.orbit.floquet().map(|floquet| floquet.stability.name()).into(),
         )
         .line_of("stability", stability),
         Of::present(
             "multiplier_logarithm",
             "1",
-            "logarithm of the multiplier of a cycle of one coordinate, which may be below all numbers",
+            "logarithm of the multiplier of a cycle of one coordinate, which may be below the range of numbers",
             |it| it.orbit.floquet().and_then(|floquet| floquet.logarithm),
         ),
     ])
@@ -131,7 +131,7 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             .numeral("amplitude", |it| to_its_error(it.term.amplitude(), it.error, 6)),
         Of::number("error", "", "error of cosine and sine", |it| it.error)
             .numeral("to", |it| at_most(it.error)),
-        Of::number("remainder", "", "no harmonic of the coordinate that is left out is larger", |it| {
+        Of::number("remainder", "", "upper bound on the omitted harmonics of the coordinate", |it| {
             it.remainder
         }),
     ])
@@ -142,12 +142,12 @@ pub(crate) fn answers() -> Vec<Answers> {
     vec![Answers { command: "orbit", option: "", json, csv: of_term().described_in_csv() }]
 }
 
-/// For machines, and for people.
+/// The kind of an orbit as a value of its field, and in words.
 fn kind(kind: OrbitKind) -> [&'static str; 2] {
     match kind {
         OrbitKind::Released => ["released", "released from rest"],
         OrbitKind::LimitCycle => ["limit_cycle", "a limit cycle"],
-        OrbitKind::Driven => ["driven", "the answer to the drive"],
+        OrbitKind::Driven => ["driven", "the response to the drive"],
         OrbitKind::Family => ["family", "one of a family, through the start"],
         OrbitKind::Near => ["near", "closed near the guess"],
     }
@@ -168,7 +168,7 @@ fn period(answer: &Answer) -> String {
         return format!("{} s, set by the drive", rounded(period, 15));
     }
     if uncertainty.is_nan() {
-        return format!("about {} s, of an error that the equations leave open", rounded(period, 4));
+        return format!("about {} s, of an error that the equations do not determine", rounded(period, 4));
     }
     format!("{} s, to {}", to_its_error(period, uncertainty, 15), at_most(uncertainty))
 }

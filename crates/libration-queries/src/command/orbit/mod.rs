@@ -21,7 +21,7 @@ const MOST_PERIODS: usize = 1000;
 
 /// A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors
 ///
-/// Of a driven system the periodic answer near the start, or to which the start leads; without a drive a motion released
+/// For a driven system, the periodic response near the start, or the one to which the start leads; without a drive, a motion released
 /// from rest, a limit cycle, or the orbit near a guess of its period.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -42,13 +42,13 @@ pub(crate) struct OrbitQuestion {
     system: SystemOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// A guess of the period, in seconds; of a driven system the period of the answer
+    /// A guess of the period, in seconds; for a driven system, the period of the response
     #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "drive_periods")]
     period: Option<f64>,
     /// Number of periods of the drive in one period of the orbit, for subharmonic orbits
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// The coordinate whose value at the start is kept, of a family of orbits near a guess [default: the farthest from zero]
+    /// The coordinate whose value at the start is kept, in a family of orbits near a guess [default: the farthest from zero]
     #[arg(long, value_name = "NAME", requires = "period")]
     hold: Option<String>,
     /// Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity

@@ -13,7 +13,7 @@ const SHOWN: f64 = 1e-12;
 const MOST: usize = 12;
 
 impl Answer {
-    /// In the form asked for; the table lists the harmonics only if that is wanted.
+    /// Writes the result in the given form; the table lists the harmonics only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         let fields = of_term();
         match form {

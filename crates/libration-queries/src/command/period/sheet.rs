@@ -1,4 +1,4 @@
-//! One amplitude, to read: the exact answer, then the formulas.
+//! One amplitude, to read: the exact result, then the formulas.
 
 use super::fields::{self, Swing};
 use super::{Order, Period, estimates};

@@ -1,4 +1,4 @@
-//! Many amplitudes: one row each, with the errors of the formulas asked for.
+//! Many amplitudes: one row each, with the errors of the formulas requested.
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
@@ -12,7 +12,7 @@ use libration::pendulum::{Amplitude, Pendulum};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use std::io::{self, Write};
 
-/// The answer for many amplitudes.
+/// The result for many amplitudes.
 pub(super) struct Swings<'a> {
     pub(super) question: &'a Period,
     pub(super) amplitudes: &'a Amplitudes,

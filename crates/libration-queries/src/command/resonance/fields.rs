@@ -24,7 +24,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equations[]", "", "equations of motion as they were understood", |it| {
+        Of::value("equations[]", "", "equations of motion as they were read", |it| {
             json::list(it.model.equation().to_string().split("; "))
         }),
         Of::value("coordinates[]", "", "names of the coordinates", |it| {
@@ -45,7 +45,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::value(
             "slow_flow",
             "",
-            "the slow flow in real numbers, a1 = u1 + i*w1, as equations to be integrated",
+            "the slow flow in real numbers, a1 = u1 + i*w1, as equations of motion",
             |it| it.form.slow_flow().to_string().into(),
         ),
         Of::value("initial[]", "", "state at the start, or null", |it| {
@@ -55,7 +55,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
             let both = it.exchange.as_ref()?.as_ref().ok()?;
             Some(of_exchange().record(both).into())
         }),
-        Of::value("no_exchange", "", "why there is no exchange from the start, or null", |it| {
+        Of::value("no_exchange", "", "reason why there is no exchange from the start, or null", |it| {
             it.exchange.as_ref().and_then(|it| it.as_ref().err()).map(ToString::to_string).into()
         }),
     ])
@@ -78,7 +78,7 @@ fn of_divisor() -> Fields<Divisor> {
     type Of = Field<Divisor>;
     Fields::from([
         Of::value("mode", "1", "number of the mode", |it| (it.mode + 1).into()),
-        Of::value("monomial", "", "term that is taken out, ~ for conjugates", |it| {
+        Of::value("monomial", "", "term that is removed, ~ for conjugates", |it| {
             monomial(&it.powers, &it.conjugate_powers).into()
         }),
         Of::number("divisor_rad_per_s", "rad/s", "its frequency less that of the mode", |it| it.divisor),
@@ -109,20 +109,20 @@ pub(super) fn of_term() -> Fields<SlowTerm> {
 pub(super) fn of_exchange() -> Fields<Both> {
     type Of = Field<Both>;
     Fields::from([
-        Of::number("period_s", "s", "time in which the amplitudes come back, by the slow flow", |it| {
+        Of::number("period_s", "s", "time in which the amplitudes return, by the slow flow", |it| {
             it.0.period
         })
         .line_of("exchange by the slow flow", |it| period(it.0.period, it.0.error)),
         Of::number(
             "error_s",
             "s",
-            "its error as that of the slow flow, by what a tenth of the time changes",
+            "error of it as the period of the slow flow, from the change over a tenth of the time",
             |it| it.0.error,
         ),
         Of::nullable(
             "closed_form_s",
             "s",
-            "the same by Jacobi functions with the terms of the second order alone, or null",
+            "the same by Jacobi functions with second-order terms only, or null",
             |it| it.0.closed_form,
         )
         .line_of("second order, closed form", |it| {
@@ -135,7 +135,7 @@ pub(super) fn of_exchange() -> Fields<Both> {
         Of::number(
             "measured_error_s",
             "s",
-            "its error, by what a tenth of the time of integration changes",
+            "its error, from the change over a tenth of the time of integration",
             |it| it.1.error,
         ),
         Of::number(
@@ -145,10 +145,13 @@ pub(super) fn of_exchange() -> Fields<Both> {
             |it| it.0.period / it.1.period - 1.0,
         )
         .line_of("relative difference", |it| short(it.0.period / it.1.period - 1.0, 2)),
-        Of::value("amplitudes[][]", "", "least and greatest amplitude of each mode on the way", |it| {
-            json::list(it.0.amplitudes.iter().map(|ends| json::numbers(ends)))
-        })
-        .line_of("amplitudes on the way", |it| {
+        Of::value(
+            "amplitudes[][]",
+            "",
+            "least and greatest amplitude of each mode during the exchange",
+            |it| json::list(it.0.amplitudes.iter().map(|ends| json::numbers(ends))),
+        )
+        .line_of("amplitudes", |it| {
             let ends =
                 it.0.amplitudes
                     .iter()

@@ -18,10 +18,10 @@ use std::path::PathBuf;
 
 pub(crate) use fields::answers;
 
-/// Slow changes of the modes of a system near rest: the normal form with its resonances, and the exchange of energy between modes
+/// Slow changes of the modes of a system near equilibrium: the normal form with its resonances, and the exchange of energy between modes
 ///
-/// With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to the first order. Terms that turn as fast as aⱼ stay in aⱼ′,
-/// exactly where the modes are exact; all others are taken out, each divided by its divisor.
+/// With aⱼ the complex amplitude of mode j, coordinates are xₑ + Re Σ aⱼφⱼ to first order. Terms that turn as fast as aⱼ stay in aⱼ′,
+/// exactly where the modes are exact; all others are removed, each divided by its divisor.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration resonance spring_pendulum --set kappa=3
@@ -42,10 +42,10 @@ pub(crate) struct ResonanceQuestion {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     initial: InitialOptions,
-    /// Up to which order in the amplitudes
+    /// Highest order in the amplitudes
     #[arg(long, value_name = "N", default_value = "3", value_parser = count::<LARGEST_ORDER>)]
     order: usize,
-    /// Divisors below this part of the least frequency are taken for resonances
+    /// Divisors below this fraction of the least frequency count as resonances
     #[arg(long, value_name = "PART", default_value = "0.1", value_parser = part)]
     detuning: f64,
     /// Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs --initial

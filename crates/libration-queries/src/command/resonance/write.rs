@@ -12,7 +12,7 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer {
-    /// In the form asked for; the table lists the terms only if that is wanted.
+    /// Writes the result in the given form; the table lists the terms only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         let fields = of_term();
         match form {
@@ -71,7 +71,7 @@ impl Answer {
         };
         match self.form.small_divisors.first() {
             Some(smallest) => {
-                format!("{kept} The smallest divisor of what is taken out is that of {}.", told(smallest))
+                format!("{kept} The smallest divisor of the removed terms is that of {}.", told(smallest))
             }
             None => kept,
         }

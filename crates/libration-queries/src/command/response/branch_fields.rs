@@ -20,7 +20,7 @@ pub(super) struct Place<'a> {
     pub(super) of: &'a Numbered<'a>,
     pub(super) point: &'a BranchPoint,
     pub(super) special: Option<&'a SpecialPoint>,
-    /// The parameter there, where more digits were asked for.
+    /// The parameter there, where more digits were requested.
     pub(super) precise: Option<&'a Decimal>,
 }
 
@@ -58,7 +58,7 @@ impl<'a> Numbered<'a> {
 }
 
 impl Place<'_> {
-    /// The parameter to the digits that were asked for.
+    /// The parameter to the digits that were requested.
     pub(super) fn digits_text(&self) -> Option<String> {
         let (precise, special) = (self.precise?, self.special?);
         let name = &self.of.answer.parameter;
@@ -86,35 +86,35 @@ pub(super) fn of_branch<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "kind",
             "",
-            "where it comes from: primary, from an end of the range; free_oscillation; symmetry_breaking; period_doubling; meeting, where another \
-             branch ends",
+            "origin of the branch: primary, at an end of the range; free_oscillation; symmetry_breaking; period_doubling; meeting, at the end of \
+             another branch",
             |it| origin(it.branch.origin)[0].into(),
         ),
-        Of::value("closed", "", "whether it comes back to its beginning", |it| {
+        Of::value("closed", "", "true if it is a closed curve", |it| {
             (it.branch.ending == Ending::Closed).into()
         }),
-        Of::value("symmetric", "", "whether the mirror image half a period later is the same motion", |it| {
+        Of::value("symmetric", "", "true if the mirror image half a period later is the same motion", |it| {
             it.branch.space.mirrored.into()
         }),
         Of::value(
             "drive_periods",
             "1",
-            "periods of the drive in one of the answer; without a drive, turns of the first coordinate",
+            "periods of the drive in one period of the solution; without a drive, turns of the first coordinate",
             |it| it.branch.space.drive_periods().into(),
         ),
         Of::value(
             "turns",
             "1",
-            "whole turns that the coordinate makes in an answer; zero where it oscillates",
+            "whole turns of the coordinate in one period; zero where it oscillates",
             |it| it.answer.turns(it.branch).into(),
         ),
         Of::value(
             "ending",
             "",
-            "why it ends: range_end, closed, branch_point, rest, slow_drive, unbounded, point_limit, lost or interrupted",
+            "reason why it ends after its last point: range_end, closed, branch_point, rest, slow_drive, unbounded, point_limit, lost or interrupted",
             |it| ending(it.branch.ending)[0].into(),
         ),
-        Of::value("beginning", "", "why it does not go on before its first point, in the same words", |it| {
+        Of::value("beginning", "", "reason why it ends before its first point, in the same words", |it| {
             ending(it.branch.beginning)[0].into()
         }),
         Of::value(
@@ -139,17 +139,17 @@ fn of_place<'a>() -> Fields<Place<'a>> {
         Of::number(
             "amplitude_max",
             "",
-            "largest displacement, of angles from the nearest bottom, in rad; of rotating ones half of what they depart from an even rotation",
+            "largest displacement, of angles from the nearest bottom, in rad; for rotating solutions, half the range of the deviation from uniform rotation",
             Place::amplitude,
         ),
         Of::number(
             "minimum",
             "",
-            "least value of the coordinate; where it rotates, of what it is ahead of an even rotation from t = 0 on",
+            "least value of the coordinate; where it rotates, of its lead over a uniform rotation from t = 0 on",
             |it| it.range()[0],
         ),
         Of::number("maximum", "", "greatest value, likewise", |it| it.range()[1]),
-        Of::number("period_s", "s", "period of the answer", |it| it.point.period),
+        Of::number("period_s", "s", "period of the solution", |it| it.point.period),
         Of::value(
             "stability",
             "",
@@ -168,13 +168,13 @@ fn of_place<'a>() -> Fields<Place<'a>> {
         Of::number(
             "error",
             "",
-            "the state may be wrong by so much: what another tolerance and rounding change",
+            "error of the state, estimated from another tolerance and from rounding",
             |it| it.point.error,
         ),
         Of::value(
             "start[]",
             "",
-            "state at the phase zero of the drive, in the order of the names; without a drive at a turn of the first coordinate",
+            "state at the phase zero of the drive, in the order of the names; without a drive, at a turning point of the first coordinate",
             |it| json::numbers(&it.point.state),
         ),
     ])
@@ -202,7 +202,7 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
         Of::value(
             "parameter_digits",
             "",
-            "the value to the digits that --digits asks for, as text; null where none are asked for or known",
+            "the value to the digits of --digits, as text; null where none are requested or known",
             |it| it.precise.map(|it| it.text.clone()).into(),
         ),
         Of::value("parameter_digits_error", "", "bound on the error of this text", |it| {
@@ -210,7 +210,7 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
         }),
         Of::number("amplitude_max", "", "largest displacement there", Place::amplitude)
             .rounded("amplitude", 8),
-        Of::number("period_s", "s", "period of the answer there", |it| it.point.period),
+        Of::number("period_s", "s", "period of the solution there", |it| it.point.period),
         Of::value("multipliers[][]", "1", "Floquet multipliers there", |it| {
             json::list(it.point.multipliers.iter().map(pair))
         }),
@@ -223,12 +223,12 @@ pub(super) fn of_special<'a>() -> Fields<Place<'a>> {
     ])
 }
 
-/// For machines, and for people.
+/// The origin of a branch as a value of its field, and in words.
 pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
     match origin {
         Origin::Primary => ["primary", "from an end of the range"],
         Origin::FreeOscillation => ["free_oscillation", "from a free oscillation"],
-        Origin::SymmetryBreaking => ["symmetry_breaking", "from a loss of symmetry"],
+        Origin::SymmetryBreaking => ["symmetry_breaking", "from a symmetry breaking"],
         Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
         Origin::Meeting => ["meeting", "through the end of another branch"],
     }
@@ -239,8 +239,8 @@ pub(super) fn ending(ending: Ending) -> [&'static str; 2] {
         Ending::RangeEnd => ["range_end", "leaves the range"],
         Ending::Closed => ["closed", "is a closed curve"],
         Ending::BranchPoint => ["branch_point", "ends in another branch"],
-        Ending::Rest => ["rest", "ends in a state of rest"],
-        Ending::SlowDrive => ["slow_drive", "goes on to the frequency zero"],
+        Ending::Rest => ["rest", "ends at an equilibrium"],
+        Ending::SlowDrive => ["slow_drive", "continues to zero frequency"],
         Ending::Unbounded => ["unbounded", "grows to a billion times its size"],
         Ending::PointLimit => ["point_limit", "ends at the largest number of points"],
         Ending::Lost => ["lost", "cannot be continued: the corrector fails at the minimum step"],

@@ -59,7 +59,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
@@ -68,11 +68,11 @@ pub(super) fn of_answer() -> Fields<Answer> {
             .line_of("over", |it| {
                 format!("{} from {} to {}", it.parameter, short(it.range[0], 10), short(it.range[1], 10))
             }),
-        Of::value("coordinate", "", "coordinate whose amplitude is meant", |it| {
+        Of::value("coordinate", "", "coordinate of the amplitude", |it| {
             it.model.coordinates()[it.coordinate].name.as_str().into()
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
-        Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.response.interrupted.into()),
+        Of::value("interrupted", "", "true if Ctrl-C ended the work", |it| it.response.interrupted.into()),
         Of::nested("missing[].", &of_missing(), |it| {
             json::records(it.response.missing.iter().map(|missing| of_missing().record(missing)))
         }),
@@ -109,12 +109,9 @@ fn of_backbone() -> Fields<(f64, f64)> {
 fn of_missing() -> Fields<(f64, NoBranch)> {
     type Of = Field<(f64, NoBranch)>;
     Fields::from([
-        Of::number(
-            "parameter",
-            "",
-            "value of the parameter at which no motion to begin with is found",
-            |it| it.0,
-        ),
+        Of::number("parameter", "", "value of the parameter at which no initial solution was found", |it| {
+            it.0
+        }),
         Of::value("reason", "", "reason, as a sentence", |it| it.1.to_string().into()),
     ])
 }
@@ -126,19 +123,19 @@ fn of_order() -> Fields<OrderAnswers> {
         Of::value("order", "", "oscillations over periods of the drive, such as 1/3", |it| {
             it.order.to_string().into()
         }),
-        Of::value("branches", "1", "how many branches were found from free oscillations", |it| {
+        Of::value("branches", "1", "number of branches found from free oscillations", |it| {
             it.branches.into()
         }),
         Of::value(
             "finding",
             "",
-            "how far the search came: no_oscillation, no_work, too_weak, not_reached or found",
+            "outcome of the search: no_oscillation, no_work, too_weak, not_reached or found",
             |it| finding(it.finding).into(),
         ),
         Of::value(
             "share",
             "1",
-            "where too weak: the part of what the damping takes that the drive gives at most, to the first order; else null",
+            "where too weak: the largest fraction of the energy lost to damping that the drive supplies, to first order; else null",
             |it| match it.finding {
                 OrderFinding::TooWeak(share) => json::number(share),
                 _ => Value::Null,
@@ -151,7 +148,7 @@ fn of_order() -> Fields<OrderAnswers> {
 pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
     type Of<'a> = Field<Row<'a>>;
     Fields::from([
-        Of::value("branch", "1", "number of the branch, from 1; empty for what a sweep leads to", |it| {
+        Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |it| {
             it.place().map(|it| it.of.number).into()
         }),
         Of::value("special", "", "kind of special point, empty for other points", |it| {
@@ -164,34 +161,37 @@ pub(super) fn of_row<'a>() -> Fields<Row<'a>> {
         Of::number(
             "amplitude_max",
             "",
-            "largest displacement, of angles from the nearest bottom, in rad; of rotating ones half of what they depart from an even rotation",
+            "largest displacement, of angles from the nearest bottom, in rad; for rotating solutions, half the range of the deviation from uniform rotation",
             Row::amplitude,
         ),
-        Of::value("period_s", "s", "period of the answer; empty for what a sweep leads to", |it| {
+        Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |it| {
             it.place().map_or(Value::Null, |it| json::number(it.point.period))
         }),
         Of::value(
             "stability",
             "",
-            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for what a sweep leads to",
+            "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for rows of sweeps",
             |it| it.place().map(|it| it.point.stability.name()).into(),
         ),
         Of::value(
             "error",
             "",
-            "error of the state, of special points that of the parameter; empty for what a sweep leads to",
+            "error of the state, of special points that of the parameter; empty for rows of sweeps",
             |it| {
                 it.place().map_or(Value::Null, |it| {
                     json::number(it.special.map_or(it.point.error, |special| special.error))
                 })
             },
         ),
-        Of::value("sweep", "", "up or down, where a slow sweep leads; empty for points of branches", |it| {
-            match it {
+        Of::value(
+            "sweep",
+            "",
+            "up or down, for rows of sweeps; empty for points of branches",
+            |it| match it {
                 Row::Place(_) => "".into(),
                 Row::Swept(swept) => swept.direction().into(),
-            }
-        }),
+            },
+        ),
     ])
 }
 

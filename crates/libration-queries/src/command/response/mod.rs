@@ -38,9 +38,9 @@ const MOST_TURNS: i32 = 100;
 /// Most times that branches leave branches: a cascade is 4.669 times shorter each time.
 const MOST_GENERATIONS: usize = 6;
 
-/// The periodic answers of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, losses of symmetry, period doublings
+/// The periodic responses of a driven system, or limit cycles, over a parameter: amplitude, stability, folds and jumps, symmetry breakings, period doublings
 ///
-/// Branches begin with the answers that are found at both ends of the range, and are followed through their folds; those that branch off are
+/// Branches begin with the solutions found at both ends of the range, and are followed through their folds; secondary branches are
 /// followed too. Every point has an error, special points are exact to their last digits.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -58,9 +58,10 @@ const MOST_GENERATIONS: usize = 6;
     --over c=2:4 --generations 1
 
 The parameter is a number in the equations or the frequency of the drive. Other
-answers than those at the ends of the range need --initial near them, or
---orders, which looks for them from the free oscillations that the drive can
-keep up; --turns is for those that go around. Without a drive the answers are limit cycles, to which the motion from
+solutions than those at the ends of the range need --initial near them, or
+--orders, which finds sub- and superharmonic responses from the free
+oscillations that the drive can sustain; --turns is for rotating responses.
+Without a drive the solutions are limit cycles, to which the motion from
 --initial settles. Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct ResponseQuestion {
     #[command(flatten)]
@@ -76,16 +77,16 @@ pub(crate) struct ResponseQuestion {
     /// Number of turns of the angle of --coordinate in one period, for rotating responses; backwards where negative
     #[arg(long, value_name = "N", value_parser = turns, allow_negative_numbers = true)]
     turns: Option<i32>,
-    /// Look for sub- and superharmonic answers too: how many oscillations in how many periods of the drive, such as 1/3,1/2
+    /// Search for sub- and superharmonic responses too: numbers of oscillations per periods of the drive, such as 1/3,1/2
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     orders: Vec<ResonanceOrder>,
-    /// The value at which answers are looked for, for curves that close within the range [default: the ends of the range]
+    /// The value at which solutions are searched, for isolated closed branches (isolas) within the range [default: the ends of the range]
     #[arg(long, value_name = "VALUE", value_parser = value)]
     at: Option<f64>,
-    /// Number of successive losses of symmetry and period doublings that are followed
+    /// Maximum depth of secondary branches (symmetry breaking, period doubling)
     #[arg(long, value_name = "N", default_value = "2", value_parser = whole)]
     generations: usize,
-    /// The coordinate whose amplitude is meant [default: the first]
+    /// The coordinate of the amplitude [default: the first]
     #[arg(long, value_name = "NAME")]
     coordinate: Option<String>,
     /// Compute the parameter at special points to this number of digits, up to 100
@@ -117,7 +118,7 @@ pub(crate) struct Answer {
     /// The coordinate whose amplitude is meant.
     pub(crate) coordinate: usize,
     pub(crate) response: Response,
-    /// For each branch, for each of its special points, where they were asked for and are known.
+    /// The precise values of the special points of each branch, where requested and known.
     precise: Vec<Vec<Option<Decimal>>>,
     pub(crate) sweeps: Vec<Sweep>,
     /// Free oscillations as frequencies of the drive and amplitudes, where the parameter is that frequency.
@@ -267,7 +268,7 @@ fn failure(error: NoBranch, model: &Model) -> QueryError {
     match error {
         NoBranch::NoStart(_) => QueryError::no_result("response", with_idle_drive(error, model)),
         NoBranch::Interrupted(_) => {
-            QueryError::cancelled("interrupted before the first answer was known: nothing is written")
+            QueryError::cancelled("interrupted before the first solution was known: nothing is written")
         }
         NoBranch::Range { .. } => QueryError::usage(option("over"), error),
         NoBranch::Outside { .. } => QueryError::usage(option("at"), error),
@@ -284,7 +285,7 @@ fn failure(error: NoBranch, model: &Model) -> QueryError {
 
 fn value(text: &str) -> Result<f64, String> {
     let value = constant(text)?.to_f64().filter(|value| value.is_finite());
-    value.ok_or_else(|| format!("`{}` is no finite number", text.trim()))
+    value.ok_or_else(|| format!("`{}` is not a finite number", text.trim()))
 }
 
 fn turns(text: &str) -> Result<i32, String> {

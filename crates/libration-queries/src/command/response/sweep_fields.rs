@@ -56,16 +56,19 @@ fn direction(rising: bool) -> &'static str {
 pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
     type Of<'a> = Field<Swept<'a>>;
     Fields::from([
-        Of::value("direction", "", "up or down: how the parameter goes in this sweep by integration", |it| {
-            it.direction().into()
-        })
+        Of::value(
+            "direction",
+            "",
+            "up or down: direction of the parameter in this sweep by integration",
+            |it| it.direction().into(),
+        )
         .words("sweep", |it| it.direction().to_owned()),
         Of::number("parameter", "", "value of the parameter", |it| it.point.parameter)
             .rounded("parameter", 10),
         Of::number(
             "amplitude_max",
             "",
-            "amplitude of the motion that is settled there; null where it goes over the top again and again without repeating itself",
+            "amplitude of the settled motion there; null where it rotates without repeating itself",
             Swept::amplitude,
         )
         .rounded("amplitude", 8),
@@ -76,7 +79,7 @@ pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
             |it| it.point.drive_periods.into(),
         )
         .numeral("periods", |it| it.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())),
-        Of::value("turns", "1", "turns that the coordinate makes meanwhile", |it| {
+        Of::value("turns", "1", "turns of the coordinate in these periods", |it| {
             it.point.rotation.map_or(0, |rotation| rotation.turns_of(it.answer.coordinate)).into()
         }),
     ])
@@ -86,12 +89,14 @@ pub(super) fn of_jump<'a>() -> Fields<Jumping<'a>> {
     type Of<'a> = Field<Jumping<'a>>;
     Fields::from([
         Of::number("parameter", "", "value at which a slow sweep jumps", |it| it.jump.from.parameter),
-        Of::value("sweep", "", "up or down: how the parameter goes", |it| direction(it.jump.rising).into()),
-        Of::number("from", "", "amplitude that is left", |it| it.answer.amplitude(&it.jump.from)),
-        Of::value("to[]", "", "amplitudes of the other stable answers there", |it| {
+        Of::value("sweep", "", "up or down: direction of the parameter", |it| {
+            direction(it.jump.rising).into()
+        }),
+        Of::number("from", "", "amplitude before the jump", |it| it.answer.amplitude(&it.jump.from)),
+        Of::value("to[]", "", "amplitudes of the other stable solutions there", |it| {
             it.of_landings(Answer::amplitude)
         }),
-        Of::value("to_error[]", "", "the states of these answers may be wrong by so much", |it| {
+        Of::value("to_error[]", "", "errors of the states of these solutions", |it| {
             it.of_landings(|_, point| point.error)
         }),
     ])

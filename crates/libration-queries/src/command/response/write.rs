@@ -16,7 +16,7 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer {
-    /// In the form asked for; the table lists the special points only if that is wanted.
+    /// Writes the result in the given form; the table lists the special points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => {
@@ -98,27 +98,27 @@ impl Answer {
 fn sought(OrderAnswers { order, branches, finding }: &OrderAnswers) -> String {
     let came_to = match finding {
         OrderFinding::NoOscillation => {
-            "no free oscillation has this part of the drive's frequency".to_owned()
+            "no free oscillation has this fraction of the drive frequency".to_owned()
         }
         OrderFinding::NoWork => {
-            "to the first order the drive works on these oscillations alike at all phases: none is followed"
+            "to first order the work of the drive on these oscillations does not depend on the phase: none is followed"
                 .to_owned()
         }
         OrderFinding::TooWeak(share) => {
             let percent = at_most(100.0 * share);
             format!(
-                "the drive gives {percent} % of what the damping takes at most, to the first order: none is followed"
+                "to first order, the drive supplies at most {percent} % of the energy lost to damping: none is followed"
             )
         }
         OrderFinding::NotReached => {
-            "no free oscillation in balance leads to an answer as drive and damping grow to what they are"
+            "no balanced free oscillation could be continued to the given drive and damping"
                 .to_owned()
         }
         OrderFinding::Found if *branches == 0 => {
-            "its answers are on branches that are followed already".to_owned()
+            "its solutions are on branches that are followed already".to_owned()
         }
-        OrderFinding::Found if *branches == 1 => "a branch is found from free oscillations".to_owned(),
-        OrderFinding::Found => format!("{branches} branches are found from free oscillations"),
+        OrderFinding::Found if *branches == 1 => "one branch found from free oscillations".to_owned(),
+        OrderFinding::Found => format!("{branches} branches found from free oscillations"),
     };
     format!("{order}: {came_to}")
 }
@@ -127,11 +127,11 @@ fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
     let way = if jump.rising { "Upwards" } else { "Downwards" };
     let left = answer.amplitude(&jump.from);
     let (value, from) = (answer.value_text(jump.from.parameter), answer.amplitude_text(left));
-    let begin = format!("{way} in {} the answer", answer.parameter);
+    let begin = format!("{way} in {} the solution", answer.parameter);
     let mut to: Vec<String> = jump.to.iter().map(|it| answer.amplitude_text(answer.amplitude(it))).collect();
     to.dedup();
     if to.is_empty() {
-        return format!("{begin} leaves {from} at {value}, to no other stable answer that was found.");
+        return format!("{begin} leaves {from} at {value}, and no other stable solution was found.");
     }
     let rises = jump.to.iter().all(|it| answer.amplitude(it) > left);
     let verb = if rises { "jumps up" } else { "jumps down" };
@@ -181,7 +181,7 @@ fn summary(branch: &Numbered<'_>) -> String {
         true => ", beyond the top",
         false => "",
     };
-    let even = if rotates { " ahead of an even rotation and behind it" } else { "" };
+    let even = if rotates { " from uniform rotation" } else { "" };
     let is_at_a_value = matches!(branch.branch.ending, Ending::RangeEnd | Ending::Lost | Ending::Unbounded);
     let end = points.last().filter(|_| is_at_a_value);
     let at = end.map_or_else(String::new, |point| {
@@ -195,7 +195,7 @@ fn summary(branch: &Numbered<'_>) -> String {
         (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, Ending::RangeEnd | Ending::Closed)
         | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
         (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, other) => {
-            format!("; backwards it {}", ending(other)[1])
+            format!("; before its first point it {}", ending(other)[1])
         }
     };
     let unresolved = match &branch.branch.unresolved[..] {
@@ -208,7 +208,7 @@ fn summary(branch: &Numbered<'_>) -> String {
             let place = if from == to { format!("near {from}") } else { format!("between {from} and {to}") };
             let (name, width) = (&answer.parameter, at_most(width));
             format!(
-                "; further special points cannot be excluded {place}, in all on a width of {width} in {name}"
+                "; further special points cannot be excluded {place}, on a total width of {width} in {name}"
             )
         }
     };

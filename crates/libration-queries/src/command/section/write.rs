@@ -9,7 +9,7 @@ use crate::output::{Form, csv, number};
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    /// In the form asked for; the table lists the points only if that is wanted.
+    /// Writes the result in the given form; the table lists the points only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),
@@ -85,22 +85,22 @@ fn of_answer<'a>() -> Fields<Answer<'a>> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
-        Of::value("section", "", "where the points are taken, in words", |it| it.place.as_str().into())
-            .line_of("points", Answer::points_text),
-        Of::value("skipped", "1", "points of the transient that were left out, for each motion", |it| {
+        Of::value("section", "", "condition at which points are recorded, in words", |it| {
+            it.place.as_str().into()
+        })
+        .line_of("points", Answer::points_text),
+        Of::value("skipped", "1", "number of points discarded as transient, for each motion", |it| {
             it.points.skipped.into()
         }),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::value("initial[][]", "", "state at the start of each motion, in the order of the names", |it| {
             json::list(it.starts.clone())
         }),
-        Of::value("complete", "", "whether all points that were asked for are there", |it| {
-            it.is_complete().into()
-        }),
+        Of::value("complete", "", "true if all requested points are present", |it| it.is_complete().into()),
     ])
 }
 

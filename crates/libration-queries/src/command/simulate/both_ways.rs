@@ -36,11 +36,11 @@ impl SimulatedMotion<'_> {
             () if is_drawn => option("figure"),
             () => return Ok(()),
         };
-        let reason = "it goes with motions in one direction: give <--times> all after 0, or all before it";
+        let reason = "it needs motions in one direction: give <--times> all after 0, or all before it";
         Err(QueryError::usage(refused, reason))
     }
 
-    /// Writes the whole answer when the motion is known.
+    /// Writes the whole result when the motion is known.
     pub(super) fn write_both_ways(
         &self,
         system: &System,

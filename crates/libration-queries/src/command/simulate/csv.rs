@@ -1,4 +1,4 @@
-//! The answer as lines of numbers below their names.
+//! The result as lines of numbers below their names.
 
 use super::events::Happening;
 use super::fields;
@@ -8,7 +8,7 @@ use crate::output::csv;
 use crate::output::field::Fields;
 use std::io::{self, Write};
 
-/// If events are looked for they stand among the samples in the order of time, with their kind in a last column, which is empty in
+/// The output as CSV. Events, if requested, are among the samples in the order of time, with their kind in a last column, which is empty in
 /// samples.
 pub(super) struct Csv {
     of_time: Fields<f64>,

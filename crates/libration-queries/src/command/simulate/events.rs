@@ -26,18 +26,18 @@ struct Kind {
 /// Conditions that end a motion.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct UntilOptions {
-    /// End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; --times says how long it is waited for
+    /// End the motion where a formula vanishes or two are equal, such as "x = 0" or theta-0.5; --times limits the search
     #[arg(long, value_name = "EQUATION|EXPR")]
     until: Option<String>,
-    /// Direction of the passages that count for --until: rising, falling, or any
+    /// Direction of the crossings that count for --until: rising, falling, or any
     #[arg(long, value_enum, requires = "until", default_value_t = Way::Any)]
     direction: Way,
-    /// End the motion at the n-th passage that counts for --until
+    /// End the motion at the n-th crossing that counts for --until
     #[arg(long, value_name = "N", requires = "until", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     count: u64,
 }
 
-/// Through zero.
+/// The direction of a crossing.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum Way {
     Any,
@@ -51,7 +51,7 @@ pub(super) struct Happening {
     pub(super) time: f64,
     pub(super) kind: String,
     pub(super) state: Vec<f64>,
-    /// The values of the columns that were asked for.
+    /// The values of the columns that were requested.
     pub(super) columns: Option<Vec<f64>>,
     /// Error of time and state, where it is estimated; NaN where they are not determined.
     pub(super) error: Option<Moment>,
@@ -124,7 +124,7 @@ impl Kind {
             Direction::Rising => ", rising",
             Direction::Falling => ", falling",
         };
-        let count = self.ends_at.filter(|count| *count > 1).map(|count| format!(", passage {count}"));
+        let count = self.ends_at.filter(|count| *count > 1).map(|count| format!(", crossing {count}"));
         format!("{}{way}{}", self.name, count.unwrap_or_default())
     }
 }

@@ -14,7 +14,7 @@ use libration::taylor::Moment;
 pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
     type Of<'a> = Field<SimulatedMotion<'a>>;
     Fields::from([
-        Of::value("system", "", "key of the system, or its equations as they were understood", |it| {
+        Of::value("system", "", "key of the system, or its equations as they were read", |it| {
             it.name().into()
         }),
         Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
@@ -51,7 +51,7 @@ pub(super) fn of_sample() -> Fields<Sample> {
     ])
 }
 
-/// Without errors.
+/// The fields of a sample without errors.
 pub(super) fn of_sample_alone() -> Fields<Sample> {
     type Of = Field<Sample>;
     Fields::from([
@@ -86,17 +86,14 @@ pub(super) fn of_event() -> Fields<Happening> {
     ])
 }
 
-/// Without errors.
+/// The fields of an event without errors.
 pub(super) fn of_event_alone() -> Fields<Happening> {
     type Of = Field<Happening>;
     Fields::from([
         Of::number("time_s", "s", "time of the event", |it| it.time),
-        Of::value(
-            "kind",
-            "",
-            "event that was asked for, and how it touched zero if not by passing it",
-            |it| it.kind.as_str().into(),
-        ),
+        Of::value("kind", "", "requested event, and how it touched zero if it did not cross it", |it| {
+            it.kind.as_str().into()
+        }),
         Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.state)),
         Of::present_value(
             "columns[]",
@@ -129,7 +126,7 @@ fn of_precision() -> Fields<Summary> {
         Of::present(
             "determined_until_s",
             "s",
-            "time after which the error of a number of the state exceeds a tenth of the largest size that it has had; left out where \
+            "time after which the error of a state component exceeds a tenth of its largest magnitude so far; left out where \
              none does",
             |it| match it.precision {
                 Precision::Estimated { determined_until, .. } => determined_until,
@@ -143,7 +140,7 @@ fn of_precision() -> Fields<Summary> {
         Of::present_value(
             "no_errors",
             "",
-            "why no error of the states is estimated, left out where they are",
+            "reason why no error of the states is estimated, left out where they are",
             |it| match it.precision {
                 Precision::Estimated { .. } => None,
                 Precision::NotEstimated(reason) => Some(reason.into()),
@@ -160,7 +157,7 @@ fn of_start_effect() -> Fields<Moment> {
         Of::value(
             "effect[]",
             "",
-            "by how much half a unit in the last place of each number of the start changes that state, which the errors leave out",
+            "change of that state by half a unit in the last place of each number of the start, not included in the errors",
             |it| json::numbers(&it.state),
         ),
     ])
@@ -191,7 +188,7 @@ pub(super) fn of_integration() -> Fields<Summary> {
         Of::nullable(
             "energy_drift_uncertainty",
             "1",
-            "how well the drift is known, by the work of the forces, or null",
+            "uncertainty of the drift, from the work of the forces, or null",
             |it| it.drift.as_ref().ok().map(|[_, uncertainty]| *uncertainty),
         ),
         Of::value("steps", "1", "steps of the integration", |it| it.steps.into()),
@@ -212,7 +209,7 @@ pub(super) fn of_end() -> Fields<Summary> {
         Of::present_value(
             "stopped",
             "",
-            "why the integration ended before the last time, else left out",
+            "reason why the integration ended before the last time, else left out",
             |it| match &it.ending {
                 Ending::NotReached(reason) | Ending::Stopped(reason) => Some(reason.as_str().into()),
                 _ => None,
@@ -229,13 +226,11 @@ fn of_ending() -> Fields<EventEnding> {
             it.name.as_str().into()
         }),
         Of::number("time_s", "s", "when", |it| it.end.time),
-        Of::nullable("time_error_s", "s", "by how much that may be wrong, null with --no-errors", |it| {
+        Of::nullable("time_error_s", "s", "error of that time, null with --no-errors", |it| {
             Some(it.error.time).filter(|error| error.is_finite())
         }),
         Of::value("state[]", "", "state then, in the order of the names", |it| json::numbers(&it.end.state)),
-        Of::value("state_error[]", "", "by how much each of these may be wrong", |it| {
-            json::numbers(&it.error.state)
-        }),
+        Of::value("state_error[]", "", "error of each of these", |it| json::numbers(&it.error.state)),
     ])
 }
 

@@ -1,4 +1,4 @@
-//! The answer as one JSON document.
+//! The result as one JSON document.
 
 use super::events::Happening;
 use super::fields;
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 pub(super) struct Json {
     of_sample: Fields<Sample>,
     samples: json::List,
-    /// They follow the samples.
+    /// Events, which follow the samples.
     happenings: Vec<Happening>,
 }
 

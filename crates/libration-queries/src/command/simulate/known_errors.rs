@@ -7,7 +7,7 @@ use std::collections::HashMap;
 /// The errors of all samples and events.
 #[derive(Debug)]
 pub(super) struct KnownErrors {
-    /// Before the start, and after it.
+    /// The errors before the start and after it.
     sides: [Option<StateErrors>; 2],
     /// Errors of the samples, by the bits of their times.
     samples: HashMap<u64, Vec<f64>>,

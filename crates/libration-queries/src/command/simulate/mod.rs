@@ -35,7 +35,7 @@ use run::Outcome;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// The fields of answers about one motion, and about many.
+/// The fields of results about one motion, and about many.
 pub(crate) fn answers() -> Vec<Answers> {
     vec![fields::answers(), each::answers()]
 }
@@ -75,17 +75,17 @@ pub(crate) fn answers() -> Vec<Answers> {
     --times 0:200:0.1 --resume long.csv --output long.csv
   libration simulate pendulum --each examples/starts.csv --times 0:10:1
 
-An equation with an index and a range stands for many. What the index leads to
-outside of the range is zero, or what is said of it: x[0] = sin(t), x[33] = x[1].
+An equation with an index and a range stands for many. Members outside the range
+are zero, or as defined: x[0] = sin(t), x[33] = x[1].
 
 Integration starts at t = 0. In the shell, quote whatever contains a prime:
 --initial \"theta=60deg,theta'=0.1\".
 States are shown to the digits that their errors leave, as far as double precision
 determines the motion; --json and --csv have the errors, and all digits.
-Ctrl-C stops a run early: what was computed is written as a complete answer, and
+Ctrl-C stops a run early: what was computed is written as complete output, and
 --resume continues from there. The result equals that of a single run, byte for
 byte. With long.csv comes long.csv.state, which records the system and where the
-integration stands; --resume needs it, and also finds what a killed run has left.")]
+integration stands; --resume needs it, and also continues a killed run.")]
 pub(crate) struct Simulate {
     #[command(flatten)]
     system: PendulumSystemOptions,
@@ -100,7 +100,7 @@ pub(crate) struct Simulate {
     /// The relative error allowed in each step, for all coordinates or each by its name: 1e-12, "phi=1e-6", "1e-12, phi=1e-6"
     #[arg(long, default_value = "1e-12", value_parser = arguments::tolerances)]
     tolerance: Tolerances,
-    /// Find turning points (turning), passages through rest (crossing), or zeros of a formula, such as theta-0.5
+    /// Find turning points (turning), crossings of the equilibrium (crossing), or zeros of a formula, such as theta-0.5
     #[arg(long, value_name = "turning|crossing|EXPR")]
     events: Vec<String>,
     #[command(flatten)]
@@ -111,7 +111,7 @@ pub(crate) struct Simulate {
     /// Derivatives of the motion with respect to parameters and initial values, as further columns, such as "c, theta": dtheta/dc, dtheta/dtheta(0)
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     sensitivity: Vec<String>,
-    /// Estimate no errors of the states: saves the time for that
+    /// Do not estimate the errors of the states, which saves time
     #[arg(long)]
     no_errors: bool,
     /// Draw the coordinates and the formulas of --columns against time to FILE.svg or FILE.png instead of listing the samples
@@ -120,16 +120,16 @@ pub(crate) struct Simulate {
     /// Draw one state variable against another instead of the coordinates against time, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
-    /// Animate the bodies beside the curves (an SVG animation, for browsers)
+    /// Animate the bodies next to the curves (an SVG animation, for browsers)
     #[arg(long, requires = "figure", conflicts_with = "axes")]
     animate: bool,
     #[command(flatten)]
     sizes: figure::Sizes,
-    /// Write the answer to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the
+    /// Write the output to a file, which is replaced only when complete, or to a stream; the extensions .json and .csv choose the
     /// format, - is standard output
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Continue an earlier run from its JSON answer, or its CSV answer with FILE.state; the new answer includes the earlier one
+    /// Continue an earlier run from its JSON output, or its CSV output with FILE.state; the new output includes the earlier one
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     #[command(flatten)]
@@ -243,7 +243,7 @@ impl Simulate {
     }
 }
 
-/// Writes the answer into its file, and beside a CSV file how it is gone on from; how it ended, and what was drawn.
+/// Writes the output into its file, and with a CSV file the record for its continuation; then how it ended, and what was drawn.
 fn write_file(
     motion: SimulatedMotion<'_>,
     form: Form,

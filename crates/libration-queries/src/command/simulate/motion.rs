@@ -14,7 +14,7 @@ pub(super) struct SimulatedMotion<'a> {
     pub(super) times: &'a Times,
     pub(super) tolerances: &'a Tolerances,
     pub(super) watched: &'a Watched,
-    /// Formulas whose values stand beside the state.
+    /// Formulas whose values stand in addition to the state.
     pub(super) observables: Option<&'a Observables>,
     /// Sensitivities to parameters and initial values.
     pub(super) sensitivities: Option<&'a Sensitivities>,
@@ -29,7 +29,7 @@ impl SimulatedMotion<'_> {
         self.model.key().map_or_else(|| self.model.equation().to_string(), str::to_owned)
     }
 
-    /// The values of the columns that were asked for, in a state of the integration.
+    /// The values of the columns that were requested, in a state of the integration.
     pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
         let formulas = self.observables.map(|observables| observables.values_at(&self.own(moment)));
         let derivatives = self.sensitivities.map(|it| it.derivatives_in(&moment.state));

@@ -1,4 +1,4 @@
-//! An answer that is written sample by sample, so that long runs need no memory.
+//! A result that is written sample by sample, so that long runs need no memory.
 
 use super::ending::Ending;
 use super::events::Happening;
@@ -8,7 +8,7 @@ use super::resume::State;
 use libration::taylor::Moment;
 use std::io::{self, Write};
 
-/// A form of the answer.
+/// A form of the result.
 pub(super) trait AnswerWriter {
     fn begin(&mut self, motion: &SimulatedMotion, out: &mut dyn Write) -> io::Result<()>;
     fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()>;
@@ -17,7 +17,7 @@ pub(super) trait AnswerWriter {
     fn end(&mut self, summary: &Summary, out: &mut dyn Write) -> io::Result<()>;
 }
 
-/// A state of the motion, with the values of the columns that were asked for.
+/// A state of the motion, with the values of the columns that were requested.
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,

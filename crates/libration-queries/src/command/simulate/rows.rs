@@ -7,7 +7,7 @@ use super::report::{AnswerWriter, Sample};
 use libration::taylor::{Moment, Solution};
 use std::io::{self, Write};
 
-/// A line of an answer.
+/// A line of a result.
 pub(super) enum Row {
     Sample(Sample),
     Event(Happening),

@@ -30,7 +30,7 @@ pub(super) struct Figure<'a> {
     pub(super) sizes: &'a figure::Sizes,
     /// Axes of the picture, if it does not show the coordinates against time.
     pub(super) axes: Option<[StateAxis; 2]>,
-    /// `true` if the bodies move beside the curves.
+    /// `true` if the bodies move next to the curves.
     pub(super) animate: bool,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Outcome {
 }
 
 impl SimulatedMotion<'_> {
-    /// Writes the answer as far as the integration comes, and draws the picture.
+    /// Writes the result as far as the integration comes, and draws the picture.
     pub(super) fn write(
         &self,
         form: Form,
@@ -106,7 +106,7 @@ impl SimulatedMotion<'_> {
         let last = self.times.last();
         if (solution.end.time - last).abs() <= 0.0 {
             return Ok(Ending::NotReached(format!(
-                "`{name}` does not happen until t = {last:?} s: give later <--times>, or another event"
+                "`{name}` does not occur before t = {last:?} s: give later <--times>, or another event"
             )));
         }
         let end = solution.end.clone();

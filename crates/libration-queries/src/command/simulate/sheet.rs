@@ -1,4 +1,4 @@
-//! The answer to read.
+//! The result to read.
 
 use super::ending::{Ending, EventEnding};
 use super::events::Happening;

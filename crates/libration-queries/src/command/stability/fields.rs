@@ -85,7 +85,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
             it.model.key().into()
         })
         .line_of("system", |it| it.model.title().to_owned()),
-        Of::value("equation", "", "equations of motion as they were understood", |it| {
+        Of::value("equation", "", "equations of motion as they were read", |it| {
             it.model.equation().to_string().into()
         })
         .line_of("equation", |it| it.model.equation().to_string()),
@@ -103,18 +103,18 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::value(
             "rest_stable[][]",
             "",
-            "whether rest is stable: a row for each value of the second parameter, a column for each of the first; null where this is not known, no rows where the start is no rest",
+            "true where the equilibrium is stable: a row for each value of the second parameter, a column for each of the first; null where this is not known, no rows where the start is not an equilibrium",
             |it| {
                 let rows = it.chart.rest.iter().flat_map(|rest| &rest.stable);
                 json::list(rows.map(|row| json::list(row.iter().copied())))
             },
         ),
-        Of::value("grid[][]", "", "the values of both parameters that these are for", |it| {
+        Of::value("grid[][]", "", "the values of both parameters at these", |it| {
             let values = it.chart.rest.iter().flat_map(|rest| &rest.values);
             json::list(values.map(|values| json::numbers(values)))
         }),
         Of::nested("rest_stable_at[].", &of_end(), |it| of_end().records(&it.rest_at_ends())),
-        Of::value("interrupted", "", "whether Ctrl-C ended the work", |it| it.chart.interrupted.into()),
+        Of::value("interrupted", "", "true if Ctrl-C ended the work", |it| it.chart.interrupted.into()),
     ])
 }
 
@@ -127,7 +127,7 @@ fn of_end() -> Fields<AtEnd> {
         Of::value(
             "ranges[][]",
             "",
-            "ranges of the second parameter in which rest is stable there, between the ends of its edges",
+            "ranges of the second parameter in which the equilibrium is stable there, between the ends of its stability boundaries",
             |it| json::list(it.ranges.iter().map(|range| json::numbers(range))),
         ),
     ])
@@ -139,14 +139,16 @@ pub(super) fn of_curve<'a>() -> Fields<Numbered<'a>> {
         Of::value(
             "kind",
             "",
-            "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other answers leave rest",
+            "fold, symmetry_breaking, period_doubling, neimark_sacker, or branch_point where other solutions branch off the equilibrium",
             |it| it.curve.kind.key().into(),
         ),
-        Of::value("at_rest", "", "whether it is an edge of a state of rest", |it| it.curve.at_rest.into()),
-        Of::value("closed", "", "whether it comes back to its beginning", |it| {
+        Of::value("at_rest", "", "true if it is a stability boundary of an equilibrium", |it| {
+            it.curve.at_rest.into()
+        }),
+        Of::value("closed", "", "true if it is a closed curve", |it| {
             (it.curve.endings[1] == Ending::Closed).into()
         }),
-        Of::value("drive_periods", "1", "periods of the drive in one of the answer", |it| {
+        Of::value("drive_periods", "1", "periods of the drive in one period of the solution", |it| {
             it.curve.space.drive_periods().into()
         }),
         Of::nested("points[].", &of_place(), |it| {
@@ -171,7 +173,7 @@ fn of_place<'a>() -> Fields<Place<'a>> {
             "largest displacement of the first coordinate, of angles from the nearest bottom, in rad",
             Place::amplitude,
         ),
-        Of::number("period_s", "s", "period of the answer", |it| it.point.point.period),
+        Of::number("period_s", "s", "period of the solution", |it| it.point.point.period),
         Of::value(
             "multipliers[][]",
             "1",
@@ -192,7 +194,9 @@ pub(super) fn of_row<'a>() -> Fields<Place<'a>> {
             .numeral("curve", |it| it.of.number.to_string()),
         Of::value("kind", "", "kind of singular point, or cusp", |it| it.kind().into())
             .words("kind", |it| it.kind().replace('_', " ")),
-        Of::value("at_rest", "", "whether it is an edge of a state of rest", |it| it.of.curve.at_rest.into()),
+        Of::value("at_rest", "", "true if it is a stability boundary of an equilibrium", |it| {
+            it.of.curve.at_rest.into()
+        }),
         Of::number("first", "", "value of the first parameter", |it| it.point.point.parameter)
             .rounded("first", 14),
         Of::number("second", "", "value of the second parameter", |it| it.point.second).rounded("second", 14),

@@ -24,9 +24,9 @@ const MOST_LINES: usize = 100;
 /// Most times that branches leave branches.
 const MOST_GENERATIONS: usize = 6;
 
-/// Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings and period doublings, cusps
+/// Stability over two parameters: stability boundaries of an equilibrium, curves of folds, symmetry breakings and period doublings, cusps
 ///
-/// A state of rest, such as the hanging or the upright pendulum whose pivot moves, has its edges where a Floquet multiplier leaves the unit
+/// An equilibrium, such as the hanging or the upright pendulum whose pivot moves, has its stability boundaries where a Floquet multiplier leaves the unit
 /// circle. Driven motions are followed on some lines of the map, and their singular points from there in both parameters.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -37,7 +37,7 @@ const MOST_GENERATIONS: usize = 6;
   libration stability driven_pendulum --set c=0.1 --map omega=0.7:1,A=0.05:0.4
 
 Where a curve leaves the map its last point is on the edge, so that a map whose
-range begins at a value tells what happens there to all digits.
+range begins at a value gives the result there to all digits.
 Ctrl-C stops early and keeps what is done.")]
 pub(crate) struct StabilityQuestion {
     #[command(flatten)]
@@ -50,10 +50,10 @@ pub(crate) struct StabilityQuestion {
     /// Number of periods of the drive in one period of the response
     #[arg(long, value_name = "N", default_value = "1", value_parser = count::<MOST_PERIODS>)]
     drive_periods: usize,
-    /// Number of successive losses of symmetry and period doublings that are followed
+    /// Maximum depth of secondary branches (symmetry breaking, period doubling)
     #[arg(long, value_name = "N", default_value = "1", value_parser = at_most::<MOST_GENERATIONS>)]
     generations: usize,
-    /// Number of lines each way on which driven motions are followed; 0 for rest alone
+    /// Number of lines in each direction on which driven motions are followed; 0 for the equilibrium alone
     #[arg(long, value_name = "N", default_value = "3", value_parser = at_most::<MOST_LINES>)]
     lines: usize,
     /// Draw the map to FILE.svg or FILE.png instead of listing the curves

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 const COLUMNS: usize = 100;
 
 impl Answer {
-    /// In the form asked for; the table lists the ends of the curves only if that is wanted.
+    /// Writes the result in the given form; the table lists the ends of the curves only if requested.
     pub(super) fn write(&self, out: &mut dyn Write, form: Form, listed: bool) -> io::Result<()> {
         match form {
             Form::Json => {
@@ -60,7 +60,7 @@ impl Answer {
             write_text(out, "", &self.told_at(&end))?;
         }
         if self.chart.curves.is_empty() {
-            write_text(out, "", "No edge of stability and no singular point is found on this map.")?;
+            write_text(out, "", "No stability boundary and no singular point was found on this map.")?;
         }
         Ok(())
     }
@@ -74,7 +74,7 @@ impl Answer {
             [] => "nowhere on this map".to_owned(),
             some => some.iter().map(range).collect::<Vec<_>>().join(" and "),
         };
-        format!("At {first} = {} rest is stable {where_to}.", short(*value, 6))
+        format!("At {first} = {} the equilibrium is stable {where_to}.", short(*value, 6))
     }
 }
 
@@ -83,11 +83,11 @@ fn summary(curve: &Numbered<'_>) -> String {
     let (answer, points) = (curve.answer, &curve.curve.points);
     let [before, behind] = curve.curve.endings;
     let kind = match (curve.curve.kind, curve.curve.at_rest) {
-        (SpecialKind::BranchPoint, true) => {
-            "edge at rest: other answers of the same period leave it".to_owned()
+        (SpecialKind::BranchPoint, true) => "stability boundary of the equilibrium: branch point".to_owned(),
+        (SpecialKind::PeriodDoubling, true) => {
+            "stability boundary of the equilibrium: period doubling".to_owned()
         }
-        (SpecialKind::PeriodDoubling, true) => "edge at rest: swings of twice the period leave it".to_owned(),
-        (kind, true) => format!("edge at rest: {kind}"),
+        (kind, true) => format!("stability boundary of the equilibrium: {kind}"),
         (kind, false) => format!("{kind} of driven motions"),
     };
     let place = |point: Option<&_>| point.map_or_else(String::new, |it| answer.values_text(it));
@@ -115,7 +115,7 @@ fn said(ending: Ending) -> &'static str {
     match ending {
         Ending::RangeEnd | Ending::Closed => "",
         Ending::BranchPoint => " (it ends in another curve)",
-        Ending::Rest | Ending::SlowDrive | Ending::Lost => " (it cannot be followed farther)",
+        Ending::Rest | Ending::SlowDrive | Ending::Lost => " (it could not be continued)",
         Ending::PointLimit => " (the largest number of points)",
         Ending::Unbounded => " (grows without bound)",
         Ending::Interrupted => " (interrupted)",

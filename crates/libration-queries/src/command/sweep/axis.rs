@@ -4,7 +4,7 @@ use crate::arguments::{constant, plain_name, progression};
 use crate::output::number;
 use libration::expression::Expression;
 
-/// More values than this are never asked for.
+/// More values than this are never requested.
 const MOST_VALUES: usize = 1_000_000;
 
 /// A name with its values, each as the question is given it.
@@ -20,7 +20,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// From a name and its values as words, which are numbers where all of them are.
+    /// The axis of a name and its values as words, which are numbers where all of them are.
     pub(crate) fn of_words(name: &str, values: Vec<String>) -> Result<Self, String> {
         if name.trim().is_empty() || name.contains(['{', '}']) {
             return Err("an axis needs a name: give NAME=VALUES, such as A=1:1.5:0.01".to_owned());
@@ -28,7 +28,7 @@ impl Axis {
         let name = plain_name(name);
         if let Some(bad) = values.iter().find(|value| value.trim().is_empty() || value.contains(['\n', '\r']))
         {
-            return Err(format!("{name}: `{}` is no value", bad.escape_debug()));
+            return Err(format!("{name}: `{}` is not a value", bad.escape_debug()));
         }
         if values.is_empty() || values.len() > MOST_VALUES {
             return Err(format!("{name}: give at least one value, and at most {MOST_VALUES}"));
@@ -43,7 +43,7 @@ impl Axis {
         Ok(Self { name, values, numbers, unit })
     }
 
-    /// A value as it stands in answers: in the unit of the axis, or as it was typed.
+    /// A value as it stands in results: in the unit of the axis, or as it was typed.
     pub(crate) fn shown(&self, place: usize) -> String {
         match &self.numbers {
             Some(numbers) => number::exact(numbers[place]),

@@ -1,4 +1,4 @@
-//! The answers at the points of a chunk.
+//! The results at the points of a chunk.
 
 use super::plan::Plan;
 use super::point;

@@ -26,7 +26,7 @@ pub(crate) struct Join {
     /// The directories of the shards; one where all have written to the same
     #[arg(value_name = "DIR", required = true)]
     directories: Vec<PathBuf>,
-    /// The file, whose ending says its form: .csv or .json [default: CSV on the standard output]
+    /// The file, whose extension chooses its format: .csv or .json [default: CSV on the standard output]
     #[arg(long, short, value_name = "FILE", value_parser = table)]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -38,7 +38,7 @@ impl Join {
         let stores = opened(&self.directories)?;
         let progress = Progress::of(&stores)?;
         if let Some(missing) = progress.missing() {
-            return Err(QueryError::failed(format!("the sweep is not whole: {missing}")));
+            return Err(QueryError::failed(format!("the sweep is not complete: {missing}")));
         }
         let form = self.form.form_of_file(self.output.as_deref());
         let Some(path) = &self.output else { return write(out, form, &stores) };
@@ -116,7 +116,7 @@ fn each_chunk(
                 found => found,
             };
         }
-        let gone = || QueryError::failed(format!("chunk {chunk} has gone meanwhile: join again"));
+        let gone = || QueryError::failed(format!("chunk {chunk} has been removed meanwhile: join again"));
         hand_on(chunk, &rows.ok_or_else(gone)?)?;
     }
     Ok(())
@@ -145,43 +145,39 @@ fn record(plan: &Plan, point: usize, row: &str) -> Record {
 pub(crate) const PLAN: &[Row] = &[
     ("format", "1", "version of the format of sweeps"),
     ("version", "", "version of the program"),
-    ("question[]", "", "words of the question, where {NAME} stands for the value of an axis"),
+    ("question[]", "", "words of the command, where {NAME} stands for the value of an axis"),
     ("axes[].name", "", "name of an axis"),
     ("axes[].unit", "", "unit of its values, empty where there is none"),
-    ("axes[].values[]", "", "its values as the question is given them"),
+    ("axes[].values[]", "", "its values as given to the command"),
     (
         "axes[].numbers[]",
         "",
         "its values as numbers in that unit; null in place of the list where they are words",
     ),
-    ("fields[].name", "", "name of what is kept of each answer"),
-    ("fields[].path", "", "way to it in the answer"),
-    ("fields[].length", "1", "how many numbers it is where it is a list, or null"),
+    ("fields[].name", "", "name of the number kept of each result"),
+    ("fields[].path", "", "path to it in the JSON of the result"),
+    ("fields[].length", "1", "number of its elements where it is a list, or null"),
     ("fields[].unit", "", "its unit"),
-    ("fields[].meaning", "", "what it is"),
+    ("fields[].meaning", "", "meaning"),
     ("shape[]", "1", "number of values along each axis"),
     ("chunk_shape[]", "1", "number of values along each axis in a chunk"),
 ];
 
 const POINTS: &[Row] = &[
     ("points[].at.NAME", "", "value of the axis of this name"),
-    ("points[].values.NAME", "", "what is kept of the answer, null where there is none"),
+    ("points[].values.NAME", "", "number kept of the result, null where there is none"),
     (
         "points[].status",
         "1",
-        "0 with an answer, or the exit status of the question without: 1 no answer, 2 not understood",
+        "0 with a result, or the exit status of the command without: 1 no result, 2 usage error",
     ),
-    ("points[].message", "", "why there is no answer, or null"),
+    ("points[].message", "", "reason why there is no result, or null"),
 ];
 
 const COLUMNS: &[Row] = &[
-    ("NAME", "", "value of an axis, or what is kept of the answer, by name"),
-    (
-        "status",
-        "1",
-        "0 with an answer, or the exit status of the question without: 1 no answer, 2 not understood",
-    ),
-    ("message", "", "why there is no answer"),
+    ("NAME", "", "value of an axis, or number kept of the result, by name"),
+    ("status", "1", "0 with a result, or the exit status of the command without: 1 no result, 2 usage error"),
+    ("message", "", "reason why there is no result"),
 ];
 
 pub(crate) fn answers() -> Vec<Answers> {

@@ -1,4 +1,4 @@
-//! The numbers that a sweep keeps of each answer, by the ways to them in JSON.
+//! The numbers that a sweep keeps of each result, by the ways to them in JSON.
 
 use serde_json::Value;
 
@@ -14,12 +14,12 @@ pub struct Kept {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Step {
     Key(String),
-    /// From the end where it is negative.
+    /// An entry, counted from the end where it is negative.
     Entry(i64),
     Entries(usize, usize),
 }
 
-/// More numbers of an answer than this are never kept.
+/// More numbers of a result than this are never kept.
 const MOST: usize = 1_000_000;
 
 impl Kept {
@@ -35,12 +35,12 @@ impl Kept {
         }
         let name = name.map_or_else(|| last_key(path), str::to_owned);
         if name.is_empty() {
-            return Err(format!("`{text}` has no name: give NAME=WAY, such as angle=samples[-1].state[0]"));
+            return Err(format!("`{text}` has no name: give NAME=PATH, such as angle=samples[-1].state[0]"));
         }
         Ok(Self { name, path: path.to_owned(), steps })
     }
 
-    /// With a name made of its way.
+    /// The kept number with a name made of its path.
     pub(crate) fn named(self, name: impl Fn(&str) -> String) -> Self {
         Self { name: name(&self.path), ..self }
     }
@@ -61,7 +61,7 @@ impl Kept {
         }
     }
 
-    /// Its numbers in an answer, NaN where there is none; truth is 1, its opposite 0.
+    /// Its numbers in a result, NaN where there is none; truth is 1, its opposite 0.
     pub fn numbers(&self, answer: &Value) -> Vec<f64> {
         let mut numbers = vec![];
         follow(Some(answer), &self.steps, &mut numbers);
@@ -155,7 +155,7 @@ fn steps(path: &str) -> Result<Vec<Step>, String> {
     for part in path.split('.') {
         let (key, entries) = part.find('[').map_or((part, ""), |place| part.split_at(place));
         if key.is_empty() {
-            return Err(format!("`{path}` is no way to a number: give one such as results[0].ratio"));
+            return Err(format!("`{path}` is not a path to a number: give one such as results[0].ratio"));
         }
         steps.push(Step::Key(key.to_owned()));
         for entry in entries.split_terminator(']') {

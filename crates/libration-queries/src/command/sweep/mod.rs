@@ -39,12 +39,12 @@ use std::io::Write;
 use std::path::PathBuf;
 use store::Store;
 
-/// More points than this are never asked for in one chunk.
+/// More points than this are never requested in one chunk.
 const MOST_POINTS: usize = 1_000_000_000;
 
-/// Ask a question at all points of a grid, in chunks that survive interruptions
+/// Run a command over a parameter grid, in chunks that survive interruptions
 ///
-/// Each --over is an axis. Its values go where the question has {NAME}, or to its option or argument of this name, or they are initial values or parameters of its system.
+/// Each --over is an axis. Its values replace {NAME} in the command, or go to its option or argument of this name, or they are initial values or parameters of its system.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true, override_usage = USAGE, after_help = "Examples:
   libration sweep lyapunov driven_pendulum --over A=1:1.4:0.1 \\
@@ -57,11 +57,11 @@ const MOST_POINTS: usize = 1_000_000_000;
   libration sweep simulate \"x'' = -x - {k} x^3\" --over k=0:1:0.1 \\
     --initial x=1 --times 10 --keep 'x=samples[-1].state[0]' --output ends
 
-Points without an answer have empty cells, and say why in `message`. What is
-done is kept when the command is interrupted or killed; the same command goes on
-from there. With --shard several machines share the work. Options of the sweep
-may stand anywhere before --; what follows -- is the question's alone, such as
-an --output or --over of its own.")]
+Points without a result have empty cells, and the reason in `message`. Finished
+chunks are kept when the command is interrupted or killed; the same command then
+continues. With --shard several machines share the work. Options of the sweep
+may stand anywhere before --; what follows -- belongs to the command alone, such
+as its own --output or --over.")]
 pub(crate) struct Sweep {
     #[command(subcommand)]
     about: Option<About>,
@@ -69,7 +69,7 @@ pub(crate) struct Sweep {
     run: Option<Run>,
 }
 
-const USAGE: &str = "libration sweep QUESTION… --over NAME=VALUES… --output DIR
+const USAGE: &str = "libration sweep COMMAND… --over NAME=VALUES… --output DIR
        libration sweep join DIR… --output FILE
        libration sweep status DIR…";
 
@@ -81,19 +81,19 @@ enum About {
 
 #[derive(Debug, clap::Args)]
 struct Run {
-    /// The command and its options, as behind `libration`; --json is implied
-    #[arg(value_name = "QUESTION", required = true)]
+    /// The command and its options, as after `libration`; --json is implied
+    #[arg(value_name = "COMMAND", required = true)]
     question: Vec<String>,
     /// An axis and its values: A=1:1.5:0.01, theta=1deg:9deg:1deg or n=1,2,5; with semicolons where values have commas
     #[arg(long, value_name = "NAME=VALUES", value_parser = axis, required = true)]
     over: Vec<Axis>,
-    /// The directory for the chunks; that of the same sweep is gone on with
+    /// The directory for the chunks; a sweep begun there is continued
     #[arg(long, short, value_name = "DIR")]
     output: PathBuf,
-    /// Keep this number of the answer, by its way in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
+    /// Keep this number of the result, by its path in JSON: exponent, results[0].ratio, samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0] [default: all that stand alone]
     #[arg(long, value_name = "[NAME=]PATH")]
     keep: Vec<String>,
-    /// Answer this part of the sweep only, such as 3/64
+    /// Compute this part of the sweep only, such as 3/64
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<Shard>,
     /// Number of points in a chunk, at most [default: about 256 chunks]
@@ -107,7 +107,7 @@ impl Sweep {
             (Some(About::Join(join)), _) => join.answer(out),
             (Some(About::Status(status)), _) => status.answer(out),
             (None, Some(run)) => run.answer(out),
-            (None, None) => Err(QueryError::misuse("QUESTION: give the question of the sweep")),
+            (None, None) => Err(QueryError::misuse("COMMAND: give the command of the sweep")),
         }
     }
 }

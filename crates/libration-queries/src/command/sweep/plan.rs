@@ -14,10 +14,10 @@ use serde_json::Value;
 /// The version of what is written of a plan and of its chunks.
 pub(crate) const FORMAT: u64 = 1;
 
-/// The columns that say whether there is an answer, behind those of the numbers.
+/// The columns that say whether there is a result, behind those of the numbers.
 pub(crate) const BESIDE: [&str; 2] = ["status", "message"];
 
-/// A question, its axes and what is kept of each answer.
+/// A question, its axes and what is kept of each result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plan {
     pub(crate) template: Template,
@@ -44,7 +44,7 @@ pub(crate) struct Asked<'a> {
 }
 
 impl Plan {
-    /// Asks a few points, until one has an answer, which shows what there is to keep.
+    /// Asks a few points, until one has a result, which shows what there is to keep.
     pub(crate) fn new(asked: Asked<'_>) -> Result<Self, QueryError> {
         let Asked { question, axes, keep, chunk } = asked;
         if let Some((place, axis)) = (axes.iter().enumerate())
@@ -93,14 +93,14 @@ impl Plan {
             .with("chunk_shape", json::list(self.grid.block.clone()))
     }
 
-    /// From its JSON; an error is the reason why it is none.
+    /// Reads a plan from its JSON; an error is the reason why it is not one.
     pub(crate) fn read(written: &Value) -> Result<Self, String> {
         let format = written["format"].as_u64();
         if format != Some(FORMAT) {
             let found = format.map_or("none".to_owned(), |format| format.to_string());
             return Err(format!("its format is {found}, and this program knows format {FORMAT}"));
         }
-        read_plan(written).ok_or_else(|| "it is no plan of a sweep".to_owned())
+        read_plan(written).ok_or_else(|| "it is not the plan of a sweep".to_owned())
     }
 
     /// The difference from another plan of the same format, in words.
@@ -110,7 +110,7 @@ impl Plan {
         let fields =
             |plan: &Self| plan.kept.iter().map(|it| it.kept.path.clone()).collect::<Vec<_>>().join(", ");
         if self.template != other.template {
-            return Some(format!("its question is `{}`", self.template.0.join(" ")));
+            return Some(format!("its command is `{}`", self.template.0.join(" ")));
         }
         if names(self) != names(other) {
             return Some(format!("its axes are {}", names(self)));
@@ -125,7 +125,7 @@ impl Plan {
             .then(|| format!("its chunks have {} points", self.grid.block.iter().product::<usize>()))
     }
 
-    /// The numbers kept of one answer.
+    /// The numbers kept of one result.
     pub(crate) fn numbers(&self, answer: &Value) -> Vec<f64> {
         self.kept.iter().flat_map(|field| field.kept.numbers(answer)).collect()
     }
@@ -162,7 +162,7 @@ fn read_plan(written: &Value) -> Option<Plan> {
     Some(Plan { template: Template(texts(&written["question"])?), axes, kept, grid })
 }
 
-/// The first answer that some points of the grid have.
+/// The first result that some points of the grid have.
 fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, QueryError> {
     let mut first = None;
     for point in grid.scattered() {
@@ -189,7 +189,7 @@ fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, Query
     let in_lists = known.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
     let ways: Vec<String> = in_lists.map(|it| it.name.replace("[]", "[0]")).take(3).collect();
     let reason = format!(
-        "all numbers of these answers stand in lists: say which to keep, such as {}",
+        "all numbers of these results stand in lists: choose those to keep, such as {}",
         ways.join(", ")
     );
     Err(QueryError::usage(option("keep"), reason))
@@ -203,7 +203,7 @@ fn chosen(keep: &[String], answer: &Value) -> Result<Vec<Kept>, QueryError> {
         Some(missing) => {
             let lists = "lists that `libration fields` describes".to_owned();
             let what: Vec<String> = kept::scalars(answer).into_iter().chain([lists]).collect();
-            let reason = format!("answers have no `{}`: they have {}", missing.path, what.join(", "));
+            let reason = format!("the results have no `{}`: they have {}", missing.path, what.join(", "));
             Err(QueryError::usage(option("keep"), reason))
         }
         None => Ok(kept),

@@ -1,4 +1,4 @@
-//! The answer at one point of a sweep.
+//! The result at one point of a sweep.
 
 use crate::call::{self, Call};
 use crate::command;
@@ -9,7 +9,7 @@ use std::ffi::OsString;
 use std::io;
 use std::sync::Arc;
 
-/// The answer to a question as JSON, in this process.
+/// The result to a question as JSON, in this process.
 pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     let mut words: Vec<OsString> = words.iter().map(Into::into).collect();
     let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
@@ -18,7 +18,7 @@ pub(crate) fn answer(words: &[String]) -> Result<Value, QueryError> {
     call::within(&call, || {
         let mut json = vec![];
         command::write(&command::matches_of_query(words)?, &mut json)?;
-        let none = || QueryError::failed("the answer does not stand on the output");
+        let none = || QueryError::failed("the result is not on the standard output");
         serde_json::from_slice(&json).map_err(|_| none())
     })
 }

@@ -84,7 +84,7 @@ impl Template {
         if asked.command.get_arguments().all(|argument| argument.get_id() != "system") {
             let options: Vec<String> = options(asked.command).map(|name| format!("--{name}")).collect();
             let reason = format!(
-                "`{0}` is no option of `{1}`, which are {2}; or write {{{0}}} in the question where its values go",
+                "`{0}` is not an option of `{1}`, which are {2}; or write {{{0}}} in the command where its values go",
                 unplaced.name,
                 asked.name,
                 options.join(", ")
@@ -121,13 +121,13 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryE
     let first = words.first().map_or("", String::as_str);
     let is_quoted = first.split_once(' ').is_some_and(|(name, _)| command.find_subcommand(name).is_some());
     let reason = if is_quoted {
-        format!("`{first}` came as one word: leave out the quotes around the question")
+        format!("`{first}` came as one word: leave out the quotes around the command")
     } else {
         format!(
-            "`{first}` is no question with numbers for an answer: begin with one such as lyapunov or period"
+            "`{first}` is not a command with numbers in its output: begin with one such as lyapunov or period"
         )
     };
-    Err(QueryError::usage(argument("QUESTION"), reason))
+    Err(QueryError::usage(argument("COMMAND"), reason))
 }
 
 enum Place {

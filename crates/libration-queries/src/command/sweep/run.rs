@@ -32,7 +32,7 @@ pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), QueryError> {
     let written = parallel::with_progress(how_far, || parallel::map(&missing, work));
     let ended = |reason: String, whole: usize| {
         format!(
-            "{reason}; {whole} of {} chunks are whole, and the same command goes on from there",
+            "{reason}; {whole} of {} chunks are complete, and the same command continues from there",
             missing.len()
         )
     };

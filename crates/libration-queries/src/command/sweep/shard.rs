@@ -18,7 +18,7 @@ impl Shard {
         (self.number - 1..all).step_by(self.of)
     }
 
-    /// The name of the file that says that this part is written beside it.
+    /// The name of the file that says that this part is written next to it.
     pub fn note(self) -> String {
         format!("shard-{}-of-{}", self.number, self.of)
     }

@@ -12,7 +12,7 @@ use crate::query_error::QueryError;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Say how far a sweep is, and which shards are missing
+/// Show the progress of a sweep and the missing shards
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration sweep period --over amplitude=10deg:170deg:10deg --output periods
@@ -63,29 +63,29 @@ fn of_status<'a>() -> Fields<State<'a>> {
     type Of<'a> = Field<State<'a>>;
     let progress = Fields::from([
         Of::value("chunks", "1", "number of chunks of the sweep", |it| it.progress.chunks.into()),
-        Of::value("chunks_whole", "1", "number of them that are whole", |it| it.progress.done.len().into())
-            .line_of("whole chunks", |it| format!("{} of {}", it.progress.done.len(), it.progress.chunks)),
+        Of::value("chunks_whole", "1", "number of them that are complete", |it| {
+            it.progress.done.len().into()
+        })
+        .line_of("complete chunks", |it| format!("{} of {}", it.progress.done.len(), it.progress.chunks)),
         Of::value("points", "1", "number of points of the grid", |it| it.progress.points.into()),
-        Of::value("points_done", "1", "number of points in whole chunks", |it| {
+        Of::value("points_done", "1", "number of points in complete chunks", |it| {
             it.progress.points_done.into()
         })
         .line_of("points", |it| format!("{} of {}", it.progress.points_done, it.progress.points)),
-        Of::value("without_answer", "1", "number of them without an answer", |it| {
+        Of::value("without_answer", "1", "number of them without a result", |it| {
             it.progress.without_answer.into()
         })
-        .line_of("without an answer", |it| it.progress.without_answer.to_string()),
-        Of::value("missing", "", "what is missing, in words, or null", |it| it.progress.missing().into())
+        .line_of("without a result", |it| it.progress.without_answer.to_string()),
+        Of::value("missing", "", "missing parts, in words, or null", |it| it.progress.missing().into())
             .line_of("missing", |it| it.progress.missing().unwrap_or_else(|| "nothing".to_owned())),
     ]);
     let asked = Fields::from([
-        Of::value("question", "", "the question, where {NAME} stands for the value of an axis", |it| {
+        Of::value("question", "", "the command, where {NAME} stands for the value of an axis", |it| {
             it.question().into()
         })
         .line_of("question", State::question),
-        Of::value("kept[]", "", "names of the numbers that are kept of each answer", |it| {
-            json::list(it.kept())
-        })
-        .line_of("kept of each answer", |it| it.kept().collect::<Vec<_>>().join(", ")),
+        Of::value("kept[]", "", "names of the numbers kept of each result", |it| json::list(it.kept()))
+            .line_of("kept of each result", |it| it.kept().collect::<Vec<_>>().join(", ")),
     ]);
     asked.and(progress)
 }

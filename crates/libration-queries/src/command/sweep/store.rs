@@ -42,7 +42,7 @@ impl Store {
         let names = names(directory)?;
         if let Some(name) = names.iter().find(|name| !name.starts_with('.')) {
             return Err(QueryError::failed(format!(
-                "{} holds `{name}` and no sweep: give an empty directory, or a new one",
+                "{} contains `{name}` and no sweep: give an empty directory, or a new one",
                 directory.display()
             )));
         }
@@ -78,7 +78,10 @@ impl Store {
     /// The difference from another store, in words.
     pub(crate) fn difference(&self, other: &Self) -> Option<String> {
         if self.version != other.version {
-            return Some(format!("libration {} has begun it, and this is {}", other.version, self.version));
+            return Some(format!(
+                "it was begun by libration {}, and this is {}",
+                other.version, self.version
+            ));
         }
         other.plan.difference(&self.plan)
     }

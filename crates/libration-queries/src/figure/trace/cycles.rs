@@ -7,7 +7,7 @@ use libration_lab::fit::Law;
 use libration_lab::fit::cycles::{Cycle, HalfSwing};
 
 const SAMPLES: u32 = 400;
-/// With more cycles than this, bars of uncertainty would hide them.
+/// Largest number of cycles with bars of uncertainty; more bars would hide them.
 const MANY: usize = 150;
 
 /// The cycles of one trace, with the name of the trace; empty for a trace alone.

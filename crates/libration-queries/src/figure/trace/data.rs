@@ -12,7 +12,7 @@ use std::ops::Range;
 const LONG: f64 = 12.0;
 /// Periods in each stretch of a long trace.
 const STRETCH: f64 = 4.0;
-/// With more rows than this in view the curve is drawn from row to row.
+/// Largest number of rows in view of a smooth curve; with more it is drawn from row to row.
 const MANY: usize = 1500;
 
 /// Returns `true` if single swings cannot be seen in a picture of the whole.

@@ -13,7 +13,7 @@ pub(crate) use residuals::residuals;
 use libration_lab::fit::trace::FittedTrace;
 use libration_lab::measurement::{Observable, Trace};
 
-/// A trace and what was fitted to it.
+/// A trace and the motion fitted to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fitted<'a> {
     pub(crate) trace: &'a Trace,

@@ -13,10 +13,10 @@ const LAGS: usize = 60;
 const BARS: u32 = 32;
 const WIDEST: f64 = 4.0;
 
-/// The autocorrelation of the residuals with the range noise would keep to, and their histogram beside the normal one.
+/// The autocorrelation of the residuals with the range noise would keep to, and their histogram with the normal one.
 pub(crate) fn residuals(correlation: &Autocorrelation, residuals: &[f64]) -> Picture {
     let panels = vec![autocorrelation(correlation, residuals.len()), histogram(residuals)];
-    Picture { aspect: 0.8, ..Picture::new("Are the residuals noise?", panels) }
+    Picture { aspect: 0.8, ..Picture::new("Residuals compared with white noise", panels) }
 }
 
 fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
@@ -29,7 +29,7 @@ fn autocorrelation(correlation: &Autocorrelation, rows: usize) -> Panel {
     let line = |label, height| Series::line(label, style::reference(), [(0.0, height), (last, height)]);
     let (low, high) = around(points.iter().map(|point| point.1).chain([-bound, bound]));
     let series = vec![
-        line("range of noise", bound),
+        line("range of white noise", bound),
         line("", -bound),
         Series::line("", style::thin(0), points.clone()),
         Series::line("residuals", style::marks(0), points),

@@ -18,10 +18,10 @@ pub(super) enum Content<A> {
     Text(Of<A, String>),
 }
 
-/// The values of an answer by their places, those of fields and the texts that people see.
+/// The values of a result by their places, those of fields and the texts that people see.
 pub(super) type Values<'a> = &'a dyn Fn(usize) -> Datum;
 
-/// The value of a field in one answer.
+/// The value of a field in one result.
 pub(super) enum Datum {
     /// Not finite: null with a note.
     Number(f64),
@@ -29,7 +29,7 @@ pub(super) enum Datum {
     Unknown(String),
     /// A count, words, a list, an object, or null without a note.
     Value(Value),
-    /// Said beside the fields before it.
+    /// Said with the fields before it.
     Note(String),
     /// Left out of JSON.
     Absent,

@@ -1,4 +1,4 @@
-//! The fields of an answer as a whole: a record of JSON, lines of CSV, rows of tables, sheets, descriptions.
+//! The fields of a result as a whole: a record of JSON, lines of CSV, rows of tables, sheets, descriptions.
 
 use super::Field;
 use super::content::{Content, Datum};
@@ -8,7 +8,7 @@ use crate::output::json::Record;
 use crate::output::table::Column;
 use serde_json::Value;
 
-/// The fields of an answer `A`, in their order.
+/// The fields of a result `A`, in their order.
 pub struct Fields<A> {
     plans: Plans,
     contents: Vec<Content<A>>,
@@ -27,7 +27,7 @@ impl<A, const N: usize> From<[Field<A>; N]> for Fields<A> {
 }
 
 impl<A> Fields<A> {
-    /// Empties these fields: no list of them has to be known to the compiler for every answer.
+    /// Empties these fields: no list of them has to be known to the compiler for every result.
     fn taken_from(list: &mut [Field<A>]) -> Self {
         let mut fields = Self { plans: Plans::default(), contents: vec![] };
         for field in list {
@@ -37,7 +37,7 @@ impl<A> Fields<A> {
         fields
     }
 
-    /// With these behind them.
+    /// The fields followed by others.
     pub(crate) fn and(mut self, others: impl Into<Self>) -> Self {
         let mut others = others.into();
         self.plans.append(others.plans, self.contents.len());
@@ -45,7 +45,7 @@ impl<A> Fields<A> {
         self
     }
 
-    /// The value at a place in an answer.
+    /// The value at a place in a result.
     fn values<'a>(&'a self, answer: &'a A) -> impl Fn(usize) -> Datum + 'a {
         |place| self.contents[place].in_answer(answer)
     }
@@ -76,7 +76,7 @@ impl<A> Fields<A> {
         self.plans.added_for(name, record, &self.values(answer))
     }
 
-    /// For a table with these columns, in their order.
+    /// The fields for a table with these columns, in their order.
     pub(crate) fn for_table(mut self, titles: &[&str]) -> Self {
         self.plans.keep_for_table(titles);
         self

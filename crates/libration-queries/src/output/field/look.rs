@@ -14,7 +14,7 @@ pub(super) enum Look {
     Short(usize),
     /// An angle, which is in radians otherwise.
     Degrees(usize),
-    /// With its unit behind it.
+    /// A number followed by its unit.
     WithUnit(usize),
     /// The text at this place among the values.
     Words(usize),
@@ -33,7 +33,7 @@ impl Look {
         }
     }
 
-    /// The text of a number with this unit, or of the answer; none where there is no number.
+    /// The text of a number with this unit, or of the result; none where there is no number.
     pub(super) fn text(&self, value: Option<f64>, unit: &str, values: Values<'_>) -> Option<String> {
         match *self {
             Self::Rounded(digits) => value.map(|value| number::rounded(value, digits)),

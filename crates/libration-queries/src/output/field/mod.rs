@@ -1,4 +1,4 @@
-//! A field of an answer, described once: JSON, CSV, tables, sheets and `libration fields` follow.
+//! A field of a result, described once: JSON, CSV, tables, sheets and `libration fields` follow.
 
 mod content;
 pub(crate) mod list;
@@ -16,7 +16,7 @@ use serde_json::Value;
 /// A function that gives the value of a field of a result `A`.
 type Of<A, T> = fn(&A) -> T;
 
-/// A field of an answer `A`.
+/// A field of a result `A`.
 pub struct Field<A> {
     plan: Plan,
     /// Its value, then the texts that people see in its place.
@@ -39,7 +39,7 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::Number(value))
     }
 
-    /// A number, or why there is none; null without a note where that text is empty.
+    /// A number, or the reason why there is none; null without a note where the reason is empty.
     pub fn known(
         name: &'static str,
         unit: &'static str,

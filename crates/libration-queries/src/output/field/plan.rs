@@ -61,7 +61,7 @@ impl Plan {
         self.lines.push(Shown { title, look });
     }
 
-    /// Moves its values behind `before` others.
+    /// Shifts the indices of its values by `before`.
     fn behind(&mut self, before: usize) {
         self.value += before;
         for shown in self.columns.iter_mut().chain(&mut self.lines) {
@@ -87,7 +87,7 @@ impl Plan {
     }
 }
 
-/// The fields of an answer in their order.
+/// The fields of a result in their order.
 #[derive(Default)]
 pub(super) struct Plans(Vec<Plan>);
 

@@ -1,4 +1,4 @@
-//! A table of answers, to read or as CSV.
+//! A table of results, to read or as CSV.
 
 use super::Fields;
 use crate::output::csv;
@@ -6,7 +6,7 @@ use crate::output::table::Table;
 use std::io::{self, Write};
 
 impl<A> Fields<A> {
-    /// Writes the names of the fields, and a line for each answer.
+    /// Writes the names of the fields, and a line for each result.
     pub(crate) fn write_csv<'a>(
         &self,
         out: &mut dyn Write,
@@ -22,7 +22,7 @@ impl<A> Fields<A> {
         Ok(())
     }
 
-    /// Writes a table with a row for each answer.
+    /// Writes a table with a row for each result.
     pub(crate) fn write_table<'a>(
         &self,
         out: &mut dyn Write,

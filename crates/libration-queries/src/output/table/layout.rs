@@ -3,7 +3,7 @@
 use super::{Column, Side};
 use crate::output::screen::{columns_of, folded, padded};
 
-/// Between two columns.
+/// Width of the gap between two columns.
 pub(super) const GAP: usize = 2;
 /// Columns of words are not folded to less than this, unless all they hold is shorter.
 const NARROWEST_WORDS: usize = 24;

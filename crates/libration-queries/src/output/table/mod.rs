@@ -70,7 +70,7 @@ impl Table {
         if self.held.len() == HELD_BACK { self.release(out) } else { Ok(()) }
     }
 
-    /// Writes what was held back.
+    /// Writes the rows that were held back.
     pub fn finish(mut self, out: &mut dyn Write) -> io::Result<()> {
         if self.layout.is_none() || !self.held.is_empty() { self.release(out) } else { Ok(()) }
     }

@@ -16,7 +16,7 @@ fn sums(q: f64, z: f64) -> [DoubleDouble; 2] {
     [first, second]
 }
 
-/// Each sum is rounded to one word before its first term is added, which leaves a few times 2⁻⁵³ of what is small beside one.
+/// Each sum is rounded to one word before its first term is added, which leaves a few times 2⁻⁵³ of what is small with one.
 #[test]
 fn the_values_at_zero_are_those_of_more_terms() {
     for q in [1e-3, 0.01, 0.03, libm::exp(-std::f64::consts::PI)] {

@@ -12,9 +12,9 @@ pub enum Standing {
     Tied,
     /// Worse, but the data do not exclude it.
     Possible,
-    /// It explains the data as well or better, by too little to accept a negative coefficient.
+    /// The model explains the data as well or better, but by too little to accept a negative coefficient.
     Negative,
-    /// It feeds energy to the pendulum at some speed, which no friction does.
+    /// The model feeds energy to the pendulum at some speed, which no friction does.
     FeedsEnergy,
     /// The data exclude it.
     Excluded,

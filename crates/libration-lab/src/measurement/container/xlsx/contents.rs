@@ -67,7 +67,7 @@ fn cells_of(relations: &Part) -> Result<BTreeMap<String, Option<String>>, Measur
     Ok(cells)
 }
 
-/// The strings to which cells refer, without the phonetic ones beside them.
+/// The strings to which cells refer, without the phonetic ones next to them.
 fn strings(part: &Part) -> Result<Vec<String>, MeasurementError> {
     let mut strings = Vec::new();
     let mut words = Words::default();

@@ -1,4 +1,4 @@
-//! Least squares with rows whose errors hang together: neighbours share passages, with the opposite sign, and extremes.
+//! Least squares with rows whose errors are correlated: neighbours share passages, with the opposite sign, and extremes.
 
 use libration_lab::internals::fit::cycles::generalised::{Bands, Factor};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Models as they stand beside each other.
+//! Models as they stand next to each other.
 
 use libration::decay::DampingKind;
 use libration_lab::fit::trace::{Autocorrelation, Comparison, FittedTrace, Parameter, Standing, TraceFit};

@@ -4,7 +4,7 @@ use libration_lab::internals::fit::trace::huber::{
     BOUND, bounded, factor, is_outlier, loss, scale, variance,
 };
 
-/// At the bound and one ulp beside it.
+/// At the bound and one ulp next to it.
 #[test]
 fn rows_count_in_full_up_to_the_bound() {
     let bound = 2.0 * BOUND;

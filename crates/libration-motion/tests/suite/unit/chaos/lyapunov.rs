@@ -189,7 +189,7 @@ fn the_error_of_a_rate_is_that_of_the_blocks_or_what_the_second_half_changes() {
 #[test]
 fn valleys_and_rises_are_measured_from_rim_to_rim() {
     let valley = record(&[5.0, -3.0, 1.0, -4.0, 2.0, 8.0, -1.0]);
-    // Levels 0, 5, 2, 3, −1, 1, 9, 8: from 5 down to −1 and up again; the end is no valley.
+    // Levels 0, 5, 2, 3, −1, 1, 9, 8: from 5 down to −1 and up again; the end is not a valley.
     assert_eq!(valley.deepest_valley(), 6.0);
     assert_eq!(record(&[-5.0, 3.0]).deepest_valley(), 3.0);
     assert_eq!(record(&[1.0, -2.0]).deepest_valley(), 0.0);

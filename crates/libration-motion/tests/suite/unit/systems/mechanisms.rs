@@ -15,9 +15,9 @@ pub(super) struct Mechanism {
     pub(super) masses: &'static [Mass],
     /// Potential energy of springs.
     pub(super) springs: &'static str,
-    /// The generalized force on each coordinate that has no potential.
+    /// The generalised force on each coordinate that has no potential.
     pub(super) forces: &'static [&'static str],
-    /// Values that the masses need beside the parameters.
+    /// Values that the masses need in addition to the parameters.
     pub(super) defined: &'static [(&'static str, &'static str)],
 }
 

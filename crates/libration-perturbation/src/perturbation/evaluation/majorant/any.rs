@@ -46,7 +46,7 @@ struct Beyond {
 const TERMS: usize = 512;
 
 impl AnyWell {
-    /// From |c₂|, |c₃|, …, as [`place_of_one`] finds the separatrix.
+    /// The majorant from |c₂|, |c₃|, …; [`place_of_one`] finds its separatrix.
     pub(super) fn new(factors: &[f64]) -> Option<Self> {
         let sum = |x: f64| factors.iter().rev().fold(0.0, |sum, factor| (sum + factor) * x);
         let unit = place_of_one(sum)?;

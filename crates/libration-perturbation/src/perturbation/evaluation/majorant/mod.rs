@@ -45,7 +45,7 @@ enum Well {
 }
 
 impl PeriodMajorant {
-    /// For the restoring force g₁x + g₂x² + … and series up to a power; `None` where the force is linear or drives away.
+    /// The majorant for the restoring force g₁x + g₂x² + … and series up to a power; `None` where the force is linear or repulsive.
     #[must_use]
     pub fn new(force: &[Rational], order: usize) -> Option<Self> {
         let first = force.first().filter(|first| **first > Rational::from(0))?;
@@ -85,7 +85,7 @@ impl PeriodMajorant {
         MajorantAt(self.frequency.at(amplitude / self.limit(), 1.0, value))
     }
 
-    /// From this amplitude on there is no bound.
+    /// The amplitude from which there is no bound.
     fn limit(&self) -> f64 {
         match &self.well {
             Well::Odd(well) => well.limit(),
@@ -103,8 +103,7 @@ impl PeriodMajorant {
 }
 
 impl MajorantAt<'_> {
-    /// A bound of what is missing when the series in powers of the amplitude ends with this power. Infinite where the bounding
-    /// series has no value.
+    /// A bound on the remainder of the series in powers of the amplitude after this power. Infinite where the bounding series has no value.
     #[must_use]
     pub fn after(&self, power: usize) -> f64 {
         self.0.after(power)

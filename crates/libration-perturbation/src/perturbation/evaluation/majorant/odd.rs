@@ -22,7 +22,7 @@ pub(super) struct OddWell {
 }
 
 impl OddWell {
-    /// From |c₂|, |c₃|, …, as [`place_of_one`] finds the limit.
+    /// The majorant from |c₂|, |c₃|, …; [`place_of_one`] finds its limit.
     pub(super) fn new(factors: &[f64]) -> Option<Self> {
         let sum = |amplitude: f64| {
             factors.iter().rev().fold(0.0, |sum, factor| (sum + factor) * amplitude * amplitude)

@@ -54,7 +54,7 @@ impl Language {
         FUNCTIONS.contains(&name) || words.split(' ').any(|word| word == name)
     }
 
-    /// A name that is the same as another where the language does not tell them apart.
+    /// A name that is the same as another where the language does not distinguish them.
     pub(super) fn folded(self, name: &str) -> String {
         if self == Self::Fortran { name.to_lowercase() } else { name.to_owned() }
     }

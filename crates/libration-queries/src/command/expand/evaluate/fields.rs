@@ -54,15 +54,17 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
         Of::value("quantity", "", "quantity whose series is evaluated", |it| {
             it.relation.quantity().to_string().into()
         }),
-        Of::value("amplitude_is", "", "what the series is in powers of", |it| {
+        Of::value("amplitude_is", "", "variable of the power series", |it| {
             let variable = &it.answer.expansion.variable;
             if variable.is_strength() { variable.name().into() } else { "x_max".into() }
         }),
         Of::number("amplitude", "", "its value, in rad for angles", |it| it.amplitude),
-        Of::known("exact", "", "value of the quantity by another road, or null", |it| match &it.exact {
-            Some(Ok(exact)) => Ok(exact.value),
-            Some(Err(reason)) => Err(reason.to_string()),
-            None => Err(NOT_REACHED.to_owned()),
+        Of::known("exact", "", "value of the quantity by an independent method, or null", |it| {
+            match &it.exact {
+                Some(Ok(exact)) => Ok(exact.value),
+                Some(Err(reason)) => Err(reason.to_string()),
+                None => Err(NOT_REACHED.to_owned()),
+            }
         }),
         Of::present("exact_uncertainty", "", "bound on the error of that value", |it| {
             it.known().map(|exact| exact.uncertainty)
@@ -70,7 +72,7 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
         Of::present_value(
             "exact_by",
             "",
-            "the other road: elliptic integrals, or integration of the equation of motion",
+            "the independent method: elliptic integrals, or integration of the equation of motion",
             |it| it.known().map(|exact| method(exact.method).into()),
         ),
         Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
@@ -80,7 +82,7 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
         Of::present(
             "orbit_distance",
             "",
-            "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method comes from there; left out where it comes to none",
+            "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method converges from there; left out where it does not converge",
             |it| it.orbit_distance().map(|found| found.distance),
         ),
         Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |it| {
@@ -134,7 +136,7 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             it.numbers.error(it.step.sum)
         })
         .numeral("its error", |it| it.numbers.error_text(it.step.sum)),
-        Of::nullable("bound", "", "proven bound on what is left out, or null", |it| {
+        Of::nullable("bound", "", "proven bound on the remainder, or null", |it| {
             it.remainder(Certainty::Proven)
         })
         .numeral("|error| KEY", |it| match it.step.remainder {
@@ -151,7 +153,7 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
         Of::nullable(
             "estimate",
             "",
-            "estimate of what is left out where no bound is known, too small in about 1 of 100 cases, in 2 of 100 at order 5 and below; or null",
+            "estimate of the remainder where no bound is known, too small in about 1 of 100 cases, in 2 of 100 at order 5 and below; or null",
             |it| it.remainder(Certainty::Estimated),
         ),
         Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
@@ -174,7 +176,7 @@ pub(super) fn of_approximant<'a>() -> Fields<Approximant<'a>> {
         Of::nullable(
             "pole_before",
             "",
-            "place of a pole between zero and the amplitude, which makes the value worthless, or null",
+            "position of a pole between zero and the amplitude, which makes the value worthless, or null",
             |it| it.quotient.pole_before,
         )
         .words("", |it| {

@@ -1,4 +1,4 @@
-//! `libration expand --evaluate`: a series in numbers, term by term, beside the exact value.
+//! `libration expand --evaluate`: a series in numbers, term by term, with the exact value.
 
 mod fields;
 mod table;
@@ -49,8 +49,8 @@ struct Quotient {
     pole_before: Option<f64>,
 }
 
-/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and tells what the answer lacks when Ctrl-C
-/// was pressed.
+/// Writes the series of a quantity at an amplitude, or at a strength of self-excitation, and tells what the result lacks when Ctrl-C was
+/// pressed.
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
@@ -131,7 +131,7 @@ impl<'a> Numbers<'a> {
         let reason = match self.distance.as_ref()? {
             Ok(found) if found.is_near() => return None,
             Ok(found) => format!(
-                "the one to which Newton's method comes from it is {} away, {} of half the swing",
+                "the one to which Newton's method converges from it is {} away, {} of half the swing",
                 short(found.distance, 3),
                 short(found.distance / found.half_swing, 2)
             ),

@@ -116,7 +116,7 @@ fn orbit_distance(found: &CycleDistance) -> String {
         false => format!("below {}", at_most(found.uncertainty)),
     };
     format!(
-        "{distance}, of the displacement from that of the orbit to which Newton's method comes from the series"
+        "{distance}, of the displacement from that of the orbit to which Newton's method converges from the series"
     )
 }
 

@@ -23,13 +23,13 @@ pub(super) fn of_flow() -> Fields<Answer> {
         Of::value("damping_order", "1", "highest power of the small parameter", |it| {
             it.flow.parameter_order.into()
         }),
-        Of::value("small_parameter", "", "name of the small parameter, which is left open", |it| {
+        Of::value("small_parameter", "", "name of the small parameter, which stays symbolic", |it| {
             it.flow.parameter.as_str().into()
         }),
         Of::value(
             "gauge",
             "",
-            "what A is: `x_max`, the displacement where the motion turns at ψ = 0, or `fundamental`, the coefficient of cos ψ",
+            "meaning of A: `x_max`, the displacement where the motion turns at ψ = 0, or `fundamental`, the coefficient of cos ψ",
             |it| it.flow.gauge.to_string().into(),
         ),
         Of::value("equilibrium", "", "equilibrium x₀ without the small terms", |it| {
@@ -44,11 +44,11 @@ pub(super) fn of_flow() -> Fields<Answer> {
             "coefficients of A′, by powers of the small parameter, and for each by powers of A",
             |it| texts(&it.flow.amplitude_rate),
         ),
-        Of::value("phase_rate[][]", "", "the same of ψ′", |it| texts(&it.flow.phase_rate)),
+        Of::value("phase_rate[][]", "", "coefficients of ψ′, likewise", |it| texts(&it.flow.phase_rate)),
         Of::value(
             "half_swing",
             "",
-            "whether the motion is given for 0 ≤ ψ ≤ π, and is the opposite at ψ + π",
+            "true if the motion is given for 0 ≤ ψ ≤ π, and is the opposite at ψ + π",
             |it| it.flow.half_swing.into(),
         ),
         Of::nested("motion[].", &of_term(), |it| of_term().records(&it.flow.motion)),
@@ -102,9 +102,12 @@ fn of_term() -> Fields<PhaseTerm> {
 pub(super) fn of_coefficient() -> Fields<Coefficient> {
     type Of = Field<Coefficient>;
     Fields::from([
-        Of::value("quantity", "", "what is expanded: A′, ψ′, or ψᵖ·cos kψ as cos_k_p", |it| {
-            it.quantity.as_str().into()
-        }),
+        Of::value(
+            "quantity",
+            "",
+            "quantity that is expanded: A′, ψ′, or ψᵖ·cos kψ as cos_k_p",
+            |it| it.quantity.as_str().into(),
+        ),
         Of::value("parameter_power", "1", "power of the small parameter", |it| it.powers[0].into()),
         Of::value("amplitude_power", "1", "power of A", |it| it.powers[1].into()),
         Of::value("coefficient", "", "their coefficient, exactly", |it| it.text.as_str().into()),

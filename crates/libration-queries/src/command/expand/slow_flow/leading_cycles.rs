@@ -19,7 +19,7 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::value(
             "leading_amplitudes_searched[]",
             "",
-            "least and greatest amplitude whose exact orbit was looked at; null where no orbits are known",
+            "least and greatest amplitude whose exact orbit was examined; null where no orbits are known",
             |it| {
                 it.leading.as_ref().map_or(Value::Null, |found| json::list(found.searched.map(json::number)))
             },
@@ -33,12 +33,15 @@ pub(super) fn of_answer() -> Fields<Answer> {
         Of::value(
             "leading_orbits_end",
             "",
-            "whether the orbits about the equilibrium end at the greatest amplitude",
+            "true if the orbits about the equilibrium end at the greatest amplitude",
             |it| it.leading.as_ref().map_or(Value::Null, |found| found.family_ends.into()),
         ),
-        Of::value("leading_reason", "", "why no exact orbits were looked at; null where they were", |it| {
-            it.leading.as_ref().err().map_or(Value::Null, |error| error.to_string().into())
-        }),
+        Of::value(
+            "leading_reason",
+            "",
+            "reason why no exact orbits were examined; null where they were",
+            |it| it.leading.as_ref().err().map_or(Value::Null, |error| error.to_string().into()),
+        ),
     ])
 }
 
@@ -51,19 +54,19 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
             "largest displacement of a limit cycle for a small parameter, over the exact orbits",
             |it| it.amplitude,
         ),
-        Of::number("amplitude_uncertainty", "", "how far the amplitude may be off", |it| {
+        Of::number("amplitude_uncertainty", "", "uncertainty of the amplitude", |it| {
             it.amplitude_uncertainty
         }),
         Of::number("other_side", "", "displacement at the other turning point", |it| it.other_side),
         Of::number("period_s", "s", "its period, that of the exact orbit", |it| it.period),
-        Of::number("period_uncertainty_s", "s", "how far the period may be off", |it| it.period_uncertainty),
+        Of::number("period_uncertainty_s", "s", "uncertainty of the period", |it| it.period_uncertainty),
         Of::number(
             "exponent_per_s",
             "1/s",
             "rate at which distances from it grow, over the small parameter",
             |it| it.exponent,
         ),
-        Of::number("exponent_uncertainty_per_s", "1/s", "how far the exponent may be off", |it| {
+        Of::number("exponent_uncertainty_per_s", "1/s", "uncertainty of the exponent", |it| {
             it.exponent_uncertainty
         }),
     ])
@@ -85,7 +88,7 @@ fn without_cycle(found: &LeadingLimitCycles) -> String {
     let amplitudes = format!("amplitudes up to {largest}{end}");
     match found.signs[1] {
         _ if found.is_without_work() => format!(
-            "to first order in {parameter} the small terms take as much as they give over every exact orbit: {amplitudes} were looked at"
+            "to first order in {parameter} the small terms take as much as they give over every exact orbit: {amplitudes} were examined"
         ),
         sign => {
             let does = if sign < 0.0 { "take" } else { "give" };

@@ -177,7 +177,7 @@ impl Names<'_> {
     }
 }
 
-/// With π for pi, and without the sign of multiplication in denominators: 4/(3π).
+/// Replaces pi by π, and removes the sign of multiplication in denominators: 4/(3π).
 pub fn in_letters(text: &str) -> String {
     let mut parts = text.split("/(");
     let first = parts.next().unwrap_or_default().to_owned();

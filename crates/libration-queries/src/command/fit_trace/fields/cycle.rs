@@ -44,7 +44,7 @@ pub(in super::super) fn of_cycle<'a>() -> Fields<Numbered<'a>> {
         Of::number("amplitude_uncertainty_rad", "rad", "standard uncertainty of the amplitude", |it| {
             it.cycle.amplitude.uncertainty
         }),
-        Of::value("outlier", "", "whether the period is far from the law", |it| it.cycle.outlier.into()),
+        Of::value("outlier", "", "true if the period is far from the law", |it| it.cycle.outlier.into()),
         Of::present_value("trace", "1", "number of the trace, from 0, where there are several", |it| {
             (it.answer.measured.traces.len() > 1).then(|| it.trace.into())
         })

@@ -22,7 +22,7 @@ pub(super) use model::{DampingModel, coefficients, models, of_model, shown as sh
 pub(super) use parameter::{of_parameter, rows as parameters, shown as shown_parameters};
 pub(super) use trace::{of_row, of_trace, rows, traces};
 
-/// The whole answer.
+/// The whole result.
 pub(super) fn record(answer: &Answer<'_>) -> Record {
     let record = of_fit().record(answer);
     let record = match &answer.swings.pendulum {
@@ -64,7 +64,7 @@ fn of_fit<'a>() -> Fields<Answer<'a>> {
             |it| rms(it, Observable::AngularVelocity),
         ),
         Of::value("rows", "1", "rows that were fitted", |it| it.swings.fit.rows().into()),
-        Of::value("converged", "", "whether the least sum of squares was reached", |it| {
+        Of::value("converged", "", "true if the fit converged to the least sum of squares", |it| {
             it.swings.fit.converged.into()
         }),
         Of::number("small_angle_period_s", "s", "period of small swings T₀", |it| {
@@ -128,7 +128,7 @@ fn of_length() -> Fields<Uncertain> {
             "standard uncertainty of that length",
             |length| length.uncertainty,
         ),
-        Of::note(|_| Some("give --length to have gravity".to_owned())),
+        Of::note(|_| Some("give --length to obtain gravity".to_owned())),
     ])
 }
 
@@ -140,7 +140,7 @@ fn of_doubts<'a>() -> Fields<Answer<'a>> {
         |it| json::list(it.swings.warnings.iter().map(Warning::name)),
     );
     Fields::from(warnings).and([
-        Of::value("advice[]", "", "what would make the answer better", |it| json::list(it.advice())),
+        Of::value("advice[]", "", "advice for a better measurement", |it| json::list(it.advice())),
         Of::value("advice_kinds[]", "", "kind of each piece of advice, in the same order", |it| {
             json::list(it.swings.advice.iter().map(Advice::name))
         }),
@@ -167,14 +167,14 @@ fn of_file() -> Fields<File> {
     type Of = Field<File>;
     Fields::from([
         Of::value("file", "", "name of the file", |it| it.name.as_str().into()),
-        Of::value("findings[]", "", "what was concluded from it", |it| json::list(it.findings.clone())),
+        Of::value("findings[]", "", "settings inferred from it", |it| json::list(it.findings.clone())),
     ])
 }
 
 fn of_residuals<'a>() -> Fields<Answer<'a>> {
     type Of<'a> = Field<Answer<'a>>;
     Fields::from([
-        Of::value("is_noise", "", "whether the residuals look like white noise", |it| {
+        Of::value("is_noise", "", "true if the residuals are consistent with white noise", |it| {
             it.swings.fit.autocorrelation.is_noise().into()
         }),
         Of::number("correlation_time_rows", "1", "rows after which residuals are independent", |it| {

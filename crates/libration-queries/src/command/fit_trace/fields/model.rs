@@ -18,7 +18,7 @@ pub(in super::super) struct DampingModel<'a> {
     weight: f64,
 }
 
-/// In the order in which they were tried.
+/// The models in the order of the comparison.
 pub(in super::super) fn models<'a>(
     answer: &'a Answer<'a>,
     comparison: &'a Comparison,
@@ -87,7 +87,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         .numeral(COLUMNS[1], |it| format!("{:.1}", it.excess())),
         Of::number("weight", "1", "weight in the averages", |it| it.weight)
             .numeral(COLUMNS[2], |it| format!("{:.2}", it.weight)),
-        Of::number("independent_rows", "1", "rows that were counted as independent", |it| {
+        Of::number("independent_rows", "1", "number of rows counted as independent", |it| {
             it.comparison.independent_rows
         }),
         Of::number("small_angle_period_s", "s", "period of small swings T₀ by this model", |it| {
@@ -100,7 +100,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         Of::value(
             "dissipates",
             "",
-            "whether its damping takes energy at all speeds of the data, within two standard uncertainties",
+            "true if its damping takes energy at all speeds of the data, within two standard uncertainties",
             |it| it.fit().dissipates().into(),
         ),
         Of::value("negative_terms[]", "", "damping terms with a negative coefficient", |it| {
@@ -114,7 +114,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
     ])
 }
 
-/// For a table to read.
+/// The fields of the table of models.
 pub(in super::super) fn shown<'a>() -> Fields<DampingModel<'a>> {
     of_model().for_table(&COLUMNS)
 }
@@ -131,7 +131,7 @@ pub(in super::super) fn coefficients<'a>() -> Fields<DampingModel<'a>> {
     ])
 }
 
-/// Over the models by their weights.
+/// The averages over the models by their weights.
 pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
     let names = ["omega0"].into_iter().chain(DampingKind::ALL.map(DampingKind::name));

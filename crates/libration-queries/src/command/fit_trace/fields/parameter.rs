@@ -62,14 +62,14 @@ pub(in super::super) fn of_parameter<'a>() -> Fields<Row<'a>> {
     ])
 }
 
-/// For a table to read.
+/// The fields of the table of parameters.
 pub(in super::super) fn shown<'a>() -> Fields<Row<'a>> {
     of_parameter().for_table(&COLUMNS)
 }
 
 /// The trace that the parameter belongs to.
 pub(super) fn trace<'a>() -> Field<Row<'a>> {
-    let meaning = "number of the trace it belongs to, from 0, if to one";
+    let meaning = "number of its trace, from 0, if it belongs to one";
     Field::present_value("trace", "1", meaning, |it: &Row<'a>| it.parameter.trace.map(Into::into))
 }
 

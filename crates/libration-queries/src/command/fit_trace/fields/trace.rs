@@ -8,7 +8,7 @@ use crate::output::number::{rounded, with_uncertainty};
 use libration_lab::fit::Beta;
 use libration_lab::fit::cycles::Cycles;
 
-/// A trace of an answer.
+/// A trace of a result.
 pub(in super::super) struct TraceOf<'a> {
     answer: &'a Answer<'a>,
     place: usize,
@@ -105,7 +105,7 @@ impl TraceOf<'_> {
 
     fn beta(&self) -> Result<&Beta, String> {
         let beta = self.cycles().ok().and_then(|cycles| cycles.beta.as_ref().ok());
-        beta.ok_or_else(|| "its cycles leave beta open".to_owned())
+        beta.ok_or_else(|| "its cycles do not determine beta".to_owned())
     }
 
     /// The largest or the smallest of its cycles.

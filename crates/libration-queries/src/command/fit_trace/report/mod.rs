@@ -11,7 +11,7 @@ use crate::document::{Block, Document, Section, provenance};
 pub(super) fn document(answer: &Answer<'_>) -> Document {
     let sections = [
         Section::new("Result", [words::result(answer), doubts(answer), words::meaning(answer)].concat()),
-        Section::new("How the file was read", words::read(answer)),
+        Section::new("Interpretation of the file", words::read(answer)),
         Section::new("The motion and the fit", pictures::of_motion(answer)),
         Section::new("The residuals", [words::residuals(answer), pictures::of_residuals(answer)].concat()),
         Section::new(
@@ -28,9 +28,9 @@ pub(super) fn document(answer: &Answer<'_>) -> Document {
                 .concat(),
         ),
         Section::new("All numbers", [tables::parameters(answer), words::numbers(answer)].concat()),
-        Section::new("How to improve the measurement", list(&answer.advice())),
+        Section::new("Improving the measurement", list(&answer.advice())),
         Section::new("All cycles", tables::cycles(answer)),
-        Section::new("How this report was made", vec![provenance()]),
+        Section::new("Origin of this report", vec![provenance()]),
     ];
     let title = format!("A pendulum's swing: {}", answer.measured.short_names());
     Document { title, sections: sections.into_iter().flatten().collect() }
@@ -53,7 +53,7 @@ fn sentences(items: &[String]) -> Vec<String> {
     items.iter().map(|text| sentence(text)).collect()
 }
 
-/// With a capital letter, if it begins with a word and not with a symbol or a name, and a full stop.
+/// A text as a sentence: with a capital letter, if it begins with a word and not with a symbol or a name, and a full stop.
 pub fn sentence(text: &str) -> String {
     let stop = if text.ends_with(['.', '!', '?']) { "" } else { "." };
     let first = text.split_whitespace().next().unwrap_or_default().trim_end_matches([',', ':', ';']);

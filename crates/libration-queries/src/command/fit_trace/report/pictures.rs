@@ -57,7 +57,7 @@ pub(super) fn of_motion(answer: &Answer<'_>) -> Vec<Block> {
 fn of_trace(answer: &Answer<'_>, trace: usize) -> Vec<Block> {
     let (swing, suffix) = (swing(answer, trace), suffix(answer, trace));
     let name = swing.trace.name();
-    let whole = format!("All rows of {name} with the fitted motion; below, what is left between them");
+    let whole = format!("All rows of {name} with the fitted motion; below, their residuals");
     let mut blocks = vec![figure(&format!("swing{suffix}"), whole, draw::whole(&swing, name))];
     if draw::is_long(&swing) {
         let parts = format!("Four periods at the beginning, in the middle and at the end of {name}");
@@ -69,8 +69,8 @@ fn of_trace(answer: &Answer<'_>, trace: usize) -> Vec<Block> {
 pub(super) fn of_residuals(answer: &Answer<'_>) -> Vec<Block> {
     let residuals = answer.swings.fit.traces.iter().flat_map(|trace| trace.residuals.iter().copied());
     let residuals: Vec<f64> = residuals.collect();
-    let caption = "Above, how alike residuals are that are so many rows apart: between the dashed lines, if they are noise. \
-                   Below, how many residuals there are of each size, beside the normal distribution";
+    let caption = "Above, the autocorrelation of the residuals against the lag in rows: between the dashed lines, if they are \
+                   white noise. Below, the distribution of the residuals, with the normal distribution";
     let picture = draw::residuals(&answer.swings.fit.autocorrelation, &residuals);
     vec![figure("residuals", caption.to_owned(), picture)]
 }

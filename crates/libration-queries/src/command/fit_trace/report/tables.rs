@@ -10,7 +10,7 @@ use libration_lab::fit::swings::FittedPendulum;
 pub(super) fn models(answer: &Answer<'_>) -> Vec<Block> {
     let Some(comparison) = &answer.swings.comparison else { return vec![] };
     vec![Block::Table(DocumentTable {
-        caption: "The kinds of damping that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
+        caption: "The damping models that were tried, the best first. ΔAICc is Akaike's criterion above that of the best: below 4 \
                   the data do not decide, above 10 they do"
             .to_owned(),
         columns: fields::shown_models().columns(),
@@ -24,7 +24,8 @@ pub(super) fn traces(answer: &Answer<'_>) -> Vec<Block> {
         return vec![];
     }
     vec![Block::Table(DocumentTable {
-        caption: "Each trace by itself: the amplitudes of its cycles, and T₀ and β by these alone".to_owned(),
+        caption: "Each trace separately: the amplitudes of its cycles, and T₀ and β from these alone"
+            .to_owned(),
         columns: fields::of_trace().columns(),
         rows: fields::of_trace().rows(&fields::traces(answer)),
     })]
@@ -60,7 +61,7 @@ pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
     let columns = &fields::CYCLE_COLUMNS[..if several { 7 } else { 6 }];
     let shown = fields::of_cycle().for_table(columns);
     vec![Block::Table(DocumentTable {
-        caption: "Every cycle by itself, from one passage of the centre to the next in the same direction; they overlap by half. An \
+        caption: "Every cycle separately, from one passage of the centre to the next in the same direction; they overlap by half. An \
                   asterisk marks those that do not count because their period is far from the law"
             .to_owned(),
         columns: shown.columns(),
@@ -71,9 +72,10 @@ pub(super) fn cycles(answer: &Answer<'_>) -> Vec<Block> {
 /// The fitted parameters.
 pub(super) fn parameters(answer: &Answer<'_>) -> Vec<Block> {
     vec![Block::Table(DocumentTable {
-        caption: "The fitted parameters with standard uncertainties, and the intervals that hold the truth with 68 % and 95 % \
-                  probability by the profile of the likelihood"
-            .to_owned(),
+        caption:
+            "The fitted parameters with standard uncertainties, and the confidence intervals of 68 % and \
+                  95 % from the profile likelihood"
+                .to_owned(),
         columns: fields::shown_parameters().columns(),
         rows: fields::shown_parameters().rows(&fields::parameters(answer)),
     })]

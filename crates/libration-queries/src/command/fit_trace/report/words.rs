@@ -8,7 +8,7 @@ use crate::output::table::Column;
 use libration_lab::fit::swings::FittedPendulum;
 use libration_lab::fit::{DampingKind, Uncertain, alternatives};
 
-/// The few numbers that were asked for.
+/// The few numbers that were requested.
 pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
     let period = answer.swings.small_angle_period();
     let (name, value) = sheet::gravity_or_length(answer);
@@ -27,7 +27,7 @@ pub(super) fn result(answer: &Answer<'_>) -> Vec<Block> {
         rows.insert(3, row("expanded uncertainty of gravity", expanded));
     }
     let table = DocumentTable {
-        caption: "What the measurement gives".to_owned(),
+        caption: "Results of the measurement".to_owned(),
         columns: vec![Column::words("quantity"), Column::words("value")],
         rows,
     };
@@ -45,7 +45,7 @@ pub(super) fn meaning(answer: &Answer<'_>) -> Vec<Block> {
 fn formula(answer: &Answer<'_>) -> &'static str {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => {
-            "Gravity is g = ω₀² l with the corrections of the budget below, which says where its uncertainty comes from."
+            "Gravity is g = ω₀² l with the corrections of the budget below, which shows the sources of its uncertainty."
         }
         FittedPendulum::Length(_) => {
             "The length is l = g/ω₀², that of a point on a string without mass; for a body it is that of the simple pendulum \
@@ -58,8 +58,8 @@ fn formula(answer: &Answer<'_>) -> &'static str {
 pub(super) fn budget(answer: &Answer<'_>) -> Vec<Block> {
     match answer.swings.pendulum {
         FittedPendulum::Gravity { .. } => vec![Block::words(
-            "Each line is one effect: what is done to g because of it, what it adds to the uncertainty of g, whether that is known \
-             from scatter (type A) or from judgement (type B), and by which formula. Contributions add in quadrature, so that only the \
+            "Each line is one effect: the correction of g, the contribution to the uncertainty of g, its evaluation from \
+             scatter (type A) or from other knowledge (type B), and the formula. Contributions add in quadrature, so that only the \
              largest ones matter. A correction in parentheses was not made, because nothing was given for it.",
         )],
         FittedPendulum::Length(_) => vec![],
@@ -99,7 +99,7 @@ pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
     let verdict = if found.is_noise() {
         "They look like white noise: neighbouring residuals are uncorrelated, as reading errors are."
     } else {
-        "They are not white noise: neighbouring residuals are correlated, so something other than reading errors is at work, and \
+        "They are not white noise: neighbouring residuals are correlated, so something other than reading errors contributes, and \
          more rows of the same kind would improve the result less than their number suggests."
     };
     vec![Block::words(format!(
@@ -111,7 +111,7 @@ pub(super) fn residuals(answer: &Answer<'_>) -> Vec<Block> {
 
 pub(super) fn periods(answer: &Answer<'_>) -> Vec<Block> {
     let law = "A pendulum takes longer for large swings: T = T₀·R(θ₀), where R is 1 for the smallest swings and 1 + θ₀²/16 + … \
-               beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed by itself, without a model of the damping, and \
+               beyond (1.017 at 30°, 1.18 at 90°). Here every cycle was timed separately, without a model of the damping, and \
                T = T₀·[1 + β(R − 1)] was fitted to the cycles. A pendulum has β = 1; a clock that kept its period would have β = 0.";
     let verdict = match &answer.swings.beta {
         Err(reason) => format!("β cannot be determined: {reason}."),
@@ -135,7 +135,7 @@ pub(super) fn damping(answer: &Answer<'_>) -> Vec<Block> {
     let Some(comparison) = &answer.swings.comparison else {
         return vec![
             Block::words(equation),
-            Block::words(format!("Only {} damping was fitted, as asked.", answer.swings.fit.damping)),
+            Block::words(format!("Only {} damping was fitted, as requested.", answer.swings.fit.damping)),
         ];
     };
     let rivals = answer.swings.rivals();

@@ -13,7 +13,7 @@ use serde_json::Value;
 pub(super) struct Line<'a> {
     trace: &'a str,
     observable: Observable,
-    /// From 1; none for the mean.
+    /// Number of the window from 1 with its time; none for the mean.
     window: Option<(usize, f64)>,
     /// Frequency of the first harmonic, in Hz.
     fundamental: f64,
@@ -59,10 +59,10 @@ pub(super) fn of_answer() -> Fields<Answer> {
     Fields::from([
         Of::value("file", "", "name of the file", |it| it.file.as_str().into()),
         Of::nested("traces[].", &of_trace(), |it| of_trace().records(&it.found)),
-        Of::value("left_out[]", "", "why other traces have no harmonics", |it| {
+        Of::value("left_out[]", "", "reasons why other traces have no harmonics", |it| {
             json::list(it.left_out.clone())
         }),
-        Of::value("told_from_file[]", "", "what was concluded from the file", |it| {
+        Of::value("told_from_file[]", "", "settings inferred from the file", |it| {
             json::list(it.findings.clone())
         }),
     ])
@@ -72,7 +72,7 @@ fn of_trace() -> Fields<MeasuredSpectrum> {
     type Of = Field<MeasuredSpectrum>;
     Fields::from([
         Of::value("name", "", "name of the run", |it| it.name.as_str().into()),
-        Of::value("seen", "", "what was measured: angle or angular velocity", |it| {
+        Of::value("seen", "", "measured quantity: angle or angular velocity", |it| {
             match it.spectrum.observable {
                 Observable::Angle => "angle",
                 Observable::AngularVelocity => "angular velocity",
@@ -94,7 +94,7 @@ fn of_trace() -> Fields<MeasuredSpectrum> {
         Of::number(
             "noise",
             "",
-            "standard deviation of a row beside the harmonics; a part of its uncertainty where rows have some",
+            "standard deviation of a row about the harmonics; a part of its uncertainty where rows have some",
             |it| it.spectrum.noise,
         ),
         Of::value("outliers", "1", "rows left out, far from all harmonics", |it| {
@@ -111,10 +111,13 @@ fn of_trace() -> Fields<MeasuredSpectrum> {
             "amplitudes of the best sines there, by Hann's window",
             |it| json::numbers(&it.spectrum.points.iter().map(|point| point.amplitude).collect::<Vec<_>>()),
         ),
-        Of::value("spectrum_powers[]", "1", "parts of the squares they explain (Lomb and Scargle)", |it| {
-            json::numbers(&it.spectrum.points.iter().map(|point| point.power).collect::<Vec<_>>())
-        }),
-        Of::value("remarks[]", "", "what the harmonics tell", |it| {
+        Of::value(
+            "spectrum_powers[]",
+            "1",
+            "fractions of the sum of squares that they explain (Lomb–Scargle)",
+            |it| json::numbers(&it.spectrum.points.iter().map(|point| point.power).collect::<Vec<_>>()),
+        ),
+        Of::value("remarks[]", "", "conclusions from the harmonics", |it| {
             json::list(it.spectrum.remarks.iter().map(ToString::to_string))
         }),
         Of::value("remark_kinds[]", "", "kind of each remark, in the same order", |it| {
@@ -183,7 +186,7 @@ pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
         Of::number(
             "in_phase",
             "",
-            "part beside cos nφ, where the first harmonic has maxima at φ = 0",
+            "coefficient of cos nφ, where the first harmonic has maxima at φ = 0",
             |it| it.harmonic.in_phase.value,
         )
         .numeral("in phase", |it| it.shown(it.harmonic.in_phase.value, it.harmonic.in_phase.uncertainty)),
@@ -207,7 +210,7 @@ pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
             it.harmonic.deviation()
         })
         .numeral("diff./σ", |it| deviation(it.harmonic.deviation())),
-        Of::nullable("quadrature", "", "part beside sin nφ; null for n = 0 and n = 1", |it| {
+        Of::nullable("quadrature", "", "coefficient of sin nφ; null for n = 0 and n = 1", |it| {
             it.harmonic.quadrature.map(|it| it.value)
         }),
         Of::nullable("quadrature_uncertainty", "", "its standard uncertainty, or null", |it| {
@@ -224,7 +227,7 @@ pub(super) fn of_line<'a>() -> Fields<Line<'a>> {
 }
 
 impl Line<'_> {
-    /// In degrees for angles, to two digits of its uncertainty.
+    /// A value with two digits of its uncertainty, in degrees for angles.
     fn shown(&self, value: f64, uncertainty: f64) -> String {
         let (_, scale) = unit_scale(self.observable);
         let text = number::with_uncertainty(scale * value, scale * uncertainty, "");

@@ -27,13 +27,13 @@ const MOST_SWINGS: usize = 100_000;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Harmonics")]
 pub(super) struct SpectrumQuestion {
-    /// Measure the harmonics of the swings, each beside that of the pendulum
+    /// Measure the harmonics of the swings, each compared with that of the pendulum
     #[arg(long)]
     pub(super) spectrum: bool,
     /// The highest harmonic
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "7", value_parser = arguments::count::<MOST_HARMONICS>)]
     harmonics: usize,
-    /// Number of swings in a window, three at least
+    /// Number of swings in a window, at least three
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "5", value_parser = arguments::count::<MOST_SWINGS>)]
     swings: usize,
     /// Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png

@@ -11,8 +11,10 @@ impl Simulate {
     /// The system with its values and the motions of the table, none of which has begun.
     pub(crate) fn ensemble(&self) -> Result<(Model, Ensemble), QueryError> {
         let usage = |about: Parameter, reason: &str| QueryError::usage(about, reason);
-        let path =
-            self.each.as_deref().ok_or_else(|| usage(option("each"), "give a file with the starts"))?;
+        let path = self
+            .each
+            .as_deref()
+            .ok_or_else(|| usage(option("each"), "give a file with the initial states"))?;
         self.refuse_for_each()?;
         let system = self.system.given()?;
         let table = MotionTable::read(path, &system)?;
@@ -22,17 +24,14 @@ impl Simulate {
         if settings.len() > 1 {
             return Err(usage(
                 option("each"),
-                "motions that go on together have the same parameters: give one value for each",
+                "the motions of an ensemble have the same parameters: give one value for each",
             ));
         }
         if !settings[0].watched.is_empty() {
-            return Err(usage(option("events"), "no events are looked for in motions that go on together"));
+            return Err(usage(option("events"), "events are not located in an ensemble"));
         }
         if !self.sensitivity.is_empty() {
-            return Err(usage(
-                option("sensitivity"),
-                "no derivatives are followed of motions that go on together",
-            ));
+            return Err(usage(option("sensitivity"), "derivatives are not computed for an ensemble"));
         }
         let listed = list::listed(self, path, &table, &places, &settings)?;
         let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();

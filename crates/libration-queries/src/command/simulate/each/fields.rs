@@ -23,10 +23,10 @@ pub(super) fn of_answer<'a>() -> Fields<Answer<'a>> {
         Of::value(
             "equations",
             "",
-            "equations of motion with names in the place of what the file gives",
+            "equations of motion, with names in place of the values in the file",
             |it| it.model.equation().to_string().into(),
         ),
-        Of::value("no_errors", "", "why no error of the states is estimated", |_| "--each".into()),
+        Of::value("no_errors", "", "reason why no error of the states is estimated", |_| "--each".into()),
         Of::value("state[]", "", "names of the state variables", |it| json::list(it.model.state_names())),
         Of::present_value(
             "columns[]",

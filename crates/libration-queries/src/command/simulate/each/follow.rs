@@ -25,14 +25,14 @@ pub(super) struct Followed<'a> {
 /// Motions with the same parameters, for one core.
 struct Piece<'m, 'a> {
     setting: &'a Setting,
-    /// With their places among all.
+    /// The motions with their positions among all.
     motions: Vec<(usize, &'m Listed<'a>)>,
 }
 
 /// Largest number of motions that are one piece of work.
 const PIECE: usize = 32;
 
-/// All motions, but those that have not begun when somebody asks for an early end.
+/// All motions except those that have not begun at a cancellation.
 pub(super) fn all<'a>(motions: &[Listed<'a>], drawn: bool) -> Vec<Option<Followed<'a>>> {
     let progress = Progress { thousandths: AtomicU64::new(0), last: motions[0].motion.times.last() };
     let how_far = || progress.shown(motions.len());
@@ -150,7 +150,7 @@ impl<'m, 'a> Account<'m, 'a> {
     }
 }
 
-/// On both sides of the start.
+/// Follows a motion on both sides of the start.
 fn both_ways<'a>(listed: &Listed<'a>, progress: &Progress) -> Followed<'a> {
     let Setting { system, energy, .. } = listed.setting;
     let (outcome, drift) = listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| go_on());

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// A row of a table and its motion.
 pub(super) struct Listed<'a> {
-    /// From 1, in the order of the rows.
+    /// Number of the motion from 1, in the order of the rows.
     pub(super) number: usize,
     pub(super) row: &'a MotionRow,
     pub(super) setting: &'a Setting,
@@ -63,7 +63,7 @@ impl Listed<'_> {
         }
     }
 
-    /// The name, or else what tells it from the others.
+    /// The name, or else what distinguishes it from the others.
     pub(super) fn label(&self, table: &MotionTable) -> String {
         let cells = |meaning| table.cells_of(self.row, meaning);
         let said = cells(Meaning::Parameter).chain(cells(Meaning::Initial));

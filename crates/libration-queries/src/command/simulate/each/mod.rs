@@ -34,7 +34,7 @@ const MOST_NUMBERS: usize = 1 << 26;
 pub(super) struct Answer<'a> {
     path: &'a Path,
     table: &'a MotionTable,
-    /// With the parameters of the table open.
+    /// The model with the parameters of the table open.
     model: &'a Model,
     tolerances: &'a Tolerances,
     with_events: bool,
@@ -74,7 +74,7 @@ impl Simulate {
         answer.into_result(motions.len())
     }
 
-    /// Writes the answer where it is wanted.
+    /// Writes the result where it is wanted.
     fn write_each(
         &self,
         answer: &Answer<'_>,
@@ -108,17 +108,17 @@ impl Simulate {
         match () {
             () if self.resume.is_some() => refused(
                 option("resume"),
-                "it continues one motion, and <--each> asks for many: run them again from 0",
+                "it continues one motion, and <--each> gives several: run them again from 0",
             ),
             () if self.animate => refused(
                 option("animate"),
-                "it shows the bodies of one motion, and <--each> asks for many: give one of them",
+                "it shows the bodies of one motion, and <--each> gives several: give one of them",
             ),
             () => self.refuse_beside_sensitivities(),
         }
     }
 
-    /// Refuses more than is kept, or can be told apart.
+    /// Refuses more than is kept, or can be distinguished.
     fn check_size(&self, motions: &[Listed<'_>]) -> Result<(), QueryError> {
         let points = if self.figure.is_some() { POINTS as usize + 1 } else { 0 };
         let of_one = |listed: &Listed<'_>| {
@@ -128,7 +128,7 @@ impl Simulate {
         let numbers = motions.iter().map(of_one).fold(0, usize::saturating_add);
         if self.figure.is_some() && motions.len() > MOST_CURVES {
             let reason = format!(
-                "a picture keeps at most {MOST_CURVES} motions apart, and there are {}: give fewer, or list them",
+                "a picture distinguishes at most {MOST_CURVES} motions, and there are {}: give fewer, or list them",
                 motions.len()
             );
             return Err(QueryError::usage(option("figure"), reason));

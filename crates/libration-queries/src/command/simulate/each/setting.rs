@@ -14,7 +14,7 @@ use std::path::Path;
 /// A system with values for all parameters, and what is looked at in its motions.
 pub(super) struct Setting {
     pub(super) model: Model,
-    /// With its derivatives and events.
+    /// The system with its derivatives and events.
     pub(super) system: System,
     pub(super) sensitivities: Option<Sensitivities>,
     pub(super) watched: Watched,
@@ -23,7 +23,7 @@ pub(super) struct Setting {
     pub(super) energy: Result<Energy, String>,
 }
 
-/// For each row of a table the place of its setting among the settings, which are added.
+/// The position of the setting of each row of a table; new settings are added.
 pub(super) fn places(
     question: &Simulate,
     path: &Path,

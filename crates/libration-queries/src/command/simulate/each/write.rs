@@ -15,7 +15,7 @@ use crate::output::{Form, csv, json, number};
 use std::io::{self, Write};
 
 impl Answer<'_> {
-    /// In the form asked for; the table lists the samples only if that is wanted.
+    /// Writes the result in the given form; the table lists the samples only if requested.
     pub(super) fn write(&self, form: Form, listed: bool, out: &mut dyn Write) -> io::Result<()> {
         match form {
             Form::Json => self.write_json(out),

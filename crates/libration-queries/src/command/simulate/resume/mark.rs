@@ -6,7 +6,7 @@ use libration::systems::EnergyAccount;
 use libration::taylor::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
 use serde_json::{Value, json};
 
-/// The end of a step that ends there whatever the last of the times is, with what was written until then.
+/// The end of a step that does not depend on the last of the times, with the output up to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mark {
     pub(crate) checkpoint: Checkpoint,
@@ -52,17 +52,17 @@ impl Mark {
                     json::list(events.map(|one| json!([one.side, one.last, one.near, one.found])))
                 },
             ),
-            Of::value("steps", "1", "steps until there", |it| it.checkpoint.steps.into()),
-            Of::value("samples", "1", "samples until there", |it| it.samples.into()),
-            Of::value("events", "1", "events until there", |it| it.events.into()),
-            Of::value("bytes", "1", "bytes of the CSV file until there", |it| it.bytes.into()),
+            Of::value("steps", "1", "steps up to there", |it| it.checkpoint.steps.into()),
+            Of::value("samples", "1", "samples up to there", |it| it.samples.into()),
+            Of::value("events", "1", "events up to there", |it| it.events.into()),
+            Of::value("bytes", "1", "bytes of the CSV file up to there", |it| it.bytes.into()),
             Of::value("checksum", "", "checksum of those bytes, in hexadecimal digits", |it| {
                 format!("{:016x}", it.checksum).into()
             }),
             Of::present_value(
                 "errors[]",
                 "",
-                "what the errors of the next states come from, left out where none are estimated",
+                "source of the errors of the next states, left out where none are estimated",
                 |it| it.errors.as_ref().map(|errors| json::numbers(errors)),
             ),
             Of::nested("energy.", &of_energy(), |it| {
@@ -112,14 +112,12 @@ fn event(value: &Value) -> Option<EventCheckpoint> {
 fn of_energy() -> Fields<EnergyAccount> {
     type Of = Field<EnergyAccount>;
     Fields::from([
-        Of::value("start[]", "", "state where the account of the energy begins", |it| {
-            json::numbers(&it.start)
-        }),
-        Of::value("last[]", "", "state where it stands", |it| json::numbers(&it.last)),
+        Of::value("start[]", "", "state at which the energy balance begins", |it| json::numbers(&it.start)),
+        Of::value("last[]", "", "state at its present end", |it| json::numbers(&it.last)),
         Of::value(
             "potential[]",
             "",
-            "potential energy gained until there, as the sum of two numbers",
+            "potential energy gained up to there, as the sum of two numbers",
             |it| json::numbers(&it.potential),
         ),
         Of::value("missed", "", "bound on the error of that potential energy beyond roundings", |it| {

@@ -1,7 +1,7 @@
-//! An earlier answer that is to be gone on from.
+//! An earlier result that is to be gone on from.
 //!
-//! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is
-//! behind it, whole or cut short, is computed again, so that the answer is that of one run to its last byte.
+//! Of what was written only that counts which the end of a step covers that does not depend on the last of the times; what is behind it,
+//! whole or cut short, is computed again, so that the result is that of one run to its last byte.
 
 pub(crate) mod checksum;
 mod mark;
@@ -28,7 +28,7 @@ pub(super) use state::{Keeper, State};
 
 use rows::Rows;
 
-/// The most bytes of an earlier JSON answer: memory ends before. CSV files are read line by line.
+/// The most bytes of an earlier JSON result: memory ends before. CSV files are read line by line.
 const LARGEST: usize = 1 << 30;
 
 /// The content of an earlier result.
@@ -44,7 +44,7 @@ pub(super) struct Earlier {
 /// The reason why a result cannot be continued.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(super) enum ResumeError {
-    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file beside it", .0.display())]
+    #[error("{} is missing, which records the system and where the integration stands: give a file that <libration simulate> with <--output> wrote, with its .state file next to it", .0.display())]
     NoState(PathBuf),
     #[error("{} is not a record of an integration: give a file that <libration simulate> with <--output> wrote", .0.display())]
     NotAState(PathBuf),
@@ -81,8 +81,8 @@ pub(super) enum ResumeError {
 }
 
 impl Earlier {
-    /// Finds what there is of an answer to this question: the file, or what a run that was ended by force has left beside its
-    /// place, whichever goes farther.
+    /// Finds what there is of a result to this question: the file, or what a run that was ended by force has left beside its place,
+    /// whichever goes farther.
     pub(super) fn find(path: &Path, question: &Question, times: &Times) -> Result<Self, QueryError> {
         let target = match destination::resolved(path) {
             Ok(Destination::File(target)) => target,
@@ -153,11 +153,11 @@ impl Earlier {
         Ok(Self { question: state.question, known, _leftover: None })
     }
 
-    /// The start, if none is asked for or it is the same.
+    /// The start, if none is requested or it is the same.
     pub(super) fn initial(&self, asked: Option<Initial>) -> Result<Initial, QueryError> {
         match asked {
             Some(asked) if asked.state != self.question.initial => {
-                let reason = "the run given to <--resume> started elsewhere: leave out <--initial> to continue that run, or <--resume> to start a new one";
+                let reason = "the run given to <--resume> started from another state: leave out <--initial> to continue that run, or <--resume> to start a new one";
                 Err(QueryError::usage(option("initial"), reason))
             }
             Some(asked) => Ok(asked),
@@ -199,7 +199,7 @@ fn check_times(rows: &Rows, mark: &Mark, times: &Times) -> Result<Checksum, Resu
 /// The reason why a file is not continued.
 #[derive(Debug)]
 enum Unusable {
-    /// It cannot be read at all.
+    /// The file cannot be read.
     Failed(QueryError),
     Refused(ResumeError),
 }

@@ -22,7 +22,7 @@ pub(crate) struct Question {
     pub(crate) events: Vec<String>,
     /// `true` if errors of the states are estimated.
     pub(crate) errors: bool,
-    /// Formulas that stand beside the state.
+    /// Formulas that stand in addition to the state.
     pub(crate) columns: Vec<String>,
 }
 
@@ -35,7 +35,7 @@ pub(crate) enum Difference {
     Equations { earlier: String, asked: String },
     #[error("it was computed to the tolerance {earlier:e}, not {asked:e}: give <--tolerance> {earlier:e}")]
     Tolerance { earlier: f64, asked: f64 },
-    #[error("coordinates had other tolerances of their own: give the <--tolerance> of that run")]
+    #[error("coordinates had other individual tolerances: give the <--tolerance> of that run")]
     OwnTolerances,
     #[error("{}: give the same <--events>", events(.earlier, .asked))]
     Events { earlier: Vec<String>, asked: Vec<String> },
@@ -86,7 +86,7 @@ impl Question {
     pub(super) fn fields() -> Fields<Self> {
         type Of = Field<Question>;
         Fields::from([
-            Of::value("system", "", "what --resume compares: key of the system, or null", |it| {
+            Of::value("system", "", "compared by --resume: key of the system, or null", |it| {
                 it.system.clone().into()
             }),
             Of::value("equations", "", "equations of motion with the values of all parameters", |it| {
@@ -106,9 +106,11 @@ impl Question {
                     (!it.own_tolerances.is_empty()).then(|| json::object(own))
                 },
             ),
-            Of::value("events[]", "", "events that are looked for", |it| json::list(it.events.clone())),
-            Of::value("errors", "", "whether errors of the states are estimated", |it| it.errors.into()),
-            Of::value("columns[]", "", "formulas beside the state", |it| json::list(it.columns.clone())),
+            Of::value("events[]", "", "events that are located", |it| json::list(it.events.clone())),
+            Of::value("errors", "", "true if errors of the states are estimated", |it| it.errors.into()),
+            Of::value("columns[]", "", "formulas in addition to the state", |it| {
+                json::list(it.columns.clone())
+            }),
         ])
     }
 

@@ -1,4 +1,4 @@
-//! The samples and events of an earlier answer, one after the other.
+//! The samples and events of an earlier result, one after the other.
 
 use super::{Checksum, Mark, Question, ResumeError};
 use crate::command::simulate::events::Happening;
@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 /// The storage of the rows.
 #[derive(Clone, Debug)]
 pub(crate) enum Rows {
-    /// In memory, in the order of time.
+    /// Rows in memory, in the order of time.
     List(Vec<Happening>),
-    /// In the first lines of a CSV file, the first of which are names.
+    /// Rows in the first lines of a CSV file, the first of which has the names.
     Csv { path: PathBuf, bytes: u64, cells: Cells },
 }
 

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The question and how far the answer is certain; nowhere before the first step that only its own length ends.
+/// The question and how far the result is certain; nowhere before the first step that only its own length ends.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) question: Question,
@@ -35,7 +35,7 @@ impl State {
         Some(Self { question: Question::from_json(&value["question"])?, mark })
     }
 
-    /// Reads the file that stands beside one of samples.
+    /// Reads the record next to a file of samples.
     pub(super) fn read(path: &Path) -> Result<Self, ResumeError> {
         /// A state has a hundred bytes for each of its numbers.
         const LARGEST: usize = 1 << 20;

@@ -51,7 +51,7 @@ fn roots_are_those_of_single_terms() {
     assert_eq!(root.to_string(), "2*sqrt(a)/sqrt(b)");
     assert_eq!(ring.multiply(&root, &root), quotient);
     assert_eq!(ring.power(&root, &half), None, "a fourth root");
-    assert_eq!(ring.power(&ring.times_integer(&ring.letter(0), 2), &half), None, "√2 is no fraction");
+    assert_eq!(ring.power(&ring.times_integer(&ring.letter(0), 2), &half), None, "√2 is not a fraction");
     assert_eq!(ring.power(&ring.add(&ring.letter(0), &ring.letter(1)), &half), None);
 }
 
