@@ -1,6 +1,6 @@
 //! Independent pieces of work on all cores.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};

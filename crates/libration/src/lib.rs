@@ -54,7 +54,7 @@
 //! | [`quadrature`] | integrals of functions of one variable, each with what it misses |
 //! | [`series`] | truncated power series over any ring |
 //! | [`expression`] | formulas and equations of motion as text, tree and tape |
-//! | [`watch`] | whether a long call may go on, and how far it is |
+//! | [`progress`] | progress and cancellation of long calls |
 //! | [`oscillator`] | an equation of motion about its equilibrium; the catalogue |
 //! | [`perturbation`] | exact series of any oscillator's frequency, harmonics and period |
 //! | [`comparison`] | those series beside exact values |
@@ -80,22 +80,23 @@
 //! # Ok::<(), libration::catalogue::UnknownKey>(())
 //! ```
 //!
-//! Calls that may take long have a variant that ends in `_watched`, which a [`Watch`](watch::Watch) can stop, with what is done:
+//! Calls that may take long have a [`Progress`](progress::Progress) as their last argument, such as a function that cancels them, or
+//! [`Quiet`](progress::Quiet). A cancelled call returns what is done:
 //!
 //! ```
-//! use libration::chaos::{Points, Section, section_watched};
+//! use libration::chaos::{Points, Section, section};
+//! use libration::progress::Status;
 //! use libration::taylor::{Effort, Moment};
-//! use libration::watch::Watch;
 //! use std::ops::ControlFlow;
 //! let duffing = "x'' + x'/4 - x + x^3 = 0.3*cos(t)".parse()?;
 //! let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 //! let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 //! let points = Points { skipped: 0, recorded: 1000 };
-//! let ask = |progress: libration::watch::Progress| match progress.done {
+//! let ten_points = |status: Status| match status.done {
 //!     10.. => ControlFlow::Break(()),
 //!     _ => ControlFlow::Continue(()),
 //! };
-//! let found = section_watched(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &Watch::new(&ask))?;
+//! let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &ten_points)?;
 //! assert_eq!(found.points.len(), 10);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -114,8 +115,14 @@ pub use libration_kernels::{elliptic, fused::rounds_once};
 #[doc(inline)]
 pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
 #[doc(inline)]
-pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+pub use libration_numbers::{algebra, catalogue, expression, progress, quadrature, quantity, roots, series};
 #[doc(inline)]
 pub use libration_pendulum::{pendulum, period_formulas};
 #[doc(inline)]
 pub use libration_perturbation::{comparison, perturbation};
+
+/// Internals that the other crates of this workspace use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub use libration_numbers::internals::progress;
+}

@@ -2,6 +2,7 @@
 
 use libration_motion::orbit::Orbit;
 use libration_numbers::expression::{Equation, Expression, Function, Order, Symbol};
+use libration_numbers::progress::Quiet;
 
 /// Frequencies and amplitudes of the free oscillations of one coordinate from rest at some places, without velocities in the force and
 /// with zero for each sine and cosine of the time: what resonances of the driven oscillator lean on. Places without an orbit are left out.
@@ -19,7 +20,7 @@ use libration_numbers::expression::{Equation, Expression, Function, Order, Symbo
 #[must_use]
 pub fn free_oscillations(equation: &Equation, places: &[f64]) -> Vec<(f64, f64)> {
     let Some(free) = undriven(equation) else { return vec![] };
-    let orbit = |place: &f64| Some((Orbit::released(&free, *place).ok()?.frequency(), *place));
+    let orbit = |place: &f64| Some((Orbit::released(&free, *place, &Quiet).ok()?.frequency(), *place));
     places.iter().filter_map(orbit).collect()
 }
 

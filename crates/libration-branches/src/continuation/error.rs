@@ -2,7 +2,7 @@
 
 use libration_motion::orbit::NoOrbit;
 use libration_numbers::expression::{EquationError, WithoutValue};
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why no branch of periodic orbits was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -12,7 +12,8 @@ use libration_motion::internals::orbit::depends_on_time;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::linear::{self, eigenvalues, solve};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// A singular point in floats of many bits.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ impl SpecialPoint {
     /// of digits: Newton's method with residuals in floats of many bits, while the derivatives of the residuals are those of double precision. `None`
     /// for neutral saddles, for more than two components of the state at Neimark–Sacker points, for branch points of motions that are not at rest at
     /// zero, where nothing drives, and where the motion cannot be followed.
+    ///
+    /// A cancelled call returns `None`.
     ///
     /// # Accuracy
     /// As its error says, below the last of the digits.
@@ -61,22 +64,9 @@ impl SpecialPoint {
         parameter: &str,
         space: Space,
         digits: u32,
+        progress: &dyn Progress,
     ) -> Result<Option<PreciseSpecial>, NoBranch> {
-        self.to_digits_watched(equation, parameter, space, digits, &Watch::none())
-    }
-
-    /// Computes the same as [`to_digits`](Self::to_digits); `watch` is called at each step, and a cancelled call returns `None`.
-    ///
-    /// # Errors
-    /// As [`to_digits`](Self::to_digits).
-    pub fn to_digits_watched(
-        &self,
-        equation: &Equation,
-        parameter: &str,
-        space: Space,
-        digits: u32,
-        watch: &Watch<'_>,
-    ) -> Result<Option<PreciseSpecial>, NoBranch> {
+        let watch = &Watch::new(progress);
         let value = self.point.parameter;
         let width = value.abs().max(f64::MIN_POSITIVE);
         if !depends_on_time(equation) {

@@ -6,8 +6,9 @@ use super::separatrix::integrals;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::roots::{Tolerance, zero_between};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
 use std::f64::consts::TAU;
 
 /// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to the first order of the perturbation the energy, per m·l²,
@@ -56,19 +57,11 @@ const PLACES: usize = 16;
 
 impl Melnikov {
     /// Returns the functions of the separatrix on which the angle grows and of the other one.
-    #[must_use]
-    pub fn both(pendulum: &PerturbedPendulum) -> [Self; 2] {
-        [1.0, -1.0].map(|direction| {
-            let found = integrals(pendulum, direction, &Watch::none());
-            Self::new(pendulum, direction, found.unwrap_or_default())
-        })
-    }
-
-    /// Computes the same as [`both`](Self::both); `watch` is called at each step of a quadrature.
     ///
     /// # Errors
-    /// Cancelled by the caller.
-    pub fn both_watched(pendulum: &PerturbedPendulum, watch: &Watch<'_>) -> Result<[Self; 2], Interrupted> {
+    /// The call is cancelled.
+    pub fn both(pendulum: &PerturbedPendulum, progress: &dyn Progress) -> Result<[Self; 2], Interrupted> {
+        let watch = &Watch::new(progress);
         let on = |direction: f64| {
             Ok::<_, Interrupted>(Self::new(pendulum, direction, integrals(pendulum, direction, watch)?))
         };
@@ -184,6 +177,7 @@ pub struct Threshold {
 ///
 /// # Errors
 /// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.
+/// [`NoMelnikov::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
@@ -197,20 +191,9 @@ pub fn thresholds(
     equation: &Equation,
     parameter: &str,
     range: [f64; 2],
+    progress: &dyn Progress,
 ) -> Result<Vec<Threshold>, NoMelnikov> {
-    thresholds_watched(equation, parameter, range, &Watch::none())
-}
-
-/// The same as [`thresholds`], asking at each value of the parameter, and at each step of a quadrature, whether to go on.
-///
-/// # Errors
-/// As [`thresholds`], and [`NoMelnikov::Interrupted`].
-pub fn thresholds_watched(
-    equation: &Equation,
-    parameter: &str,
-    range: [f64; 2],
-    watch: &Watch<'_>,
-) -> Result<Vec<Threshold>, NoMelnikov> {
+    let watch = &Watch::new(progress);
     let [from, to] = range;
     let width = (to - from).abs();
     if !(width > 0.0 && width.is_finite()) {
@@ -250,7 +233,7 @@ fn at_value(
     watch: &Watch<'_>,
 ) -> Result<[Melnikov; 2], NoMelnikov> {
     let pendulum = PerturbedPendulum::new(&with_value(equation, parameter, value)?)?;
-    Ok(Melnikov::both_watched(&pendulum, watch)?)
+    Ok(Melnikov::both(&pendulum, watch)?)
 }
 
 /// The equation with this value of the parameter.

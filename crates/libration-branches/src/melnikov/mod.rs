@@ -34,7 +34,7 @@ mod manifolds;
 mod tangency;
 
 pub use error::{NoMelnikov, NoTangency};
-pub use function::{Melnikov, Threshold, thresholds, thresholds_watched};
+pub use function::{Melnikov, Threshold, thresholds};
 pub use perturbation::PerturbedPendulum;
 pub use resonance::DriveResonance;
 pub use tangency::Tangency;

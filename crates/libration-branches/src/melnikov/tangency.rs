@@ -7,7 +7,8 @@ use super::manifolds::{Delays, Manifolds};
 use super::{NoMelnikov, NoTangency, PerturbedPendulum};
 use libration_kernels::elementary::count;
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// The value of a parameter at which the stable and the unstable manifold of the saddle orbit, which is the upright position as the perturbation
 /// moves it, touch: the manifolds themselves are followed, to all orders of the perturbation.
@@ -47,20 +48,14 @@ impl Threshold {
     ///
     /// # Errors
     /// No saddle orbit near the upright position, manifolds that do not pass the bottom or do not touch nearby: the perturbation is no longer weak.
-    pub fn tangency(&self, equation: &Equation, parameter: &str) -> Result<Tangency, NoTangency> {
-        self.tangency_watched(equation, parameter, &Watch::none())
-    }
-
-    /// The same, asking at each step of the integrations whether to go on.
-    ///
-    /// # Errors
-    /// As [`Self::tangency`], and being told not to.
-    pub fn tangency_watched(
+    /// Cancellation.
+    pub fn tangency(
         &self,
         equation: &Equation,
         parameter: &str,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Tangency, NoTangency> {
+        let watch = &Watch::new(progress);
         let approach = Approach { equation, parameter, direction: self.direction, watch };
         approach.tangency(self.value)
     }
@@ -159,7 +154,7 @@ impl Approach<'_> {
 
     fn melnikov(&self, value: f64) -> Result<Melnikov, NoTangency> {
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
-        let [upper, lower] = Melnikov::both_watched(&pendulum, self.watch).map_err(NoMelnikov::from)?;
+        let [upper, lower] = Melnikov::both(&pendulum, self.watch).map_err(NoMelnikov::from)?;
         Ok(if self.direction > 0.0 { upper } else { lower })
     }
 

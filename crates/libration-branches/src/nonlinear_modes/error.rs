@@ -1,7 +1,7 @@
 //! Errors of following a nonlinear mode.
 
 use libration_motion::orbit::NoOrbit;
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a mode cannot be followed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -2,7 +2,7 @@
 
 use crate::normal_modes::NoModes;
 use libration_numbers::expression::WithoutValue;
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal form about an equilibrium.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! Errors of the search for normal modes.
 
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal modes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@ use super::super::evaluate::NoEvaluation;
 use libration::oscillator::Remedy;
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
-use libration::watch::Interrupted;
+use libration::progress::Interrupted;
 
 /// The reason why a derivation cannot be given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

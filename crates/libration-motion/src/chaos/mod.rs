@@ -37,15 +37,10 @@ mod extent;
 
 pub(crate) mod lyapunov;
 
-pub use bifurcation::{
-    Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram, bifurcation_diagram_watched,
-};
+pub use bifurcation::{Continuation, DiagramColumn, DiagramError, Family, bifurcation_diagram};
 pub use drive::{drive_frequency, drive_period};
 pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
-    lyapunov_exponent_watched,
 };
-pub use section::{
-    PoincareSection, Points, Section, SectionEnding, SectionError, folded, section, section_watched,
-};
+pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, folded, section};
 pub use structure::{Theorem, angles};

@@ -2,7 +2,8 @@
 
 use crate::taylor::{Cause, IntegrationError};
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
-use libration_numbers::watch::{Interrupted, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Interrupted;
 
 /// The reason why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

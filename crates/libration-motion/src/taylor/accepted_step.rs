@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::batch::{Batch, LaneStep};
+use super::batch::{Batch, LaneStep, Observer};
 use super::stepper::Stepper;
 use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Step, System, Trajectory};
 
@@ -113,7 +113,7 @@ fn resumed(
     let mut batch = Batch::<1>::new(system, effort).resumed_from(checkpoint);
     let outcomes = batch.integrate(
         std::slice::from_ref(&trajectory),
-        Some(&mut |_, taken| watch(&AcceptedStep { taken: *taken })),
+        Observer::Steps(&mut |_, taken| watch(&AcceptedStep { taken: *taken })),
     );
     outcomes.into_iter().next().expect("one motion has one outcome")
 }

@@ -9,6 +9,7 @@
 
 use super::gathered::gathered_roundings;
 use super::{Effort, IntegrationError, Moment, System, integrate};
+use libration_numbers::progress::Quiet;
 
 /// The uncertainty of time and state at the end of an integration, each component in its unit.
 ///
@@ -70,5 +71,5 @@ pub fn ending_error(
 fn finer(system: &System, start: &Moment, last: f64, effort: &Effort) -> Result<Moment, IntegrationError> {
     let relative = (effort.relative / 1000.0).max(Effort::TOLERANCES[0]);
     let finer = Effort { relative, absolute: effort.absolute / 1000.0, ..*effort };
-    Ok(integrate(&system.with_part_of_tolerances(0.001), start, &[last], &finer)?.end)
+    Ok(integrate(&system.with_part_of_tolerances(0.001), start, &[last], &finer, &Quiet)?.end)
 }

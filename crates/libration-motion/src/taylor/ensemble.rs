@@ -5,7 +5,8 @@
 use super::stepper::Stepper;
 use super::trajectory::Trajectory;
 use super::{Cause, Checkpoint, Effort, IntegrationError, LANES, Moment, OwnedStep, System};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 
 /// Many motions of a system, from t = 0 or whenever they start, whose end is open.
 ///
@@ -92,16 +93,13 @@ impl Ensemble {
 
     /// The states at a time, one behind the other: of each motion what [`System::state_names`] names; NaN before its start and behind its
     /// end, and where it has been asked for later times before.
-    pub fn states_at(&mut self, time: f64) -> Vec<f64> {
-        self.states_at_watched(time, &Watch::none()).unwrap_or_default()
-    }
-
-    /// The same; `watch` is asked before each step of as many motions as there are lanes, and told how many are there. What was done until
-    /// it stops is kept, so that another call goes on there.
+    ///
+    /// `progress` has the number of motions that have reached the time. A cancelled call keeps what was done, and another call continues it.
     ///
     /// # Errors
-    /// It was stopped.
-    pub fn states_at_watched(&mut self, time: f64, watch: &Watch<'_>) -> Result<Vec<f64>, Interrupted> {
+    /// The call is cancelled.
+    pub fn states_at(&mut self, time: f64, progress: &dyn Progress) -> Result<Vec<f64>, Interrupted> {
+        let watch = &Watch::new(progress);
         watch.begin(Stage::Whole, Some(self.members.len()));
         let mut behind: Vec<usize> = (0..self.members.len()).collect();
         let Self { system, effort, members } = self;

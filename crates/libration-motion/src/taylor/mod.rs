@@ -131,7 +131,7 @@ pub use ending::ending_error;
 pub use ensemble::Ensemble;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
-pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
+pub use integrate::{integrate, integrate_many, integrate_many_stepwise, integrate_stepwise};
 pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
 pub use sensitivities::{Sensitivities, SensitivityError};

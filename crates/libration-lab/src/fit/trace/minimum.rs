@@ -1,7 +1,7 @@
 //! The best parameters of a model.
 
+use libration::internals::progress::Watch;
 use libration::taylor::Effort;
-use libration::watch::Watch;
 
 use super::TraceFitError;
 use super::autocorrelation::Autocorrelation;

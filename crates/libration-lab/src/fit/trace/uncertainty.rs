@@ -1,6 +1,6 @@
 //! From the minimum to parameters with uncertainties.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 use nalgebra::DMatrix;
 

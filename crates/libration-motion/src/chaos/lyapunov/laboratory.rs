@@ -5,9 +5,10 @@ use super::super::structure::{angles, cyclic, theorem};
 use super::deviation::{Deviation, unequal_part};
 use super::verdict::Evidence;
 use super::{Doubt, LyapunovError, LyapunovVerdict, Regularity, Schedule};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched, with_tangents};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_stepwise, with_tangents};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Stage;
 
 /// The equations, the schedule and the units that all motions of one measurement share.
 pub(super) struct Laboratory<'a> {
@@ -97,7 +98,7 @@ impl<'a> Laboratory<'a> {
         watch.begin(Stage::Motion { number: neighbour }, Some(self.schedule.intervals));
         let times = [start.time + self.schedule.transient];
         let settled =
-            integrate_watched(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
+            integrate_stepwise(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
                 watch.flow()
             });
         match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, watch)) {
@@ -152,7 +153,7 @@ fn survey(
     extent.include(&start.state);
     let settled = start.time + schedule.transient;
     let end = settled.max(start.time + 10.0 * schedule.interval);
-    let mut solution = integrate_watched(system, start, &[settled, end], effort, |step| {
+    let mut solution = integrate_stepwise(system, start, &[settled, end], effort, |step| {
         extent.include(&step.state_at(step.end()));
         watch.flow()
     })?;

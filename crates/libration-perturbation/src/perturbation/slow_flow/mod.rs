@@ -48,7 +48,8 @@ mod weak_force;
 use super::gauge::Gauge;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
 pub(super) use half_swing::HalfSwings;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::{
     algebra::{PiSum, Rational, Rationals, Surd},
     internals::algebra::{HarmonicSums, PiPolynomial, PiPowers, Quadratic, QuadraticField},
@@ -152,6 +153,7 @@ fn value(series: &SlowSeries, amplitude: f64, parameter: f64) -> f64 {
 /// # Errors
 /// Orders out of range; letters without values; no oscillator at zero, or one whose equilibrium or ω0² is not a fraction; a force without
 /// series.
+/// [`SlowFlowError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
@@ -173,21 +175,7 @@ pub fn slow_flow(
     order: usize,
     parameter_order: usize,
     gauge: &Gauge,
-) -> Result<SlowFlow, SlowFlowError> {
-    slow_flow_watched(equation, parameter, order, parameter_order, gauge, &Watch::none())
-}
-
-/// Computes the same as [`slow_flow`]; `watch` is checked at each order.
-///
-/// # Errors
-/// As [`slow_flow`], or [`SlowFlowError::Interrupted`].
-pub fn slow_flow_watched(
-    equation: &Equation,
-    parameter: Option<&str>,
-    order: usize,
-    parameter_order: usize,
-    gauge: &Gauge,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<SlowFlow, SlowFlowError> {
     if !(1..=MAX_SLOW_ORDER).contains(&order) {
         return Err(SlowFlowError::Order(order));
@@ -196,7 +184,7 @@ pub fn slow_flow_watched(
         return Err(SlowFlowError::ParameterOrder(parameter_order));
     }
     let force = WeakForce::new(equation, parameter)?;
-    Question::new(&force, [order, parameter_order], gauge)?.answer(watch)
+    Question::new(&force, [order, parameter_order], gauge)?.answer(&Watch::new(progress))
 }
 
 /// An oscillator under a weak force, and what is asked about it.
