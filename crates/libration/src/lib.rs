@@ -8,6 +8,7 @@
 //! ```
 //! use libration::pendulum::{Pendulum, Regime};
 //! use libration::period_formulas::PeriodFormula;
+//! use libration::progress::Quiet;
 //! use libration::quantity::Angle;
 //!
 //! // A pendulum of 1 m released at rest from 60°: its exact period is 7 % above that of small swings.
@@ -35,7 +36,7 @@
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
 //! let oscillator = Oscillator::new(&"theta'' + sin(theta) = 0".parse()?)?;
-//! let series = expand(&oscillator, 41, &Gauge::Fundamental)?.of_amplitude.ok_or("no amplitude")?;
+//! let series = expand(&oscillator, 41, &Gauge::Fundamental, &Quiet)?.of_amplitude.ok_or("no amplitude")?;
 //! let ratio = series.period_ratio.iter().rev().fold(0.0, |sum, c| sum * amplitude.radians() + c.to_f64());
 //! assert_eq!(series.period_ratio[4].to_string(), "11/3072");
 //! assert!((ratio - 1.0731820071493).abs() < 1e-12);

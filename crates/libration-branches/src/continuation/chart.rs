@@ -69,10 +69,11 @@ impl StabilityChart {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
+    /// use libration::progress::Quiet;
     /// // How fast a pivot has to move up and down for the pendulum to stand on it.
     /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;
     /// let options = ChartOptions { lines: 0, ..ChartOptions::default() };
-    /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options)?;
+    /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options, &Quiet)?;
     /// let edge = chart.curves.iter().find(|curve| curve.kind == SpecialKind::BranchPoint).ok_or("no edge")?;
     /// let slow = edge.points.iter().find(|it| it.point.parameter == 5.0).ok_or("no end")?;
     /// // Reference: Hill's matrix with 30 digits.

@@ -66,7 +66,7 @@ pub enum NoBranch {
     /// No motion to begin with at either end.
     #[error("no periodic motion is found at the ends of the range, or where it is looked for: {0}")]
     NoStart(NoOrbit),
-    /// The watch said so, before there was anything.
+    /// Cancelled before the first point.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -49,11 +49,12 @@ impl SpecialPoint {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
+    /// use libration::progress::Quiet;
     /// let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     /// let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-    /// let response = Response::over(&pendulum, "w", [0.8, 0.9], &options)?;
+    /// let response = Response::over(&pendulum, "w", [0.8, 0.9], &options, &Quiet)?;
     /// let branch = &response.branches[0];
-    /// let fold = branch.special[0].to_digits(&pendulum, "w", branch.space, 25)?.ok_or("no digits")?;
+    /// let fold = branch.special[0].to_digits(&pendulum, "w", branch.space, 25, &Quiet)?.ok_or("no digits")?;
     /// // Reference: Fourier collocation and Taylor series in floats of 130 bits.
     /// assert_eq!(fold.parameter.to_rational().to_decimal(25), "0.8721575691379171688795389");
     /// # Ok::<(), Box<dyn std::error::Error>>(())

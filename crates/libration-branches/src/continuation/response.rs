@@ -60,9 +60,10 @@ impl Response {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// use libration::progress::Quiet;
     /// // The limit cycle of the Brusselator begins at b = 1 + a² with the period 2π/a.
     /// let brusselator = "x' = 1 + x^2*y - (b + 1)*x; y' = b*x - x^2*y".parse()?;
-    /// let response = Response::over(&brusselator, "b", [1.5, 3.0], &ResponseOptions::default())?;
+    /// let response = Response::over(&brusselator, "b", [1.5, 3.0], &ResponseOptions::default(), &Quiet)?;
     /// let hopf = response.branches[0].special.iter().find(|it| it.kind == SpecialKind::Hopf).ok_or("no Hopf point")?;
     /// assert!((hopf.point.parameter - 2.0).abs() < 1e-14 && (hopf.point.period - std::f64::consts::TAU).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -70,9 +71,10 @@ impl Response {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// use libration::progress::Quiet;
     /// // Duffing's equation with hardening, which bends its resonance to higher frequencies.
     /// let duffing = "x'' = -0.05*x' - x - 0.1*x^3 + 0.18*cos(w*t)".parse()?;
-    /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default())?;
+    /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default(), &Quiet)?;
     /// let folds = response.branches[0].special.iter().filter(|it| it.kind == SpecialKind::Fold);
     /// // Reference: Fourier collocation with 30 digits.
     /// assert!(folds.map(|it| it.point.parameter).any(|w| (w - 1.269601955545892477518364).abs() < 1e-13));

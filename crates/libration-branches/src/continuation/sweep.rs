@@ -73,7 +73,7 @@ impl Response {
     /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
     /// an end has no stable solution there is no sweep from there.
     ///
-    /// Equation, parameter and range are those of the response. `watch` is asked at each step; where it stops the motions are given so far.
+    /// Equation, parameter and range are those of the response. A cancelled call returns the motions until then.
     ///
     /// # Errors
     /// As [`Response::over`]; equations without a drive.
@@ -85,7 +85,7 @@ impl Response {
     /// use libration::progress::Progress;
     /// use libration::progress::Quiet;
     /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);
-    /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default())?;
+    /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default(), &Quiet)?;
     /// let sweeps = response.sweeps(&pendulum, "w", range, 31, &Quiet)?;
     /// // At 0.82 rad/s, between the jumps, the way decides: 27.5° or 101.7°.
     /// let at = |rising: bool| sweeps.iter().find(|it| it.rising == rising)?.points.iter().find(|it| (it.parameter - 0.82).abs() < 1e-9);

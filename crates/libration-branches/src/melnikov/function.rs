@@ -23,9 +23,10 @@ use std::f64::consts::TAU;
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::{Melnikov, PerturbedPendulum};
+/// use libration::progress::Quiet;
 /// use std::f64::consts::{PI, FRAC_PI_2};
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
-/// let [upper, _] = Melnikov::both(&driven);
+/// let [upper, _] = Melnikov::both(&driven, &Quiet)?;
 /// // Damping takes 8c; a drive of (4c/π) cosh(πΩ/2) makes up for it.
 /// assert!((upper.mean + 0.8).abs() < 1e-15);
 /// let threshold = 0.4 / PI * FRAC_PI_2.cosh();
@@ -183,7 +184,8 @@ pub struct Threshold {
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
-/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0])?;
+/// use libration::progress::Quiet;
+/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
 /// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -17,9 +17,10 @@ use libration_numbers::progress::Progress;
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
+/// use libration::progress::Quiet;
 /// let equation = "x'' + 0.1 x' + sin(x) = A cos(t)".parse()?;
-/// let [upper, _] = thresholds(&equation, "A", [0.0, 1.0])?[..] else { panic!() };
-/// let touching = upper.tangency(&equation, "A")?;
+/// let [upper, _] = thresholds(&equation, "A", [0.0, 1.0], &Quiet)?[..] else { panic!() };
+/// let touching = upper.tangency(&equation, "A", &Quiet)?;
 /// assert!((upper.value - 0.319_478_526).abs() < 1e-9 && (touching.value - 0.319_869_600).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

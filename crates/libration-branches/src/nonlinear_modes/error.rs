@@ -26,7 +26,7 @@ pub enum NoNonlinearMode {
     /// Amplitudes that are no ascending positive numbers.
     #[error("the amplitude {0:?} does not follow: give positive numbers in ascending order")]
     Amplitudes(f64),
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -27,7 +27,7 @@ pub enum NoNormalForm {
         "at the equilibrium the accelerations have no power series: they have a kink or a jump there, or are not finite"
     )]
     NoSeries,
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -48,7 +48,7 @@ pub enum NoModes {
     /// Eigenvalues that are not found.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
     NoEigenvalues,
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -302,11 +302,11 @@ fn jumps_of_an_interrupted_response_lead_to_the_nearest_points_and_say_how_far_t
     let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let whole = over(&pendulum, "w", [0.7, 1.0]);
     let most = whole.branches[0].points.len() - 3;
-    let ask = |progress: Status| {
-        if progress.done < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let options = ResponseOptions::default();
-    let response = Response::over(&pendulum, "w", [0.7, 1.0], &options, &ask).unwrap();
+    let response = Response::over(&pendulum, "w", [0.7, 1.0], &options, &progress).unwrap();
     assert!(response.interrupted && response.jumps.len() == 2);
     for (jump, exact) in response.jumps.iter().zip(&whole.jumps) {
         let off = apart(&jump.to[0].state, &exact.to[0].state);

@@ -180,10 +180,10 @@ fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
 fn sweeps_end_where_the_watch_says() {
     let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let response = Response::over(&pendulum, "w", [0.9, 1.0], &ResponseOptions::default(), &Quiet).unwrap();
-    let ask = |now: libration::progress::Status| match now.done {
+    let progress = |status: libration::progress::Status| match status.done {
         0..5 => std::ops::ControlFlow::Continue(()),
         _ => std::ops::ControlFlow::Break(()),
     };
-    let sweeps = response.sweeps(&pendulum, "w", [0.9, 1.0], 20, &ask).unwrap();
+    let sweeps = response.sweeps(&pendulum, "w", [0.9, 1.0], 20, &progress).unwrap();
     assert_eq!(sweeps.iter().map(|it| it.points.len()).sum::<usize>(), 5);
 }

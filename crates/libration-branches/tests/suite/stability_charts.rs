@@ -196,11 +196,11 @@ fn losses_of_symmetry_and_second_frequencies_are_followed() {
 #[test]
 fn a_chart_that_is_stopped_has_what_was_done() {
     let hanging = equation(PIVOT, &[("c", "0.1")]);
-    let ask = |progress: Status| {
-        if progress.done < 6 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < 6 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let ranges = [[1.5, 2.5], [0.0, 0.2]];
-    let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &ask).unwrap();
+    let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &progress).unwrap();
     assert!(chart.interrupted && chart.curves.len() == 1);
     assert!(chart.curves[0].endings.contains(&Ending::Interrupted));
 }

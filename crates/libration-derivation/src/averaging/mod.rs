@@ -46,8 +46,9 @@ pub(super) use tables::in_terms;
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_derivation::{averaging, to_markdown};
-/// let page = averaging(&"x'' + c*x'*abs(x') + x = 0".parse()?, None, 3, 1)?;
+/// let page = averaging(&"x'' + c*x'*abs(x') + x = 0".parse()?, None, 3, 1, &Quiet)?;
 /// assert!(to_markdown(&page).contains(r"\frac{4cA^{2}}{3\pi "));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -121,7 +121,7 @@ pub enum DerivationError {
     /// A pendulum that cannot be.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
-    /// The watch said so before the first step.
+    /// Cancelled before the first step.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -30,8 +30,9 @@ const HIGHEST_DEGREE: usize = 9;
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_derivation::{limit_cycle, to_markdown};
-/// let page = limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?, None, 2)?;
+/// let page = limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?, None, 2, &Quiet)?;
 /// assert!(to_markdown(&page).contains(r"\Omega =1-\frac{1}{16}\mu ^{2}"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -131,11 +131,11 @@ fn a_derivation_that_is_stopped_keeps_its_steps() {
     let equation: Equation = "x'' + c*x' + x = 0".parse().unwrap();
     let steps_after = |limit: usize| {
         let asked = Cell::new(0);
-        let ask = |_: Status| {
+        let progress = |_: Status| {
             asked.set(asked.get() + 1);
             if asked.get() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let known = averaging(&equation, None, 1, 1, &ask);
+        let known = averaging(&equation, None, 1, 1, &progress);
         known.map(|known| known.steps.len())
     };
     assert!(matches!(steps_after(0), Err(DerivationError::Interrupted(_))));

@@ -451,11 +451,11 @@ fn cycles_stop_at_any_question() {
     let trace = Synthetic { noise: 0.002, ..Synthetic::USUAL }.trace(&mut Random::seeded(1));
     let asked_until = |last: usize| {
         let questions = Cell::new(0);
-        let ask = |_: Status| {
+        let progress = |_: Status| {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = cycles(&trace, &CyclesOptions::default(), &ask);
+        let found = cycles(&trace, &CyclesOptions::default(), &progress);
         (found, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);
@@ -467,8 +467,8 @@ fn cycles_stop_at_any_question() {
     }
     let traces = [trace.clone(), trace];
     let all = traces.each_ref().map(|trace| cycles(trace, &CyclesOptions::default(), &Quiet));
-    let ask = |_: Status| ControlFlow::Break(());
-    let beta = beta_of_traces(&traces, &all, &ask);
+    let progress = |_: Status| ControlFlow::Break(());
+    let beta = beta_of_traces(&traces, &all, &progress);
     assert_eq!(beta, Err(CyclesError::Interrupted(Interrupted)));
 }
 

@@ -354,11 +354,11 @@ fn fits_of_gates_stop_at_any_question() {
     let (times, blocked) = split(&edges(0.1, 1e-5)[..20]);
     let asked_until = |last: usize| {
         let questions = Cell::new(0);
-        let ask = |_: Status| {
+        let progress = |_: Status| {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = gates(&times, Some(&blocked), &with_width(), &ask);
+        let found = gates(&times, Some(&blocked), &with_width(), &progress);
         (found, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);

@@ -325,20 +325,20 @@ fn windows_of_three_swings_take_all_residuals_for_noise() {
 fn the_search_is_stopped_when_asked() {
     let trace = Synthetic::USUAL.trace(&mut Random::seeded(1));
     let calls = std::cell::Cell::new(0);
-    let ask = |_: Status| {
+    let progress = |_: Status| {
         calls.set(calls.get() + 1);
         ControlFlow::Continue(())
     };
-    spectrum(&trace, &SpectrumOptions::default(), &ask).unwrap();
+    spectrum(&trace, &SpectrumOptions::default(), &progress).unwrap();
     let all = calls.get();
     assert!(all > 20, "{all}");
     for last in [0, all / 2, all - 2] {
         calls.set(0);
-        let ask = |_: Status| {
+        let progress = |_: Status| {
             calls.set(calls.get() + 1);
             if calls.get() > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let stopped = spectrum(&trace, &SpectrumOptions::default(), &ask);
+        let stopped = spectrum(&trace, &SpectrumOptions::default(), &progress);
         assert!(matches!(
             stopped,
             Err(SpectrumError::Interrupted(Interrupted) | SpectrumError::Cycles(CyclesError::Interrupted(_)))

@@ -64,6 +64,7 @@ pub enum DiagramError {
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
 /// let section = Section::Stroboscope { period: None, phase: 0.0 };
@@ -71,7 +72,7 @@ pub enum DiagramError {
 /// let family = Family { equation: &equation, parameter: "A", section: &section, points };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
-/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort)?;
+/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, &Quiet)?;
 /// assert_eq!(columns[1].section.points.len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -47,7 +47,8 @@ impl Orbit {
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{Orbit, Stability};
-    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0])?;
+    /// use libration::progress::Quiet;
+    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0], &Quiet)?;
     /// assert!((orbit.period() - 6.66328685932313).abs() < 1e-13);
     /// assert_eq!(orbit.floquet().ok_or("no multipliers")?.stability, Stability::Attracting);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

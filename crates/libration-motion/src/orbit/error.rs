@@ -130,7 +130,7 @@ pub enum NoOrbit {
     /// An orbit that cannot be followed to its end.
     #[error(transparent)]
     Integration(IntegrationError),
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -45,7 +45,7 @@ pub enum NoHalfPeriod {
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
     Lost(f64),
-    /// The series end, and say nothing about how far they hold, there are too many steps, or the watch ends it.
+    /// The series end, and say nothing about how far they hold, there are too many steps, or it is cancelled.
     Unable,
 }
 

@@ -62,7 +62,8 @@ impl Orbit {
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
-    /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0)?;
+    /// use libration::progress::Quiet;
+    /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0, &Quiet)?;
     /// // Γ(1/4)²/√π over the amplitude.
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -52,8 +52,9 @@ impl Orbit {
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{Orbit, OrbitKind, OrbitSearch};
+    /// use libration::progress::Quiet;
     /// let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
-    /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search)?;
+    /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search, &Quiet)?;
     /// assert_eq!(kind, OrbitKind::LimitCycle);
     /// assert!((cycle.period() - 6.66328685932313).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -39,11 +39,12 @@ impl Orbit {
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{OrbitGuess, Orbit};
+    /// use libration::progress::Quiet;
     /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
     /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
-    /// let orbit = Orbit::near(&equation, &guess, &[0, 2])?;
-    /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1)?;
+    /// let orbit = Orbit::near(&equation, &guess, &[0, 2], &Quiet)?;
+    /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1, &Quiet)?;
     /// assert!((orbit.period() - alone.period()).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

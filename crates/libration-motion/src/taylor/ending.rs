@@ -30,11 +30,12 @@ use libration_numbers::progress::Quiet;
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Event, System, ending_error, integrate};
 /// let bottom = Event { ends_at: Some(3), ..Event::zero_of("x".parse()?) };
 /// let system = System::new(&"x'' = -x".parse()?)?.with_events(&[bottom])?;
 /// let (start, effort) = (system.start(&[("x", 1.0)])?, Effort::to_tolerance(1e-9));
-/// let end = integrate(&system, &start, &[100.0], &effort)?.end;
+/// let end = integrate(&system, &start, &[100.0], &effort, &Quiet)?.end;
 /// let error = ending_error(&system, &start, 100.0, &effort, &end)?;
 /// assert!((end.time - 2.5 * std::f64::consts::PI).abs() <= error.time && error.time < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

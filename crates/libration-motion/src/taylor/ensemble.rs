@@ -16,12 +16,13 @@ use libration_numbers::progress::{Interrupted, Progress, Stage};
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Ensemble, Moment, System};
 /// let system = System::new(&"theta'' + theta'/2 + sin(theta) = 3/2*cos(2t/3)".parse()?)?;
 /// let starts: Vec<Moment> =
 ///     (0..100).map(|n| Moment { time: 0.0, state: vec![0.2 + 1e-6 * f64::from(n), 0.0] }).collect();
 /// let mut ensemble = Ensemble::new(system, &starts, &Effort::to_tolerance(1e-8))?;
-/// let states = ensemble.states_at(10.0);
+/// let states = ensemble.states_at(10.0, &Quiet)?;
 /// assert_eq!(states.len(), 200);
 /// assert!((states[0] - states[198]).abs() < 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -266,11 +266,11 @@ fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
 #[test]
 fn a_search_can_be_stopped_and_keeps_what_it_has() {
     let pairs = Cell::new(0);
-    let ask = |progress: Status| {
-        pairs.set(progress.done);
-        if progress.done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    let progress = |status: Status| {
+        pairs.set(status.done);
+        if status.done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let some = TABLE.all_crossovers(&ask);
+    let some = TABLE.all_crossovers(&progress);
     assert_eq!(pairs.get(), 40);
     assert!(!some.is_empty() && TABLE.all_crossovers(&Quiet).starts_with(&some));
 }

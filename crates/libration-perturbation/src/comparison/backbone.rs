@@ -21,12 +21,13 @@ use libration_numbers::quantity::Displacement;
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::comparison::Backbone;
-/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
+/// use libration::progress::Quiet;
+/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15, &Quiet)?;
 /// let point = duffing.at(0.5);
 /// let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
 /// assert!((orbit.frequency - series.frequency).abs() < 1e-6);
 /// // A force without a linear part has orbits, but no series.
-/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15)?.at(2.0).series.is_none());
+/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15, &Quiet)?.at(2.0).series.is_none());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

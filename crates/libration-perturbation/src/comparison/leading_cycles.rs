@@ -97,8 +97,9 @@ impl LeadingLimitCycles {
     /// ```
     /// # extern crate libration_perturbation as libration;
     /// use libration::comparison::LeadingLimitCycles;
+    /// use libration::progress::Quiet;
     /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
-    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None)?;
+    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
     /// let [cycle] = &found.cycles[..] else { panic!() };
     /// assert!((cycle.amplitude - 1.9351).abs() < 1e-4 && cycle.exponent < 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -223,7 +224,7 @@ fn extremum(
     Ok(found.filter(Work::is_some))
 }
 
-/// The work where something about it vanishes; nobody is asked again after a stop.
+/// The work where something about it vanishes; there are no updates after a cancellation.
 fn at_zero(
     work: &WorkOverOrbits<'_>,
     ends: [(f64, f64); 2],

@@ -5,9 +5,10 @@
 //! # extern crate libration_perturbation as libration;
 //! use libration::comparison::Backbone;
 //! use libration::elliptic::Modulus;
+//! use libration::progress::Quiet;
 //!
 //! // A spring that stiffens: how its frequency rises with the amplitude, by integration and by its series.
-//! let backbone = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
+//! let backbone = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15, &Quiet)?;
 //! let point = backbone.at(0.5);
 //! let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
 //! // In closed form it is π√(1 + A²)/2K(m) with m = A²/(2 + 2A²), here 1/10.

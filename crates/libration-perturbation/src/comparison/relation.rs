@@ -25,10 +25,11 @@ use libration_numbers::quantity::Displacement;
 /// use libration::oscillator::NamedOscillator;
 /// use libration::comparison::{SeriesQuantity, SeriesComparison};
 /// use libration::perturbation::{Gauge, expand};
+/// use libration::progress::Quiet;
 /// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
-/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
+/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental, &Quiet)?;
 /// let period = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period);
-/// let exact = period.exact_at(1.0)?;
+/// let exact = period.exact_at(1.0, &Quiet)?;
 /// let error = (period.evaluation_at(1.0).value() - exact.value).abs();
 /// assert!(error < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -18,13 +18,14 @@ use libration_numbers::progress::Progress;
 /// use libration::comparison::SlowDecay;
 /// use libration::decay::{Damping, Decay};
 /// use libration::pendulum::Pendulum;
+/// use libration::progress::Quiet;
 ///
 /// // Drag of a fast flow from half a radian: each turning point of the integration, and the slow flow at its time.
 /// let pendulum = Pendulum::from_angular_frequency(1.0)?;
 /// let decay = Decay::new(pendulum, Damping::of_degree(2.0, 0.05)?, "0.5rad".parse()?)?;
 /// let turns: Vec<_> = decay.swings().take(20).collect::<Result<_, _>>()?;
 /// let times: Vec<f64> = turns.iter().map(|turn| turn.time).collect();
-/// let slow = SlowDecay::new(&decay, 9, 3)?.at_times(&times);
+/// let slow = SlowDecay::new(&decay, 9, 3, &Quiet)?.at_times(&times);
 /// for (turn, slow) in turns.iter().zip(slow) {
 ///     assert!((turn.amplitude.radians() - slow.amplitude).abs() < 1e-5);
 /// }

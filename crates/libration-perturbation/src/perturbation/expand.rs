@@ -46,8 +46,9 @@ const fn first_integral_order(kind: &Kind) -> usize {
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand};
+/// use libration::progress::Quiet;
 /// let pendulum = Oscillator::new(&"x'' = -sin(x)".parse()?)?;
-/// let expansion = expand(&pendulum, 5, &Gauge::Fundamental)?;
+/// let expansion = expand(&pendulum, 5, &Gauge::Fundamental, &Quiet)?;
 /// assert_eq!(expansion.frequency_ratio[4].to_string(), "1/1024");
 /// assert_eq!(expansion.of_amplitude.unwrap().period_ratio[4].to_string(), "11/3072");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -88,8 +89,9 @@ pub fn expand(
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand_with_pi};
+/// use libration::progress::Quiet;
 /// let oscillator = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse()?)?;
-/// let expansion = expand_with_pi(&oscillator, 3, &Gauge::XMax)?.ok_or("not two-sided")?;
+/// let expansion = expand_with_pi(&oscillator, 3, &Gauge::XMax, &Quiet)?.ok_or("not two-sided")?;
 /// assert_eq!(expansion.frequency_ratio[1].to_string(), "4/(3*pi)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -10,10 +10,11 @@
 //! # extern crate libration_perturbation as libration;
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
+//! use libration::progress::Quiet;
 //!
 //! // Van der Pol: amplitude and frequency of the limit cycle in powers of the excitation.
 //! let oscillator = Oscillator::new(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?)?;
-//! let expansion = expand(&oscillator, 4, &Gauge::Fundamental)?;
+//! let expansion = expand(&oscillator, 4, &Gauge::Fundamental, &Quiet)?;
 //! assert_eq!(expansion.frequency_ratio[2].to_string(), "-1/16");
 //! assert_eq!(expansion.frequency_ratio[4].to_string(), "17/3072");
 //! # Ok::<(), Box<dyn std::error::Error>>(())

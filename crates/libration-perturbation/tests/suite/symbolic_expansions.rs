@@ -304,10 +304,10 @@ fn high_powers_of_letters_are_checked_too() {
 #[test]
 fn what_is_found_before_an_interruption_is_kept() {
     let oscillator = oscillator("x'' + w^2*x + a*x^2 + b*x^3 = 0");
-    let ask = |progress: Status| {
-        if progress.done < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    let stopped = expand_symbolically(&oscillator, 9, &Gauge::Fundamental, &ask);
+    let stopped = expand_symbolically(&oscillator, 9, &Gauge::Fundamental, &progress);
     let Err(SymbolicExpansionError::Interrupted { known: Some(known) }) = stopped else {
         panic!("not interrupted: {stopped:?}")
     };

@@ -22,10 +22,11 @@ use libration::quantity::Quantity;
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_lab::fit::gates::{GateOptions, gates};
 /// // A period of 2 s, and a gate off the centre.
 /// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
-/// let found = gates(&times, None, &GateOptions::default())?;
+/// let found = gates(&times, None, &GateOptions::default(), &Quiet)?;
 /// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```

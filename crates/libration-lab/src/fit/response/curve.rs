@@ -6,7 +6,6 @@ use super::required_drive::{AllHarmonics, Asked, EFFORT, Law, along, scaled};
 use crate::fit::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchPoint, Jump, NoBranch, Response, ResponseOptions};
-use libration::internals::progress::Watch;
 use libration::orbit::Stability;
 use libration::progress::{Progress, Quiet};
 use libration::taylor::{Moment, System, Trajectory};
@@ -53,10 +52,9 @@ impl ResponseFit {
     /// # Errors
     /// Fails as [`Response::over`] does.
     pub fn curve(&self, range: [f64; 2], progress: &dyn Progress) -> Result<FittedCurve, NoBranch> {
-        let watch = &Watch::new(progress);
         let equation = self.model.with_frequency_open(&self.parameters());
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-        let response = Response::over(&equation, "w", range, &options, watch)?;
+        let response = Response::over(&equation, "w", range, &options, progress)?;
         let branches = response.branches.iter().map(|branch| {
             let special = branch.special.iter().map(|it| (it.before, &it.point));
             let mut points: Vec<(usize, &BranchPoint)> = special.collect();

@@ -34,7 +34,7 @@ const BLOCK: usize = 256;
 /// About 1e-12 for a thousand points: phases are accumulated from point to point.
 ///
 /// # Errors
-/// Fails with [`Interrupted`] where `watch` was stopped, which is checked after every 256 rows.
+/// [`Interrupted`] if the call is cancelled; the progress is updated after every 256 rows.
 ///
 /// # Examples
 /// ```

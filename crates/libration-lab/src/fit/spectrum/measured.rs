@@ -72,13 +72,14 @@ pub struct Spectrum {
 /// # Examples
 /// ```
 /// use libration::pendulum::Pendulum;
+/// use libration::progress::Quiet;
 /// use libration_lab::fit::spectrum::{SpectrumOptions, spectrum};
 /// use libration_lab::measurement::{Observable, Trace};
 /// let motion = Pendulum::new(0.56, 9.81)?.released_from("80deg".parse()?)?;
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
-/// let found = spectrum(&trace, &SpectrumOptions::default())?;
+/// let found = spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
 /// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
 /// let third = found.harmonics[3];
 /// assert!((third.in_phase.value - third.theory).abs() < 1e-6 && third.theory < -0.01);

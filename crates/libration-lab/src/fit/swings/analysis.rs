@@ -26,11 +26,10 @@ pub enum SwingsError {
     Gravity(#[from] BudgetError),
 }
 
-/// Analyses traces of the same pendulum. `watch` is checked before each evaluation of the motion, and at each
-/// step to the cycles, and may cancel the analysis.
+/// Analyses traces of the same pendulum.
 ///
 /// # Errors
-/// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus.
+/// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus; on cancellation.
 pub fn swings(
     traces: &[Trace],
     options: &SwingsOptions<'_>,

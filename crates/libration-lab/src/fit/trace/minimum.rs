@@ -97,7 +97,7 @@ impl Minimum {
     }
 }
 
-/// Descends from the start of a search. `watch` is checked before each evaluation of the motion.
+/// Descends from the start of a search.
 pub fn descent(
     model: &Model,
     series: &[Series<'_>],

@@ -71,8 +71,6 @@ use problem::Problem;
 
 /// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
 ///
-/// `watch` is checked before each evaluation of the motion and may stop the fit.
-///
 /// # Errors
 /// Fails for too few rows, a trace that is not that of a pendulum, parameters that the data do not determine, and a cancellation.
 ///

@@ -53,7 +53,7 @@ impl<'a> Laboratory<'a> {
         self.follow(self.settled.clone(), watch)
     }
 
-    /// Follows a motion through the schedule, or until `watch` stops it.
+    /// Follows a motion through the schedule, or until it is cancelled.
     fn follow(&self, settled: Moment, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         let mut evidence = Evidence::new(self.schedule.interval, settled.state.len());
         let mut deviation =

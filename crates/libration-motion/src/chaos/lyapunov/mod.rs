@@ -70,8 +70,8 @@ pub enum LyapunovError {
 /// A deviation is carried along by the linearised equations. Its size is measured in units of how far the motion goes in each
 /// number of the state, so that units do not matter.
 ///
-/// `progress` has the number of intervals measured of [`Stage::Motion`](libration_numbers::progress::Stage::Motion) 0, the given motion, and of 1 and 2, its
-/// neighbours. A cancelled call returns the estimates until then, with the verdict [`Doubt::Stopped`].
+/// `progress` has the number of intervals measured of [`Stage::Motion`](libration_numbers::progress::Stage::Motion) 0, the given motion, and of 1
+/// and 2, its neighbours. A cancelled call returns the estimates until then, with the verdict [`Doubt::Stopped`].
 ///
 /// # The verdict
 /// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
@@ -91,12 +91,13 @@ pub enum LyapunovError {
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-12);
 /// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
-/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort)?;
+/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort, &Quiet)?;
 /// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -258,11 +258,11 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
     let surface = Section::Crossing { formula: "x".parse().unwrap(), direction: Direction::Rising };
     for cut in [FLASH, surface] {
         let reports: RefCell<Vec<Status>> = RefCell::default();
-        let ask = |progress: Status| {
-            reports.borrow_mut().push(progress);
-            if progress.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let progress = |status: Status| {
+            reports.borrow_mut().push(status);
+            if status.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &ask).unwrap();
+        let found = section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
         assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         let reports = reports.into_inner();
         assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|it| it.of == Some(20)));

@@ -40,9 +40,10 @@ pub struct Condition {
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{OpenGauge, EpsilonPowers};
+/// use libration::progress::Quiet;
 /// // sin θ up to the fifth power.
 /// let sine = ["1", "0", "-1/6", "0", "1/120"].map(|text| text.parse().unwrap());
-/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity)?;
+/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity, &Quiet)?;
 /// assert_eq!(pendulum.solution()[&"d4".into()].to_string(), "-A1*A3/8 + A1^4/1024");
 /// assert_eq!(pendulum.free_constants().len(), 3);
 /// # Ok::<(), libration::perturbation::OpenGaugeError>(())
@@ -165,7 +166,7 @@ pub enum OpenGaugeError {
         /// Its exponent.
         power: u32,
     },
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

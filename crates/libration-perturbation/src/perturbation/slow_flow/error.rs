@@ -80,7 +80,7 @@ pub enum SlowFlowError {
          whole, and forces without kinks but for abs(x') and sign(x')"
     )]
     NoSeries,
-    /// It was told to stop.
+    /// Cancelled by the caller.
     #[error("interrupted")]
     Interrupted,
 }

@@ -22,10 +22,11 @@
 //! ```
 //! # extern crate libration_perturbation as libration;
 //! use libration::perturbation::{Gauge, slow_flow};
+//! use libration::progress::Quiet;
 //!
 //! // The drag of a fast flow on a pendulum.
 //! let equation = "theta'' + c*theta'*abs(theta') + sin(theta) = 0".parse()?;
-//! let flow = slow_flow(&equation, None, 4, 2, &Gauge::XMax)?;
+//! let flow = slow_flow(&equation, None, 4, 2, &Gauge::XMax, &Quiet)?;
 //! assert_eq!(flow.amplitude_rate[1][2].to_string(), "-4/(3*pi)");
 //! assert_eq!(flow.phase_rate[0][2].to_string(), "-1/16");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -159,8 +160,9 @@ fn value(series: &SlowSeries, amplitude: f64, parameter: f64) -> f64 {
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{Gauge, slow_flow};
+/// use libration::progress::Quiet;
 /// // Viscous damping of a linear spring: A′ = −cA/2 and ψ′ = √(1 − c²/4), exactly.
-/// let flow = slow_flow(&"x'' + c*x' + x = 0".parse()?, None, 1, 4, &Gauge::XMax)?;
+/// let flow = slow_flow(&"x'' + c*x' + x = 0".parse()?, None, 1, 4, &Gauge::XMax, &Quiet)?;
 /// assert_eq!(flow.amplitude_rate[1][1].to_string(), "-1/2");
 /// assert_eq!(flow.phase_rate[2][0].to_string(), "-1/8");
 /// assert_eq!(flow.phase_rate[4][0].to_string(), "-1/128");

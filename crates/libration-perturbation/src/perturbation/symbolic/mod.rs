@@ -60,8 +60,9 @@ impl SymbolicExpansion {
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::SymbolicOscillator;
 /// use libration::perturbation::{Gauge, expand_symbolically};
+/// use libration::progress::Quiet;
 /// let oscillator = SymbolicOscillator::new(&"x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?)?;
-/// let expansion = expand_symbolically(&oscillator, 3, &Gauge::Fundamental)?;
+/// let expansion = expand_symbolically(&oscillator, 3, &Gauge::Fundamental, &Quiet)?;
 /// assert_eq!(expansion.series.frequency_ratio[2].to_string(), "3*b/(8*w^2) - 5*a^2/(12*w^4)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

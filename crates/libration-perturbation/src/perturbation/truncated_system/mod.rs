@@ -32,13 +32,14 @@ pub use verdict::SolutionVerdict;
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{TruncatedSystem, SolutionVerdict};
+/// use libration::progress::Quiet;
 /// let sine = ["1", "0", "-1/6"].map(|text| text.parse().unwrap());
 /// let system = TruncatedSystem::new(&sine, 2, 3)?;
 /// let [first, third] = &system.conditions()[..] else { panic!() };
 /// assert_eq!(first.to_string(), "-8 + a1^2 + a1*a3 + 2*a3^2 + 8*Delta^2");
 /// assert_eq!(third.to_string(), "-24*a3 + a1^3 + 6*a1^2*a3 + 3*a3^3 + 216*a3*Delta^2");
 ///
-/// let solutions = system.solutions(1.0)?;
+/// let solutions = system.solutions(1.0, &Quiet)?;
 /// assert_eq!(solutions.len(), 4);
 /// assert_eq!(solutions[0].verdict, SolutionVerdict::Accepted);
 /// assert!((solutions[0].frequency_ratio_squared.re - 0.87425).abs() < 1e-5);
