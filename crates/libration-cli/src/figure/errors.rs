@@ -23,8 +23,8 @@ pub(crate) struct Frame {
     pub(crate) highest: f64,
 }
 
-/// The picture of the errors; where an error changes sign its curve runs down to the axis. If somebody asks for an early
-/// end it has only the curves that are done.
+/// The picture of the errors; where an error changes sign its curve runs down to the axis. If the run is cancelled
+/// it has only the curves that are done.
 pub(crate) fn errors(curves: Vec<Curve>, frame: Frame) -> Picture {
     let numbered: Vec<(usize, Curve)> = curves.into_iter().enumerate().collect();
     let series = parallel::map_unless_cancelled(&numbered, "curves", |(number, curve), progress| {

@@ -23,11 +23,11 @@ use libration_numbers::quantity::Displacement;
 /// use libration::comparison::Backbone;
 /// use libration::progress::Quiet;
 /// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15, &Quiet)?;
-/// let point = duffing.at(0.5);
+/// let point = duffing.at(0.5, &Quiet);
 /// let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
 /// assert!((orbit.frequency - series.frequency).abs() < 1e-6);
 /// // A force without a linear part has orbits, but no series.
-/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15, &Quiet)?.at(2.0).series.is_none());
+/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15, &Quiet)?.at(2.0, &Quiet).series.is_none());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -32,7 +32,7 @@ struct Piece<'m, 'a> {
 /// Largest number of motions that are one piece of work.
 const PIECE: usize = 32;
 
-/// All motions, but those that have not begun when somebody asks for an early end.
+/// All motions, but those that have not begun when the run is cancelled.
 pub(super) fn all<'a>(motions: &[Listed<'a>], drawn: bool) -> Vec<Option<Followed<'a>>> {
     let progress = Progress { thousandths: AtomicU64::new(0), last: motions[0].motion.times.last() };
     let how_far = || progress.shown(motions.len());
