@@ -8,6 +8,7 @@ use libration::pendulum::{
     Amplitude, Pendulum, period_excesses, period_ratios, period_ratios_near_top, states,
 };
 use libration::perturbation::{Gauge, expand};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_report::chart::{Axis, Panel, Picture, Series};
@@ -106,7 +107,7 @@ fn harmonics() -> Result<Vec<f64>, Failure> {
 /// Exact fractions as their letters.
 fn expansion() -> Result<Vec<f64>, Failure> {
     let oscillator = Oscillator::new(&"x'' = -sin(x)".parse()?)?;
-    let expansion = expand(&oscillator, 21, &Gauge::Fundamental)?;
+    let expansion = expand(&oscillator, 21, &Gauge::Fundamental, &Quiet)?;
     let fractions = expansion.frequency_ratio.iter().map(ToString::to_string);
     let mut answers: Vec<f64> = fractions.flat_map(letters).collect();
     answers.push(Amplitude::new(Angle::from_degrees(90.0)?)?.period_ratio());
@@ -118,7 +119,7 @@ fn integration() -> Result<Vec<f64>, Failure> {
     let system = System::new(&"theta'' + 0.2 theta' + sin(theta) = 0.7*cos(2*t/3)".parse()?)?;
     let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
     let times: Vec<f64> = (1..=300).map(|n| f64::from(n) / 6.0).collect();
-    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-14))?;
+    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-14), &Quiet)?;
     Ok(solution.samples.into_iter().flat_map(|sample| sample.state).collect())
 }
 

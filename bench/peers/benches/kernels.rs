@@ -6,6 +6,7 @@ use libration::elliptic::{self, JacobiSlices, Moduli};
 use libration::oscillator::NamedOscillator;
 use libration::pendulum::{self, Pendulum};
 use libration::perturbation::{Gauge, expand};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration::taylor::{Effort, Moment, System, Trajectory, integrate, integrate_many};
 
@@ -79,7 +80,7 @@ fn jacobi_functions(bencher: Bencher<'_, '_>) {
 fn integration(bencher: Bencher<'_, '_>, tolerance: f64) {
     let system = system("theta'' + sin(theta) = 0");
     let start = Moment { time: 0.0, state: vec![3.124, 0.0] };
-    let motion = || integrate(&system, &start, &[300.0], &Effort::to_tolerance(tolerance));
+    let motion = || integrate(&system, &start, &[300.0], &Effort::to_tolerance(tolerance), &Quiet);
     (0..10).for_each(|_| drop(motion()));
     bencher.bench_local(motion);
 }
@@ -90,7 +91,7 @@ fn driven_pendulums(bencher: Bencher<'_, '_>, count: u32) {
     let start = |n: u32| Moment { time: 0.0, state: vec![0.04 * f64::from(n) - 1.0, 0.5] };
     let trajectories: Vec<Trajectory<'_>> =
         (0..count).map(|n| Trajectory { start: start(n), parameters: vec![], times: &[90.0] }).collect();
-    let motions = || integrate_many(&system, &trajectories, &Effort::to_tolerance(1e-9));
+    let motions = || integrate_many(&system, &trajectories, &Effort::to_tolerance(1e-9), &Quiet);
     (0..10).for_each(|_| drop(motions()));
     bencher.counter(ItemsCount::new(count)).bench_local(motions);
 }
@@ -99,7 +100,7 @@ fn driven_pendulums(bencher: Bencher<'_, '_>, count: u32) {
 fn exact_series(bencher: Bencher<'_, '_>, order: usize) {
     let named = NamedOscillator::by_key("pendulum").expect("catalogued");
     let pendulum = named.oscillator(&[]).expect("without letters");
-    bencher.bench_local(|| expand(&pendulum, order, &Gauge::Fundamental));
+    bencher.bench_local(|| expand(&pendulum, order, &Gauge::Fundamental, &Quiet));
 }
 
 fn system(equation: &str) -> System {

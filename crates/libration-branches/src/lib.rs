@@ -13,7 +13,7 @@ pub use libration_kernels::elliptic;
 #[doc(hidden)]
 pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
 #[doc(hidden)]
-pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+pub use libration_numbers::{algebra, catalogue, expression, progress, quadrature, quantity, roots, series};
 #[doc(hidden)]
 pub use libration_pendulum::{pendulum, period_formulas};
 

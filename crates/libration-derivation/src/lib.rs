@@ -52,7 +52,7 @@ mod python;
 
 pub mod paper;
 
-pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging, averaging_watched};
+pub use averaging::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER, averaging};
 pub use check::{Against, Check, CheckedEquation, ComparedAt, DerivationError, Letters, OpenCondition};
 pub use check::{
     AveragedClaim, AveragedFormula, CycleClaim, CycleFormula, CycleQuantity, FlowTerms, ForceTerm,
@@ -62,8 +62,8 @@ pub use document::{Block, Cells, Derivation, DerivationStep, DerivationTable};
 pub use elliptic::elliptic;
 pub use evaluate::NoEvaluation;
 pub use formula::{Decimal, DecimalUnit, Formula, Name, Relation, Statement, Subscript};
-pub use limit_cycle::{HIGHEST_CYCLE_ORDER, limit_cycle, limit_cycle_watched};
-pub use lindstedt::{HIGHEST_ORDER, Released, perturbation, perturbation_watched};
+pub use limit_cycle::{HIGHEST_CYCLE_ORDER, limit_cycle};
+pub use lindstedt::{HIGHEST_ORDER, Released, perturbation};
 pub use print::{to_html, to_latex, to_markdown, to_notebook};
 pub use prose::{Prose, Span};
 pub use published::formulas;

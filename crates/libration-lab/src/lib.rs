@@ -21,7 +21,7 @@
 //!
 //! ```
 //! use libration::pendulum::Pendulum;
-//! use libration::watch::Watch;
+//! use libration::progress::Quiet;
 //! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
 //! use libration_lab::measurement::{Observable, Trace};
 //!
@@ -30,7 +30,7 @@
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 //! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
-//! let fitted = swings(&[trace], &undamped, &Watch::none())?;
+//! let fitted = swings(&[trace], &undamped, &Quiet)?;
 //! let FittedPendulum::Length(length) = fitted.pendulum else { return Err("a length was given".into()) };
 //! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
 //! assert!(fitted.advice.contains(&Advice::GiveLength));

@@ -1,13 +1,13 @@
 //! Independent pieces of work on all cores.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};
 use std::thread::{available_parallelism, scope};
 
-/// The results for all items, in their order. Which core did which, and how many there are, changes nothing; the watch is asked as
-/// often as if there were one, by this thread.
+/// The results for all items, in their order. Which core did which, and how many there are, changes nothing; the
+/// caller is consulted by this thread, as often as if there were one.
 pub fn map<T: Sync, R: Send>(
     items: &[T],
     watch: &Watch<'_>,

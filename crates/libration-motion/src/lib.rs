@@ -14,7 +14,7 @@ pub mod taylor;
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 #[doc(hidden)]
-pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+pub use libration_numbers::{algebra, catalogue, expression, progress, quadrature, quantity, roots, series};
 #[doc(hidden)]
 pub use libration_pendulum::{pendulum, period_formulas};
 

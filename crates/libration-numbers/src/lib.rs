@@ -5,11 +5,11 @@ pub mod algebra;
 pub mod catalogue;
 pub mod expression;
 mod linear;
+pub mod progress;
 pub mod quadrature;
 pub mod quantity;
 pub mod roots;
 pub mod series;
-pub mod watch;
 
 // The modules of the crates below under the names that `libration` gives them, so that examples read as its users write them.
 #[doc(hidden)]
@@ -61,6 +61,9 @@ pub mod internals {
             elimination::{determinant, null_space, solve, solve_complex},
             least_squares::least_squares,
         };
+    }
+    pub mod progress {
+        pub use crate::progress::watch::Watch;
     }
     pub mod quadrature {
         pub use crate::quadrature::{

@@ -8,7 +8,7 @@ pub mod period_formulas;
 #[doc(hidden)]
 pub use libration_kernels::elliptic;
 #[doc(hidden)]
-pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+pub use libration_numbers::{algebra, catalogue, expression, progress, quadrature, quantity, roots, series};
 
 /// Internals that the other crates of this workspace and the tests use. They may change at any time.
 #[doc(hidden)]

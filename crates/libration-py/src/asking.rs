@@ -15,11 +15,11 @@ use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
 use crate::errors::{MissingFile, NoAnswer, UsageError, refusal};
-use crate::patience::Patience;
+use crate::progress::CallProgress;
 
 /// Keeps the answer and the notes of one question.
 struct Conversation {
-    patience: Patience,
+    progress: CallProgress,
     input: Vec<u8>,
     answer: Mutex<Vec<u8>>,
     notes: Mutex<Vec<String>>,
@@ -41,12 +41,12 @@ impl Host for Conversation {
 
     fn progress(&self, how_far: Option<&str>) {
         if let Some(how_far) = how_far {
-            self.patience.tell(how_far);
+            self.progress.report(how_far);
         }
     }
 
     fn goes_on(&self) -> bool {
-        self.patience.lasts()
+        !self.progress.is_cancelled()
     }
 }
 
@@ -63,7 +63,7 @@ pub(crate) fn ask(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answered> {
     let conversation = Arc::new(Conversation {
-        patience: Patience::new(progress),
+        progress: CallProgress::new(progress),
         input: input.unwrap_or_default(),
         answer: Mutex::default(),
         notes: Mutex::default(),
@@ -74,7 +74,7 @@ pub(crate) fn ask(
     let answer = String::from_utf8(take(&conversation.answer));
     let answer = answer.map_err(|error| PyUnicodeDecodeError::new_err(error.to_string()))?;
     let notes = std::mem::take(&mut *conversation.notes.lock().unwrap_or_else(PoisonError::into_inner));
-    let stopped_by = conversation.patience.stopped_by();
+    let stopped_by = conversation.progress.stopped_by();
     Ok((answer, notes, stopped_by.or(answered.err().map(|error| raised(py, &error)))))
 }
 

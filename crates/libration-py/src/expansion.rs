@@ -6,15 +6,15 @@ use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::{Equation, Expression};
 use libration::oscillator::{NamedOscillator, NumbersOrLetters, Oscillator};
 use libration::perturbation::{
-    AmplitudeSeries, Certainty, Expansion, ExpansionError, ExpansionVariable, Gauge, PhaseOrigin, Precision,
-    SymbolicExpansion, SymbolicExpansionError, expand_symbolically_watched, expand_watched,
+    self, AmplitudeSeries, Certainty, Expansion, ExpansionError, ExpansionVariable, Gauge, PhaseOrigin,
+    Precision, SymbolicExpansion, SymbolicExpansionError, expand_symbolically,
 };
-use libration::watch::Watch;
+use libration::progress::Progress;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{ExpansionError as Refused, UnknownKeyError, refusal};
-use crate::patience::Patience;
+use crate::progress::CallProgress;
 
 /// An expansion, with what it takes to evaluate it.
 #[pyclass(frozen, name = "Expansion", module = "libration._native")]
@@ -40,12 +40,9 @@ pub(crate) fn expand(
 ) -> PyResult<(Option<NativeExpansion>, Option<PyErr>)> {
     let gauge: Gauge = gauge.parse().map_err(refusal::<Refused>)?;
     let oscillator = question.oscillator()?;
-    let patience = Patience::new(progress);
-    let found = py.detach(|| {
-        let ask = |progress| patience.go_on(progress);
-        expanded(oscillator, order, &gauge, &Watch::new(&ask))
-    })?;
-    Ok((found.map(NativeExpansion), patience.stopped_by()))
+    let progress = CallProgress::new(progress);
+    let found = py.detach(|| expanded(oscillator, order, &gauge, &progress))?;
+    Ok((found.map(NativeExpansion), progress.stopped_by()))
 }
 
 impl Question {
@@ -79,11 +76,11 @@ fn expanded(
     oscillator: NumbersOrLetters,
     order: usize,
     gauge: &Gauge,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> PyResult<Option<Found>> {
     match oscillator {
         NumbersOrLetters::Numbers(oscillator) => {
-            let expansion = match expand_watched(&oscillator, order, gauge, watch) {
+            let expansion = match perturbation::expand(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
                 Err(ExpansionError::Interrupted { known }) => known,
                 Err(error) => return Err(refusal::<Refused>(error)),
@@ -92,7 +89,7 @@ fn expanded(
             Ok(expansion.map(|expansion| Found::Numbers { oscillator, expansion }))
         }
         NumbersOrLetters::Letters(oscillator) => {
-            let expansion = match expand_symbolically_watched(&oscillator, order, gauge, watch) {
+            let expansion = match expand_symbolically(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
                 Err(SymbolicExpansionError::Interrupted { known }) => known,
                 Err(error) => return Err(refusal::<Refused>(error)),

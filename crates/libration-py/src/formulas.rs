@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{FormulaError, QuantityError, UnknownKeyError, refusal};
 use crate::quantity::GivenAngle;
+use libration::progress::Quiet;
 
 /// A formula, with what is known about it.
 #[pyclass(frozen, name = "PeriodFormula", module = "libration._native")]
@@ -69,7 +70,8 @@ pub(crate) fn formula_keys() -> Vec<&'static str> {
 pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: GivenAngle, tolerance: f64) -> Vec<String> {
     static TABLE: OnceLock<ErrorTable> = OnceLock::new();
     py.detach(|| {
-        let table = TABLE.get_or_init(|| ErrorTable::new(catalogue()));
+        let whole = || ErrorTable::new(catalogue(), &Quiet).expect("nothing cancels it");
+        let table = TABLE.get_or_init(whole);
         table.simplest(&amplitude.0, tolerance).iter().map(|it| it.key().to_owned()).collect()
     })
 }

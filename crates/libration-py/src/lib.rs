@@ -6,7 +6,7 @@ mod errors;
 mod expansion;
 mod formulas;
 mod motion;
-mod patience;
+mod progress;
 mod quantity;
 mod simulation;
 mod sweeping;

@@ -4,17 +4,17 @@ use std::ops::ControlFlow;
 
 use libration::catalogue::is_like_a_key;
 use libration::expression::Expression;
+use libration::progress::{Progress, Stage, Status};
 use libration::systems::Model;
 use libration::taylor::{
     Cause, Contact, DenseSolution, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution,
-    Step, System, integrate_both_ways, integrate_watched,
+    Step, System, integrate_both_ways, integrate_stepwise,
 };
-use libration::watch::{Progress, Stage};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::{SimulationError, refusal};
-use crate::patience::Patience;
+use crate::progress::CallProgress;
 
 /// Arguments: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends the motion,
 /// the tolerance.
@@ -48,8 +48,8 @@ pub(crate) fn simulate(
 ) -> PyResult<(NativeSimulation, Option<PyErr>)> {
     let asked = Asked::new(&question)?;
     let times = times.as_slice()?;
-    let patience = Patience::new(progress);
-    let Followed { outcome, dense, is_full } = py.detach(|| asked.followed(times, &patience));
+    let progress = CallProgress::new(progress);
+    let Followed { outcome, dense, is_full } = py.detach(|| asked.followed(times, &progress));
     let (solution, cause) = match outcome {
         Ok(solution) => (solution, None),
         Err(IntegrationError::Stopped { cause, solution }) => (*solution, Some(cause)),
@@ -68,7 +68,7 @@ pub(crate) fn simulate(
     let reason = reason.map(refusal::<SimulationError>);
     Ok((
         NativeSimulation { model: asked.model, start: asked.start.state, solution, dense },
-        patience.stopped_by().or(reason),
+        progress.stopped_by().or(reason),
     ))
 }
 
@@ -96,7 +96,7 @@ impl Asked {
         Ok(Self { model, system, start, effort: Effort::to_tolerance(*tolerance) })
     }
 
-    fn followed(&self, times: &[f64], patience: &Patience) -> Followed {
+    fn followed(&self, times: &[f64], progress: &CallProgress) -> Followed {
         /// Bytes that any machine with a notebook has.
         const MOST: usize = 1_000_000_000;
         /// Numbers in a step, about, for each component of the state; the step itself and the management of its memory take as much as one component.
@@ -106,19 +106,19 @@ impl Asked {
         let mut dense = [DenseSolution::default(), DenseSolution::default()];
         let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
         let span = first.abs().max(last.abs());
-        let mut watch = |step: &Step<'_>| -> ControlFlow<()> {
+        let mut each = |step: &Step<'_>| -> ControlFlow<()> {
             steps += 1;
             if steps.saturating_mul(numbers * size_of::<f64>()) > MOST {
                 is_full = true;
                 return ControlFlow::Break(());
             }
             dense[usize::from(step.end() > step.start())].push(step);
-            patience.go_on(progress(step.end().abs(), span))
+            progress.update(status(step.end().abs(), span))
         };
         let Self { system, start, effort, .. } = self;
         let outcome = match first < 0.0 && last > 0.0 {
-            true => integrate_both_ways(system, start, times, effort, |accepted| watch(accepted.step())),
-            false => integrate_watched(system, start, times, effort, watch),
+            true => integrate_both_ways(system, start, times, effort, |accepted| each(accepted.step())),
+            false => integrate_stepwise(system, start, times, effort, each),
         };
         Followed { outcome, dense, is_full }
     }
@@ -132,11 +132,11 @@ struct Followed {
     is_full: bool,
 }
 
-/// Progress in thousandths of the time.
-fn progress(time: f64, span: f64) -> Progress {
+/// Status in thousandths of the time.
+fn status(time: f64, span: f64) -> Status {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a thousand")]
     let done = (1000.0 * (time / span).clamp(0.0, 1.0)) as usize;
-    Progress { stage: Stage::Whole, done, of: Some(1000) }
+    Status { stage: Stage::Whole, done, of: Some(1000) }
 }
 
 fn model(system: &str, values: &[(String, String)]) -> PyResult<Model> {

@@ -3,13 +3,13 @@
 use std::io;
 use std::sync::Arc;
 
-use libration::watch::{Progress, Stage};
+use libration::progress::{Progress, Status};
 use libration_queries::{AxisValues, Host, SweepPlan};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::asking::raised;
-use crate::patience::Patience;
+use crate::progress::CallProgress;
 
 /// The values of an axis: a text as the command takes it, or a list.
 #[derive(FromPyObject)]
@@ -27,9 +27,9 @@ impl From<Values> for AxisValues {
     }
 }
 
-/// Asks the interpreter, or a function that raises, whether a chunk may go on.
+/// Cancellation of a chunk by the interpreter, or by a function that raises.
 struct Watcher {
-    patience: Patience,
+    progress: CallProgress,
 }
 
 impl Host for Watcher {
@@ -38,13 +38,13 @@ impl Host for Watcher {
     }
 
     fn goes_on(&self) -> bool {
-        self.patience.go_on(Progress { stage: Stage::Whole, done: 0, of: None }).is_continue()
+        self.progress.update(Status::default()).is_continue()
     }
 }
 
 impl Watcher {
     fn new(go_on: Option<Py<PyAny>>) -> Arc<Self> {
-        Arc::new(Self { patience: Patience::new(go_on) })
+        Arc::new(Self { progress: CallProgress::new(go_on) })
     }
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn sweep_plan(
     let plan = py.detach(|| SweepPlan::new(&question, &axes, &keep, chunk, watcher.clone()));
     let plan = plan.map_err(|failure| raised(py, &failure));
     if plan.is_err()
-        && let Some(stopped) = watcher.patience.stopped_by()
+        && let Some(stopped) = watcher.progress.stopped_by()
     {
         return Err(stopped);
     }
@@ -85,7 +85,7 @@ pub(crate) fn sweep_chunk<'py>(
 ) -> PyResult<Answers<'py>> {
     let watcher = Watcher::new(go_on);
     let answers = py.detach(|| SweepPlan::from_json(plan)?.answers(chunk, watcher.clone()));
-    let answers = match (answers, watcher.patience.stopped_by()) {
+    let answers = match (answers, watcher.progress.stopped_by()) {
         (Ok(answers), _) => answers,
         (Err(_), Some(stopped)) => return Err(stopped),
         (Err(failure), None) => return Err(raised(py, &failure)),

@@ -21,7 +21,7 @@ pub struct Call {
     /// Arguments as they were given.
     arguments: Vec<OsString>,
     is_output_taken: AtomicBool,
-    is_ended_early: AtomicBool,
+    is_cancelled: AtomicBool,
     notes: Mutex<Vec<String>>,
 }
 
@@ -38,7 +38,7 @@ impl Call {
             host,
             arguments,
             is_output_taken: AtomicBool::new(false),
-            is_ended_early: AtomicBool::new(false),
+            is_cancelled: AtomicBool::new(false),
             notes: Mutex::default(),
         })
     }
@@ -66,12 +66,12 @@ impl Call {
     }
 
     /// Returns `true` once the run is cancelled, and then forever.
-    pub(crate) fn is_ended_early(&self) -> bool {
-        let is_ended = self.is_ended_early.load(Ordering::Relaxed) || !self.host.goes_on();
-        if is_ended {
-            self.is_ended_early.store(true, Ordering::Relaxed);
+    pub(crate) fn is_cancelled(&self) -> bool {
+        let is_cancelled = self.is_cancelled.load(Ordering::Relaxed) || !self.host.goes_on();
+        if is_cancelled {
+            self.is_cancelled.store(true, Ordering::Relaxed);
         }
-        is_ended
+        is_cancelled
     }
 }
 
@@ -96,8 +96,8 @@ pub fn current() -> Arc<Call> {
 }
 
 /// Returns `true` if this thread's run is cancelled.
-pub(crate) fn is_ended_early() -> bool {
-    CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_ended_early()))
+pub(crate) fn is_cancelled() -> bool {
+    CURRENT.with_borrow(|call| call.as_ref().is_some_and(|call| call.is_cancelled()))
 }
 
 /// The host of threads outside a run.

@@ -1,15 +1,16 @@
-//! The early end of a long result, which keeps what is done.
+//! Cancellation of a run, which keeps what is done.
 //!
 //! # Method
-//! Every library call that may take long has a variant `…_watched` that checks a `libration::watch::Watch` at each step, order or piece; the
-//! command passes one that asks the host. A cancelled run returns the finished part with `"interrupted": true`, and states what is missing. A
+//! Every library call that may take long updates a `libration::progress::Progress` at each step, order or piece; that of the command consults the
+//! host. A cancelled run returns the finished part with `"interrupted": true`, and states what is missing. A
 //! second Ctrl-C ends the command at once.
 
 use crate::call;
 use crate::query_error::QueryError;
+use libration::progress::{Progress, Status};
 use std::ops::ControlFlow;
 
-/// Somebody may ask for it from now on.
+/// The run can be cancelled from now on.
 pub(crate) fn listen() -> Result<(), QueryError> {
     call::current()
         .host()
@@ -18,18 +19,27 @@ pub(crate) fn listen() -> Result<(), QueryError> {
 }
 
 /// Returns `true` if the run is cancelled.
-pub(crate) fn asked() -> bool {
-    call::is_ended_early()
+pub(crate) fn is_cancelled() -> bool {
+    call::is_cancelled()
 }
 
 /// Continues long work unless the run is cancelled.
-pub(crate) fn go_on() -> ControlFlow<()> {
-    if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+pub(crate) fn check() -> ControlFlow<()> {
+    if is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+/// Cancellation alone: progress that is not shown.
+pub(crate) struct Cancellation;
+
+impl Progress for Cancellation {
+    fn update(&self, _: Status) -> ControlFlow<()> {
+        check()
+    }
 }
 
 /// The error of a cancelled run of which `what` was computed is written; success if it is not cancelled.
 pub(crate) fn ended_early(what: &str) -> Result<(), QueryError> {
-    match asked() {
+    match is_cancelled() {
         true => Err(QueryError::cancelled(format!("interrupted: {what} up to then are written"))),
         false => Ok(()),
     }

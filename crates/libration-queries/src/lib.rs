@@ -135,7 +135,7 @@ pub mod internals {
         pub use crate::command::page::write;
     }
     pub mod parallel {
-        pub use crate::parallel::{in_order, map, map_until_asked, until_asked};
+        pub use crate::parallel::{in_order, map, map_unless_cancelled, unless_cancelled};
     }
     pub mod parameter_range {
         pub use crate::arguments::parameter_range::parameter_range;

@@ -2,7 +2,8 @@
 
 use crate::output::progress::ProgressLine;
 use crate::{call, interrupt};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::{Progress, Status};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -66,7 +67,7 @@ pub fn in_order<R: Send, E>(
 fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
     if !HAS_THREADS {
         for place in 0..places {
-            if interrupt::asked() {
+            if interrupt::is_cancelled() {
                 break;
             }
             make(place);
@@ -101,7 +102,7 @@ fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn
             for order in ordered.by_ref().take(if place == 0 { AHEAD * cores } else { 1 }) {
                 orders.send(order).expect("the cores wait for orders");
             }
-            if interrupt::asked() {
+            if interrupt::is_cancelled() {
                 break;
             }
             while !ahead.contains(&place) {
@@ -124,17 +125,17 @@ fn next_order(to_do: &Mutex<Receiver<usize>>) -> Option<usize> {
     to_do.lock().ok()?.recv().ok()
 }
 
-/// The results for the items, in their order, except for those that are not done at a cancellation; meanwhile a line of progress counts
-/// `what`. The work checks its watch for a cancellation.
-pub fn map_until_asked<T: Sync, R: Send>(
+/// The results for the items, in their order, but for those that are not done when the run is cancelled; meanwhile a line of progress counts
+/// `what`.
+pub fn map_unless_cancelled<T: Sync, R: Send>(
     items: &[T],
     what: &str,
-    work: impl Fn(&T, &Watch<'_>) -> R + Sync,
+    work: impl Fn(&T, &dyn Progress) -> R + Sync,
 ) -> Vec<R> {
     let (all, done) = (items.len(), AtomicUsize::new(0));
     let how_far = || format!("{} of {all} {what}", done.load(Ordering::Relaxed));
     let counted = |item: &T| {
-        let result = unless_asked(&how_far, |watch| work(item, watch));
+        let result = unless_cancelled_at(&how_far, |progress| work(item, progress));
         done.fetch_add(usize::from(result.is_some()), Ordering::Relaxed);
         result
     };
@@ -145,35 +146,35 @@ pub fn map_until_asked<T: Sync, R: Send>(
     results
 }
 
-/// The result of some work; `None` if it is cancelled before.
-pub fn until_asked<R: Send>(what: &str, work: impl FnOnce(&Watch<'_>) -> R + Send) -> Option<R> {
+/// The result of some work; `None` if the run is cancelled before.
+pub fn unless_cancelled<R: Send>(what: &str, work: impl FnOnce(&dyn Progress) -> R + Send) -> Option<R> {
     let how_far = || what.to_owned();
-    with_progress(how_far, || unless_asked(&how_far, work))
+    with_progress(how_far, || unless_cancelled_at(&how_far, work))
 }
 
 /// Does the same, and shows as progress how often the work has checked for cancellation: the number of steps, values or orders done, in `unit`.
-pub(crate) fn until_asked_counted<R: Send>(
+pub(crate) fn unless_cancelled_counted<R: Send>(
     what: &str,
     unit: &str,
-    work: impl FnOnce(&Watch<'_>) -> R + Send,
+    work: impl FnOnce(&dyn Progress) -> R + Send,
 ) -> Option<R> {
-    let asked = AtomicUsize::new(0);
-    let how_far = || format!("{what}: {} {unit}", asked.load(Ordering::Relaxed));
-    let ask = |_| {
-        asked.fetch_add(1, Ordering::Relaxed);
-        go_on(&how_far)
+    let updates = AtomicUsize::new(0);
+    let how_far = || format!("{what}: {} {unit}", updates.load(Ordering::Relaxed));
+    let progress = |_: Status| {
+        updates.fetch_add(1, Ordering::Relaxed);
+        update(&how_far)
     };
-    with_progress(how_far, || unless_stopped(&Watch::new(&ask), work))
+    with_progress(how_far, || unless_stopped(&progress, work))
 }
 
-fn unless_asked<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
-    let ask = |_| go_on(how_far);
-    unless_stopped(&Watch::new(&ask), work)
+fn unless_cancelled_at<R>(how_far: &dyn Fn() -> String, work: impl FnOnce(&dyn Progress) -> R) -> Option<R> {
+    unless_stopped(&|_: Status| update(how_far), work)
 }
 
-fn unless_stopped<R>(watch: &Watch<'_>, work: impl FnOnce(&Watch<'_>) -> R) -> Option<R> {
+fn unless_stopped<R>(progress: &dyn Progress, work: impl FnOnce(&dyn Progress) -> R) -> Option<R> {
+    let watch = Watch::new(progress);
     watch.go_on().ok()?;
-    let result = work(watch);
+    let result = work(&watch);
     (!watch.is_stopped()).then_some(result)
 }
 
@@ -205,12 +206,12 @@ thread_local! {
     static ALONE: RefCell<Option<ProgressLine>> = const { RefCell::new(None) };
 }
 
-/// Continues work at this progress unless the run is cancelled. Where no other thread shows a line of progress, it is shown here.
-pub(crate) fn go_on(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
+/// Updates the progress of a run; `Break` if the run is cancelled. Where no other thread shows a line of progress, it is shown here.
+pub(crate) fn update(how_far: &dyn Fn() -> String) -> ControlFlow<()> {
     if !HAS_THREADS {
         ALONE.with_borrow_mut(|line| line.iter_mut().for_each(|line| line.show(how_far)));
     }
-    interrupt::go_on()
+    interrupt::check()
 }
 
 /// Does some work on a thread of its own while a line of progress is shown.
@@ -239,7 +240,7 @@ fn beside_progress(how_far: &dyn Fn() -> String, work: &mut (dyn FnMut() + Send)
         });
         while end.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
             // Some hosts hear of Ctrl-C on this thread alone.
-            let _ = interrupt::asked();
+            let _ = interrupt::is_cancelled();
             progress.show(how_far);
         }
         worker.join().unwrap_or_else(|panic| resume_unwind(panic));

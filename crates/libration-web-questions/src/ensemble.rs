@@ -10,6 +10,7 @@
 use crate::host::PageHost;
 use crate::{Given, page, take_given, tell_of_panics};
 use libration::chaos::drive_period;
+use libration::progress::Quiet;
 use libration::systems::{Bodies, Model};
 use libration::taylor::{Ensemble, Moment};
 use libration_web::exchange::exchange;
@@ -52,7 +53,7 @@ pub extern "C" fn ensemble() -> u8 {
 
 fn begin(model: &Model, mut ensemble: Ensemble) {
     let bodies = model.bodies();
-    let states = ensemble.states_at(0.0);
+    let states = ensemble.states_at(0.0, &Quiet).unwrap_or_default();
     let count = |places: &Bodies| places.at(&Moment { time: 0.0, state: model.state_at_rest() }).len();
     let counts = [ensemble.len(), model.coordinates().len(), bodies.as_ref().map_or(0, count)];
     let lines = model.state_names().into_iter().zip(model.state_units());
@@ -71,7 +72,7 @@ fn begin(model: &Model, mut ensemble: Ensemble) {
 #[unsafe(no_mangle)]
 pub extern "C" fn advance(time: f64) {
     if let Some(Followed { ensemble, time: now, states, .. }) = followed().as_mut() {
-        (*now, *states) = (time, ensemble.states_at(time));
+        (*now, *states) = (time, ensemble.states_at(time, &Quiet).unwrap_or_default());
         exchange().numbers.clone_from(states);
     }
 }

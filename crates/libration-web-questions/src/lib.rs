@@ -5,7 +5,7 @@
 //! created anew; its output until then is kept. A page from a disk has no memory that workers share, but browsers let a module wait for a promise
 //! (`web/src/engine/suspension.ts`): every 50 ms the run checks its `Host`, and meanwhile the worker receives a cancellation. The result is then
 //! that of the command after Ctrl-C: the finished part. Where a browser lacks this the worker is ended. On its only thread the work reports its
-//! progress itself, at each check (`parallel::go_on` of the command).
+//! progress itself, at each check (`parallel::update` of the command).
 
 pub mod ensemble;
 mod host;

@@ -5,6 +5,7 @@
 
 use libration::pendulum::Amplitude;
 use libration::period_formulas::{ErrorTable, catalogue};
+use libration::progress::{Interrupted, Quiet};
 use libration::quantity::Angle;
 use std::error::Error;
 
@@ -12,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let angle: Angle = "40deg".parse()?;
     println!("exact T/T0 at 40°: {}\n", Amplitude::new(angle)?.period_ratio());
     print_errors(&angle);
-    print_simplest(&angle);
+    print_simplest(&angle)?;
     Ok(())
 }
 
@@ -27,8 +28,8 @@ fn print_errors(amplitude: &Angle) {
 }
 
 /// The formula with the least arithmetic that keeps each tolerance at this amplitude and all below.
-fn print_simplest(amplitude: &Angle) {
-    let table = ErrorTable::new(catalogue());
+fn print_simplest(amplitude: &Angle) -> Result<(), Interrupted> {
+    let table = ErrorTable::new(catalogue(), &Quiet)?;
     println!();
     for tolerance in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-12] {
         match table.simplest(amplitude, tolerance).first() {
@@ -36,4 +37,5 @@ fn print_simplest(amplitude: &Angle) {
             None => println!("within {tolerance:e}: none of the catalogue"),
         }
     }
+    Ok(())
 }

@@ -20,6 +20,7 @@
 //! ```
 //! use libration::pendulum::{Pendulum, Regime};
 //! use libration::period_formulas::PeriodFormula;
+//! use libration::progress::Quiet;
 //! use libration::quantity::Angle;
 //!
 //! // A pendulum of 1 m released at rest from 60°: its exact period is 7 % above that of small swings.
@@ -47,7 +48,7 @@
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
 //! let oscillator = Oscillator::new(&"theta'' + sin(theta) = 0".parse()?)?;
-//! let series = expand(&oscillator, 41, &Gauge::Fundamental)?.of_amplitude.ok_or("no amplitude")?;
+//! let series = expand(&oscillator, 41, &Gauge::Fundamental, &Quiet)?.of_amplitude.ok_or("no amplitude")?;
 //! let ratio = series.period_ratio.iter().rev().fold(0.0, |sum, c| sum * amplitude.radians() + c.to_f64());
 //! assert_eq!(series.period_ratio[4].to_string(), "11/3072");
 //! assert!((ratio - 1.0731820071493).abs() < 1e-12);
@@ -77,7 +78,7 @@
 //! | [`quantity`] | exact values of `60deg`, `pi-1e-6`, `1.200(3) m`, `1deg:179deg:1deg` | [`Angle`](quantity::Angle), [`Quantity`](quantity::Quantity) |
 //! | [`expression`] | formulas and equations of motion from text | [`Equation`](expression::Equation), [`Expression`](expression::Expression) |
 //! | [`catalogue`] | keys of oscillators, systems and formulas | [`by_key`](catalogue::by_key) |
-//! | [`watch`] | progress and cancellation of long calls | [`Watch`](watch::Watch) |
+//! | [`progress`] | progress and cancellation of long calls | [`Progress`](progress::Progress) |
 //! | [`elliptic`] | K, E, F; sn, cn, dn, am; the nome; by the modulus and its complement | [`Modulus`](elliptic::Modulus), [`Jacobi`](elliptic::Jacobi) |
 //! | [`algebra`] | exact rationals, floats of any precision, polynomials, and their rings | [`Rational`](algebra::Rational), [`BigFloat`](algebra::BigFloat) |
 //! | [`series`] | truncated power series over any ring | [`PowerSeries`](series::PowerSeries) |
@@ -127,24 +128,23 @@
 //! # Ok::<(), libration::catalogue::UnknownKey>(())
 //! ```
 //!
-//! # Cancellation
-//! Calls that may take long have a variant that ends in `_watched`, which a [`Watch`](watch::Watch) can cancel; the result is
-//! what was done until then:
+//! Calls that may take long have a [`Progress`](progress::Progress) as their last argument, such as a function that cancels them, or
+//! [`Quiet`](progress::Quiet). A cancelled call returns what is done:
 //!
 //! ```
-//! use libration::chaos::{Points, Section, section_watched};
+//! use libration::chaos::{Points, Section, section};
+//! use libration::progress::Status;
 //! use libration::taylor::{Effort, Moment};
-//! use libration::watch::Watch;
 //! use std::ops::ControlFlow;
 //! let duffing = "x'' + x'/4 - x + x^3 = 0.3*cos(t)".parse()?;
 //! let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 //! let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 //! let points = Points { skipped: 0, recorded: 1000 };
-//! let ask = |progress: libration::watch::Progress| match progress.done {
+//! let ten_points = |status: Status| match status.done {
 //!     10.. => ControlFlow::Break(()),
 //!     _ => ControlFlow::Continue(()),
 //! };
-//! let found = section_watched(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &Watch::new(&ask))?;
+//! let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-9), &ten_points)?;
 //! assert_eq!(found.points.len(), 10);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -162,8 +162,14 @@ pub use libration_kernels::{elliptic, fused::rounds_once};
 #[doc(inline)]
 pub use libration_motion::{chaos, decay, orbit, oscillator, spectrum, systems, taylor};
 #[doc(inline)]
-pub use libration_numbers::{algebra, catalogue, expression, quadrature, quantity, roots, series, watch};
+pub use libration_numbers::{algebra, catalogue, expression, progress, quadrature, quantity, roots, series};
 #[doc(inline)]
 pub use libration_pendulum::{pendulum, period_formulas};
 #[doc(inline)]
 pub use libration_perturbation::{comparison, perturbation};
+
+/// Internals that the other crates of this workspace use. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    pub use libration_numbers::internals::progress;
+}

@@ -2,6 +2,7 @@
 //! seconds, how many points there are and the frequencies of the folds.
 
 use libration::continuation::{NoBranch, Response, ResponseOptions, SpecialKind};
+use libration::progress::Quiet;
 use std::error::Error;
 use std::io::{self, BufRead, Write};
 use std::time::Instant;
@@ -9,7 +10,8 @@ use std::time::Instant;
 fn main() -> Result<(), Box<dyn Error>> {
     let equation = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-    let followed = || -> Result<Response, NoBranch> { Response::over(&equation, "w", [0.3, 1.4], &options) };
+    let followed =
+        || -> Result<Response, NoBranch> { Response::over(&equation, "w", [0.3, 1.4], &options, &Quiet) };
     for line in io::stdin().lock().lines() {
         line?;
         let start = Instant::now();

@@ -6,6 +6,7 @@ mod requests;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use libration::progress::Quiet;
 use libration::taylor::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
 use requests::{Answer, Failure, Request, serve, timed};
 
@@ -54,8 +55,8 @@ fn motions(
     let trajectory = |state| Trajectory { start: start(state), parameters: vec![], times: &times };
     let trajectories: Vec<Trajectory<'_>> = starts.iter().map(trajectory).collect();
     match &trajectories[..] {
-        [one] => Ok(vec![one.integrate(system, &effort)?]),
-        many => integrate_many(system, many, &effort).into_iter().collect(),
+        [one] => Ok(vec![one.integrate(system, &effort, &Quiet)?]),
+        many => integrate_many(system, many, &effort, &Quiet).into_iter().collect(),
     }
 }
 

@@ -6,6 +6,7 @@ use libration::algebra::{LaurentPolynomial, Rational};
 use libration::oscillator::{NamedOscillator, SymbolicOscillator};
 use libration::period_formulas::period_in_amplitude;
 use libration::perturbation::{Gauge, expand, expand_symbolically};
+use libration::progress::Quiet;
 use std::error::Error;
 use std::io::{self, Write};
 use std::{env, fs};
@@ -42,7 +43,7 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
         "van_der_pol" => {
             let oscillator = NamedOscillator::by_key("van_der_pol")?.oscillator(&[])?;
             Some(Box::new(move || {
-                let cycle = expand(&oscillator, order, &Gauge::Fundamental)?;
+                let cycle = expand(&oscillator, order, &Gauge::Fundamental, &Quiet)?;
                 let amplitude = cycle.harmonic(1).ok_or("there is no first harmonic")?;
                 Ok(texts([&cycle.frequency_ratio[order], &amplitude.cos[order - 2]]))
             }))
@@ -52,7 +53,7 @@ fn task(case: &str, order: usize) -> Result<Option<Task>, Box<dyn Error>> {
             let equation = "x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?;
             Some(Box::new(move || {
                 let oscillator = SymbolicOscillator::new(&equation)?;
-                let expansion = expand_symbolically(&oscillator, order, &Gauge::Fundamental)?.series;
+                let expansion = expand_symbolically(&oscillator, order, &Gauge::Fundamental, &Quiet)?.series;
                 let frequency = ("frequency".to_owned(), &expansion.frequency_ratio);
                 let harmonics = expansion.harmonics.iter().map(|it| (format!("cos {}", it.k), &it.cos));
                 Ok(std::iter::once(frequency)
@@ -96,7 +97,7 @@ fn of_amplitude(key: &str, order: usize) -> Result<Task, Box<dyn Error>> {
     let oscillator = NamedOscillator::by_key(key)?.oscillator(&[])?;
     let order = order - 1 + order % 2;
     Ok(Box::new(move || {
-        let expansion = expand(&oscillator, order, &Gauge::Fundamental)?;
+        let expansion = expand(&oscillator, order, &Gauge::Fundamental, &Quiet)?;
         let of = expansion.of_amplitude.ok_or("there is no amplitude")?;
         let third = of.harmonics.iter().find(|(k, _)| *k == 3).ok_or("there is no third harmonic")?;
         Ok(texts([&of.frequency_ratio[order - 1], &third.1[order]]))

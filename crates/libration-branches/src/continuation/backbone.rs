@@ -5,6 +5,7 @@ use super::response::Response;
 use super::undriven::undriven;
 use libration_motion::orbit::Orbit;
 use libration_numbers::expression::Equation;
+use libration_numbers::progress::Quiet;
 use std::f64::consts::{PI, TAU};
 
 /// Number of free oscillations on a backbone curve.
@@ -25,8 +26,9 @@ impl Response {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
+    /// use libration::progress::Quiet;
     /// let driven = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
-    /// let response = Response::over(&driven, "w", [0.6, 1.2], &ResponseOptions::default())?;
+    /// let response = Response::over(&driven, "w", [0.6, 1.2], &ResponseOptions::default(), &Quiet)?;
     /// let backbone = response.backbone(&driven, "w", [0.6, 1.2], true);
     /// let exact = |amplitude: f64| -> Result<f64, Box<dyn std::error::Error>> {
     ///     let pendulum = libration::pendulum::Pendulum::from_angular_frequency(1.0)?;
@@ -52,7 +54,8 @@ impl Response {
         let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
         let most = if is_angle { most.min(0.999 * PI) } else { most };
         let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
-        let frequency = |amplitude| Some(periods * Orbit::released(&free, amplitude).ok()?.frequency());
+        let frequency =
+            |amplitude| Some(periods * Orbit::released(&free, amplitude, &Quiet).ok()?.frequency());
         let within = range[0].min(range[1])..=range[0].max(range[1]);
         amplitudes
             .filter_map(|amplitude| Some((frequency(amplitude)?, amplitude)))

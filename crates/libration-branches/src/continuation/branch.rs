@@ -65,7 +65,7 @@ pub enum Ending {
     Unbounded,
     /// Its motions can be followed no farther: no step is short enough.
     Lost,
-    /// The watch said so.
+    /// Cancelled by the caller.
     Interrupted,
 }
 

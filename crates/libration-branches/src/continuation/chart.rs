@@ -13,7 +13,8 @@ use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 
 /// Options of a stability chart.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +56,8 @@ impl StabilityChart {
     /// driven motions are followed along some lines of the chart, and from their folds, losses of symmetry, period doublings and Neimark–Sacker
     /// points the curves of these, through their cusps.
     ///
+    /// A cancelled call returns the curves found until then.
+    ///
     /// # Accuracy
     /// Newton's method ends at the rounding of the motion; every point has its error. Where a curve leaves the chart its last point is on the edge.
     /// What lies within a grid of 32 intervals each way, and curves that none of the lines meets, are not found.
@@ -66,10 +69,11 @@ impl StabilityChart {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{ChartOptions, SpecialKind, StabilityChart};
+    /// use libration::progress::Quiet;
     /// // How fast a pivot has to move up and down for the pendulum to stand on it.
     /// let upright = "theta'' = -0.1*theta' + (1 + a*w^2*cos(w*t))*sin(theta)".parse()?;
     /// let options = ChartOptions { lines: 0, ..ChartOptions::default() };
-    /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options)?;
+    /// let chart = StabilityChart::over(&upright, ["w", "a"], [[5.0, 10.0], [0.1, 0.4]], &options, &Quiet)?;
     /// let edge = chart.curves.iter().find(|curve| curve.kind == SpecialKind::BranchPoint).ok_or("no edge")?;
     /// let slow = edge.points.iter().find(|it| it.point.parameter == 5.0).ok_or("no end")?;
     /// // Reference: Hill's matrix with 30 digits.
@@ -84,21 +88,9 @@ impl StabilityChart {
         parameters: [&str; 2],
         ranges: [[f64; 2]; 2],
         options: &ChartOptions,
+        progress: &dyn Progress,
     ) -> Result<Self, NoBranch> {
-        Self::over_watched(equation, parameters, ranges, options, &Watch::none())
-    }
-
-    /// Computes the same as [`over`](Self::over); `watch` is called at each step. A cancelled call returns the curves found until then.
-    ///
-    /// # Errors
-    /// As [`over`](Self::over).
-    pub fn over_watched(
-        equation: &Equation,
-        parameters: [&str; 2],
-        ranges: [[f64; 2]; 2],
-        options: &ChartOptions,
-        watch: &Watch<'_>,
-    ) -> Result<Self, NoBranch> {
+        let watch = &Watch::new(progress);
         for [from, to] in ranges {
             if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
                 return Err(NoBranch::Range { from, to });
@@ -255,8 +247,7 @@ impl Survey<'_> {
         };
         let open = 1 - fixed;
         let watch = self.family.watch.part();
-        let response =
-            Response::over_watched(&equation, self.parameters[open], self.ranges[open], &options, &watch);
+        let response = Response::over(&equation, self.parameters[open], self.ranges[open], &options, &watch);
         let seed = |branch: &Branch, special: &SpecialPoint| {
             let point = special.point.clone();
             let (first, second) =

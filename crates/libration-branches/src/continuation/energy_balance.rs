@@ -4,6 +4,7 @@ use super::order::ResonanceOrder;
 use super::undriven::undriven;
 use libration_motion::orbit::Orbit;
 use libration_numbers::algebra::Doubles;
+use libration_numbers::progress::Quiet;
 use libration_numbers::roots::{Tolerance, zero_between};
 use libration_numbers::{
     expression::{Equation, Expression, Order, Symbol},
@@ -67,7 +68,7 @@ impl EnergyBalance {
     }
 
     fn frequency(&self, place: f64) -> f64 {
-        Orbit::released(&self.free, place).map_or(f64::NAN, |orbit| orbit.frequency())
+        Orbit::released(&self.free, place, &Quiet).map_or(f64::NAN, |orbit| orbit.frequency())
     }
 
     /// The free oscillations of a frequency, each released from rest.
@@ -79,7 +80,7 @@ impl EnergyBalance {
             let ends = [pair[0], pair[1]].map(|(place, own)| (place, own - frequency));
             zero_between(ends, Tolerance::relative(CLOSE), |place| self.frequency(place) - frequency)
         });
-        places.filter_map(|place| Orbit::released(&self.free, place).ok()).collect()
+        places.filter_map(|place| Orbit::released(&self.free, place, &Quiet).ok()).collect()
     }
 
     /// Six decades, or from the bottom to a hundredth of a radian below the top.

@@ -2,7 +2,7 @@
 
 use libration_motion::orbit::NoOrbit;
 use libration_numbers::expression::{EquationError, WithoutValue};
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why no branch of periodic orbits was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -66,7 +66,7 @@ pub enum NoBranch {
     /// No motion to begin with at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(NoOrbit),
-    /// The watch said so, before there was anything.
+    /// Cancelled before the first point.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -9,7 +9,7 @@ use libration_motion::internals::orbit::depends_on_time;
 use libration_motion::internals::periodic::{Flow, Variations};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 
 /// Source of the period of a motion.
 #[derive(Debug)]

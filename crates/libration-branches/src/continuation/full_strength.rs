@@ -11,7 +11,7 @@ use super::units::largest_swing;
 use libration_motion::orbit::Orbit;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 
 /// Drive and damping of a tenth first, then less.
 const FIRST_STRENGTHS: [f64; 3] = [0.1, 0.02, 0.004];

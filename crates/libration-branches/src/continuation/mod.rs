@@ -3,9 +3,10 @@
 //! ```
 //! # extern crate libration_branches as libration;
 //! use libration::continuation::{Response, ResponseOptions, SpecialKind};
+//! use libration::progress::Quiet;
 //!
 //! let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
-//! let response = Response::over(&pendulum, "w", [0.3, 1.4], &ResponseOptions::default())?;
+//! let response = Response::over(&pendulum, "w", [0.3, 1.4], &ResponseOptions::default(), &Quiet)?;
 //! let folds: Vec<f64> = response.branches[0]
 //!     .special
 //!     .iter()

@@ -12,7 +12,8 @@ use libration_motion::internals::orbit::depends_on_time;
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::linear::{self, eigenvalues, solve};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// A singular point in floats of many bits.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +37,8 @@ impl SpecialPoint {
     /// for neutral saddles, for more than two components of the state at Neimark–Sacker points, for branch points of motions that are not at rest at
     /// zero, where nothing drives, and where the motion cannot be followed.
     ///
+    /// A cancelled call returns `None`.
+    ///
     /// # Accuracy
     /// As its error says, below the last of the digits.
     ///
@@ -46,11 +49,12 @@ impl SpecialPoint {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
+    /// use libration::progress::Quiet;
     /// let pendulum = "theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?;
     /// let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-    /// let response = Response::over(&pendulum, "w", [0.8, 0.9], &options)?;
+    /// let response = Response::over(&pendulum, "w", [0.8, 0.9], &options, &Quiet)?;
     /// let branch = &response.branches[0];
-    /// let fold = branch.special[0].to_digits(&pendulum, "w", branch.space, 25)?.ok_or("no digits")?;
+    /// let fold = branch.special[0].to_digits(&pendulum, "w", branch.space, 25, &Quiet)?.ok_or("no digits")?;
     /// // Reference: Fourier collocation and Taylor series in floats of 130 bits.
     /// assert_eq!(fold.parameter.to_rational().to_decimal(25), "0.8721575691379171688795389");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -61,22 +65,9 @@ impl SpecialPoint {
         parameter: &str,
         space: Space,
         digits: u32,
+        progress: &dyn Progress,
     ) -> Result<Option<PreciseSpecial>, NoBranch> {
-        self.to_digits_watched(equation, parameter, space, digits, &Watch::none())
-    }
-
-    /// Computes the same as [`to_digits`](Self::to_digits); `watch` is called at each step, and a cancelled call returns `None`.
-    ///
-    /// # Errors
-    /// As [`to_digits`](Self::to_digits).
-    pub fn to_digits_watched(
-        &self,
-        equation: &Equation,
-        parameter: &str,
-        space: Space,
-        digits: u32,
-        watch: &Watch<'_>,
-    ) -> Result<Option<PreciseSpecial>, NoBranch> {
+        let watch = &Watch::new(progress);
         let value = self.point.parameter;
         let width = value.abs().max(f64::MIN_POSITIVE);
         if !depends_on_time(equation) {

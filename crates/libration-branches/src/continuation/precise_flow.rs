@@ -6,7 +6,7 @@ use super::space::Space;
 use libration_motion::internals::periodic::{precise_series, precise_step, precise_sum};
 use libration_motion::taylor::{StateLayout, with_sensitivities};
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::{
     expression::{Equation, Symbol},
     internals::expression::Tape,

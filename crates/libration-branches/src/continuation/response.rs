@@ -13,7 +13,8 @@ use super::space::Space;
 use super::special::Meeting;
 use super::switching::Leaving;
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 
 /// The periodic motions of a driven or self-excited system over a range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,20 +46,24 @@ impl Response {
     /// motion is followed by its half period and its mirror image: folds, losses of symmetry and doublings are then zeros of different functions.
     /// They are found along the branch to the last digits.
     ///
+    /// `progress` has the number of points. A cancelled call returns the branches as far as they were followed.
+    ///
     /// # Accuracy
     /// As the errors of points and singular points say, some 1e-14 where no multiplier is large.
     ///
     /// # Errors
     /// A time that stands elsewhere than in a periodic drive, another open parameter, a range without a width, no motion at either end, free
     /// motions that come in families at each value, as where energy is conserved.
+    /// [`NoBranch::Interrupted`] if the call is cancelled before the first point.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// use libration::progress::Quiet;
     /// // The limit cycle of the Brusselator begins at b = 1 + a² with the period 2π/a.
     /// let brusselator = "x' = 1 + x^2*y - (b + 1)*x; y' = b*x - x^2*y".parse()?;
-    /// let response = Response::over(&brusselator, "b", [1.5, 3.0], &ResponseOptions::default())?;
+    /// let response = Response::over(&brusselator, "b", [1.5, 3.0], &ResponseOptions::default(), &Quiet)?;
     /// let hopf = response.branches[0].special.iter().find(|it| it.kind == SpecialKind::Hopf).ok_or("no Hopf point")?;
     /// assert!((hopf.point.parameter - 2.0).abs() < 1e-14 && (hopf.point.period - std::f64::consts::TAU).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -66,9 +71,10 @@ impl Response {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions, SpecialKind};
+    /// use libration::progress::Quiet;
     /// // Duffing's equation with hardening, which bends its resonance to higher frequencies.
     /// let duffing = "x'' = -0.05*x' - x - 0.1*x^3 + 0.18*cos(w*t)".parse()?;
-    /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default())?;
+    /// let response = Response::over(&duffing, "w", [0.5, 1.6], &ResponseOptions::default(), &Quiet)?;
     /// let folds = response.branches[0].special.iter().filter(|it| it.kind == SpecialKind::Fold);
     /// // Reference: Fourier collocation with 30 digits.
     /// assert!(folds.map(|it| it.point.parameter).any(|w| (w - 1.269601955545892477518364).abs() < 1e-13));
@@ -82,22 +88,9 @@ impl Response {
         parameter: &str,
         range: [f64; 2],
         options: &ResponseOptions,
+        progress: &dyn Progress,
     ) -> Result<Self, NoBranch> {
-        Self::over_watched(equation, parameter, range, options, &Watch::none())
-    }
-
-    /// Computes the same as [`over`](Self::over); `watch` is called at each step with the number of points. A cancelled call returns the branches as
-    /// far as they were followed.
-    ///
-    /// # Errors
-    /// As [`over`](Self::over), and [`NoBranch::Interrupted`] before the first point.
-    pub fn over_watched(
-        equation: &Equation,
-        parameter: &str,
-        range: [f64; 2],
-        options: &ResponseOptions,
-        watch: &Watch<'_>,
-    ) -> Result<Self, NoBranch> {
+        let watch = &Watch::new(progress);
         let [from, to] = range;
         if !(from.is_finite() && to.is_finite() && (from < to || to < from)) {
             return Err(NoBranch::Range { from, to });

@@ -54,14 +54,14 @@ impl Search<'_> {
         let state = self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()]);
         if !self.family.is_driven() {
             let state = self.family.displaced(state, value);
-            let cycle = Orbit::limit_cycle_watched(&equation, &state, self.family.watch)?;
+            let cycle = Orbit::limit_cycle(&equation, &state, self.family.watch)?;
             let turns = self.family.turns(&cycle.start(), value, cycle.period()).ok_or(NoOrbit::NoPeriod)?;
             let period = cycle.period() / f64::from(turns);
             let unknowns = cycle.start().into_iter().chain([period]).collect();
             return Ok(Start { unknowns, space: Space::of_periods(turns) });
         }
         let duration = self.family.duration(self.space(), &[], &[value]).ok_or(NoOrbit::NoPeriod)?;
-        let unknowns = match Orbit::driven_watched(&equation, duration, &state, self.family.watch) {
+        let unknowns = match Orbit::driven(&equation, duration, &state, self.family.watch) {
             Ok(orbit) => self.about_the_nearest_bottom(&orbit),
             // The drive has the amplitude zero.
             Err(NoOrbit::NotDriven) => state,

@@ -12,7 +12,8 @@ use super::space::{Rotation, Space};
 use libration_kernels::elementary::count;
 use libration_motion::chaos::angles;
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 use std::f64::consts::{PI, TAU};
 
 /// The motions through which a slow sweep of the parameter goes.
@@ -72,7 +73,7 @@ impl Response {
     /// integration alone: from value to value in small steps, and at each of a number of evenly spaced values until the motion repeats itself. Where
     /// an end has no stable solution there is no sweep from there.
     ///
-    /// Equation, parameter and range are those of the response. `watch` is checked at each step; where it stops the motions are given so far.
+    /// Equation, parameter and range are those of the response. A cancelled call returns the motions until then.
     ///
     /// # Errors
     /// As [`Response::over`]; equations without a drive.
@@ -81,24 +82,26 @@ impl Response {
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::continuation::{Response, ResponseOptions};
-    /// use libration::watch::Watch;
+    /// use libration::progress::Progress;
+    /// use libration::progress::Quiet;
     /// let (pendulum, range) = ("theta'' = -0.1*theta' - sin(theta) + 0.15*cos(w*t)".parse()?, [0.6, 1.2]);
-    /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default())?;
-    /// let sweeps = response.sweeps_watched(&pendulum, "w", range, 31, &Watch::none())?;
+    /// let response = Response::over(&pendulum, "w", range, &ResponseOptions::default(), &Quiet)?;
+    /// let sweeps = response.sweeps(&pendulum, "w", range, 31, &Quiet)?;
     /// // At 0.82 rad/s, between the jumps, the way decides: 27.5° or 101.7°.
     /// let at = |rising: bool| sweeps.iter().find(|it| it.rising == rising)?.points.iter().find(|it| (it.parameter - 0.82).abs() < 1e-9);
     /// let degrees = |rising: bool| Some(at(rising)?.amplitude(0, true)?.to_degrees());
     /// assert!(degrees(true).is_some_and(|it| it < 30.0) && degrees(false).is_some_and(|it| it > 90.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn sweeps_watched(
+    pub fn sweeps(
         &self,
         equation: &Equation,
         parameter: &str,
         range: [f64; 2],
         values: usize,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Vec<Sweep>, NoBranch> {
+        let watch = &Watch::new(progress);
         let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
         watch.begin(Stage::Whole, Some(2 * values));
         let family = Family::new(equation, &[parameter], &[[low, high]], watch)?;

@@ -2,7 +2,7 @@
 
 use libration_motion::taylor::IntegrationError;
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a pendulum has no Melnikov function or no threshold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

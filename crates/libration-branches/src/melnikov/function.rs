@@ -6,8 +6,9 @@ use super::separatrix::integrals;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::roots::{Tolerance, zero_between};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
 use std::f64::consts::TAU;
 
 /// M(t0) = ∫ θ′(t)·g(θ(t), θ′(t), t + t0) dt over the separatrix of the pendulum: to the first order of the perturbation the energy, per m·l²,
@@ -22,9 +23,10 @@ use std::f64::consts::TAU;
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::{Melnikov, PerturbedPendulum};
+/// use libration::progress::Quiet;
 /// use std::f64::consts::{PI, FRAC_PI_2};
 /// let driven = PerturbedPendulum::new(&"x'' + 0.1 x' + sin(x) = 0.3 cos(t)".parse()?)?;
-/// let [upper, _] = Melnikov::both(&driven);
+/// let [upper, _] = Melnikov::both(&driven, &Quiet)?;
 /// // Damping takes 8c; a drive of (4c/π) cosh(πΩ/2) makes up for it.
 /// assert!((upper.mean + 0.8).abs() < 1e-15);
 /// let threshold = 0.4 / PI * FRAC_PI_2.cosh();
@@ -56,19 +58,11 @@ const PLACES: usize = 16;
 
 impl Melnikov {
     /// Returns the functions of the separatrix on which the angle grows and of the other one.
-    #[must_use]
-    pub fn both(pendulum: &PerturbedPendulum) -> [Self; 2] {
-        [1.0, -1.0].map(|direction| {
-            let found = integrals(pendulum, direction, &Watch::none());
-            Self::new(pendulum, direction, found.unwrap_or_default())
-        })
-    }
-
-    /// Computes the same as [`both`](Self::both); `watch` is called at each step of a quadrature.
     ///
     /// # Errors
-    /// Cancelled by the caller.
-    pub fn both_watched(pendulum: &PerturbedPendulum, watch: &Watch<'_>) -> Result<[Self; 2], Interrupted> {
+    /// The call is cancelled.
+    pub fn both(pendulum: &PerturbedPendulum, progress: &dyn Progress) -> Result<[Self; 2], Interrupted> {
+        let watch = &Watch::new(progress);
         let on = |direction: f64| {
             Ok::<_, Interrupted>(Self::new(pendulum, direction, integrals(pendulum, direction, watch)?))
         };
@@ -184,12 +178,14 @@ pub struct Threshold {
 ///
 /// # Errors
 /// As [`PerturbedPendulum::new`], an empty range, or a value at which the equation has none.
+/// [`NoMelnikov::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
-/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0])?;
+/// use libration::progress::Quiet;
+/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
 /// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -197,20 +193,9 @@ pub fn thresholds(
     equation: &Equation,
     parameter: &str,
     range: [f64; 2],
+    progress: &dyn Progress,
 ) -> Result<Vec<Threshold>, NoMelnikov> {
-    thresholds_watched(equation, parameter, range, &Watch::none())
-}
-
-/// The same as [`thresholds`], asking at each value of the parameter, and at each step of a quadrature, whether to go on.
-///
-/// # Errors
-/// As [`thresholds`], and [`NoMelnikov::Interrupted`].
-pub fn thresholds_watched(
-    equation: &Equation,
-    parameter: &str,
-    range: [f64; 2],
-    watch: &Watch<'_>,
-) -> Result<Vec<Threshold>, NoMelnikov> {
+    let watch = &Watch::new(progress);
     let [from, to] = range;
     let width = (to - from).abs();
     if !(width > 0.0 && width.is_finite()) {
@@ -250,7 +235,7 @@ fn at_value(
     watch: &Watch<'_>,
 ) -> Result<[Melnikov; 2], NoMelnikov> {
     let pendulum = PerturbedPendulum::new(&with_value(equation, parameter, value)?)?;
-    Ok(Melnikov::both_watched(&pendulum, watch)?)
+    Ok(Melnikov::both(&pendulum, watch)?)
 }
 
 /// The equation with this value of the parameter.

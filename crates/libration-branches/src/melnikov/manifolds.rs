@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 
 use super::NoTangency;
 use super::saddle::Saddle;
-use libration_motion::taylor::{Effort, Event, Moment, System, integrate_watched};
+use libration_motion::taylor::{Effort, Event, Moment, System, integrate};
 use libration_numbers::expression::{Equation, Expression, Symbol};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 
 const TOLERANCE: f64 = 1e-16;
 /// Units 1/ω0 in which a motion that started at 1e-9 of the saddle is at the bottom, several times over.
@@ -93,8 +93,7 @@ impl<'a> Manifolds<'a> {
         let start = Moment { time, state: vec![saddle[0] + inward * self.distance, velocity] };
         let until = if end == 0 { LONGEST } else { -LONGEST } / self.omega0;
         let effort = Effort::to_tolerance(TOLERANCE);
-        let solution =
-            integrate_watched(&self.motion, &start, &[time + until], &effort, |_| self.watch.flow())?;
+        let solution = integrate(&self.motion, &start, &[time + until], &effort, &self.watch.part())?;
         let bottom = solution.events.first().ok_or(NoTangency::NoPassage)?;
         Ok(Passage { time: bottom.time, velocity: bottom.state[1] })
     }

@@ -3,8 +3,9 @@
 //! ```
 //! # extern crate libration_branches as libration;
 //! use libration::melnikov::{Melnikov, PerturbedPendulum};
+//! use libration::progress::Quiet;
 //! let shaken = PerturbedPendulum::new(&"x'' + 0.1 x' + (1 - 0.2 cos(2t)) sin(x) = 0".parse()?)?;
-//! let [upper, lower] = Melnikov::both(&shaken);
+//! let [upper, lower] = Melnikov::both(&shaken, &Quiet)?;
 //! assert_eq!(upper.has_simple_zeros(), Some(false));
 //! assert_eq!(upper.mean, lower.mean);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -34,7 +35,7 @@ mod manifolds;
 mod tangency;
 
 pub use error::{NoMelnikov, NoTangency};
-pub use function::{Melnikov, Threshold, thresholds, thresholds_watched};
+pub use function::{Melnikov, Threshold, thresholds};
 pub use perturbation::PerturbedPendulum;
 pub use resonance::DriveResonance;
 pub use tangency::Tangency;

@@ -3,8 +3,9 @@
 use super::perturbation::PerturbedPendulum;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::roots::{Tolerance, zero_between};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
 use libration_pendulum::pendulum::{Amplitude, Motion, Pendulum, Regime};
 use std::f64::consts::TAU;
 
@@ -66,13 +67,17 @@ impl PerturbedPendulum {
     /// The resonances p:q up to a largest q, for the harmonics p of the drive, that the perturbation has to the first order: librations and then
     /// rotations either way, each by ascending action. None without a drive.
     ///
+    /// # Errors
+    /// The call is cancelled.
+    ///
     /// # Examples
     /// ```
     /// # extern crate libration_branches as libration;
     /// use libration::melnikov::PerturbedPendulum;
+    /// use libration::progress::Quiet;
     /// // A wave that runs along with the angle: the separatrix of its own resonance is 2·√0.01 away in the velocity.
     /// let driven = PerturbedPendulum::new(&"x'' + 1e-6 sin(x) = -0.01 sin(x - t)".parse()?)?;
-    /// let resonances = driven.resonances(1);
+    /// let resonances = driven.resonances(1, &Quiet)?;
     /// let rotation = resonances.iter().find(|it| it.direction > 0.0).ok_or("none")?;
     /// assert!((rotation.half_width - 0.2).abs() < 1e-5);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -80,20 +85,12 @@ impl PerturbedPendulum {
     ///
     /// # References
     /// B. V. Chirikov, Physics Reports 52 (1979) 263, doi:10.1016/0370-1573(79)90023-1.
-    #[must_use]
-    pub fn resonances(&self, largest: u32) -> Vec<DriveResonance> {
-        self.resonances_watched(largest, &Watch::none()).unwrap_or_default()
-    }
-
-    /// The same with a watch, which is checked at each resonance, and at each step of its integrals.
-    ///
-    /// # Errors
-    /// A cancellation by the watch.
-    pub fn resonances_watched(
+    pub fn resonances(
         &self,
         largest: u32,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Vec<DriveResonance>, Interrupted> {
+        let watch = &Watch::new(progress);
         let Some(drive) = self.frequency() else { return Ok(vec![]) };
         let harmonics = u32::try_from(self.harmonics()).unwrap_or(0);
         let pairs = || (1..=harmonics).flat_map(move |p| (1..=largest).map(move |q| (p, q)));

@@ -13,7 +13,8 @@
 use super::perturbation::{PerturbedPendulum, power};
 use super::trigonometric::Monomial;
 use libration_numbers::algebra::Complex;
-use libration_numbers::watch::{Interrupted, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Interrupted;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bound on the rounding error of a sum, in parts of the sum of the sizes of its terms: some ten operations each.

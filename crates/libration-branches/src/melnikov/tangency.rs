@@ -7,7 +7,8 @@ use super::manifolds::{Delays, Manifolds};
 use super::{NoMelnikov, NoTangency, PerturbedPendulum};
 use libration_kernels::elementary::count;
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// The value of a parameter at which the stable and the unstable manifold of the saddle orbit, which is the upright position as the perturbation
 /// moves it, touch: the manifolds themselves are followed, to all orders of the perturbation.
@@ -16,9 +17,10 @@ use libration_numbers::watch::Watch;
 /// ```
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
+/// use libration::progress::Quiet;
 /// let equation = "x'' + 0.1 x' + sin(x) = A cos(t)".parse()?;
-/// let [upper, _] = thresholds(&equation, "A", [0.0, 1.0])?[..] else { panic!() };
-/// let touching = upper.tangency(&equation, "A")?;
+/// let [upper, _] = thresholds(&equation, "A", [0.0, 1.0], &Quiet)?[..] else { panic!() };
+/// let touching = upper.tangency(&equation, "A", &Quiet)?;
 /// assert!((upper.value - 0.319_478_526).abs() < 1e-9 && (touching.value - 0.319_869_600).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -48,20 +50,14 @@ impl Threshold {
     ///
     /// # Errors
     /// No saddle orbit near the upright position, manifolds that do not pass the bottom or do not touch nearby: the perturbation is no longer weak.
-    pub fn tangency(&self, equation: &Equation, parameter: &str) -> Result<Tangency, NoTangency> {
-        self.tangency_watched(equation, parameter, &Watch::none())
-    }
-
-    /// The same with a watch, which is checked at each step of the integrations.
-    ///
-    /// # Errors
-    /// As [`Self::tangency`], and a cancellation by the watch.
-    pub fn tangency_watched(
+    /// Cancellation.
+    pub fn tangency(
         &self,
         equation: &Equation,
         parameter: &str,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Tangency, NoTangency> {
+        let watch = &Watch::new(progress);
         let approach = Approach { equation, parameter, direction: self.direction, watch };
         approach.tangency(self.value)
     }
@@ -160,7 +156,7 @@ impl Approach<'_> {
 
     fn melnikov(&self, value: f64) -> Result<Melnikov, NoTangency> {
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
-        let [upper, lower] = Melnikov::both_watched(&pendulum, self.watch).map_err(NoMelnikov::from)?;
+        let [upper, lower] = Melnikov::both(&pendulum, self.watch).map_err(NoMelnikov::from)?;
         Ok(if self.direction > 0.0 { upper } else { lower })
     }
 

@@ -1,7 +1,7 @@
 //! Errors of following a nonlinear mode.
 
 use libration_motion::orbit::NoOrbit;
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a mode cannot be followed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -26,7 +26,7 @@ pub enum NoNonlinearMode {
     /// Amplitudes that are no ascending positive numbers.
     #[error("the amplitude {0:?} is not positive or not in order: give positive numbers in ascending order")]
     Amplitudes(f64),
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -5,7 +5,8 @@ use super::{LostMode, NoNonlinearMode, Reason};
 use crate::normal_modes::{Behaviour, Mode, NormalModes};
 use libration_motion::orbit::{NoOrbit, Orbit, OrbitGuess};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use std::f64::consts::TAU;
 
 /// A family of periodic orbits that begins as a mode of small oscillations.
@@ -87,28 +88,16 @@ impl NonlinearMode {
     ///
     /// # Errors
     /// A mode that is not there, does not oscillate or shares its frequency; a coordinate at rest in it; amplitudes that do not ascend.
+    /// Cancellation.
     pub fn follow(
         equation: &Equation,
         modes: &NormalModes,
         number: usize,
         coordinate: usize,
         amplitudes: &[f64],
+        progress: &dyn Progress,
     ) -> Result<Self, NoNonlinearMode> {
-        Self::follow_watched(equation, modes, number, coordinate, amplitudes, &Watch::none())
-    }
-
-    /// The same with a watch, which is checked at each step of each integration.
-    ///
-    /// # Errors
-    /// As [`Self::follow`], and a cancellation by the watch.
-    pub fn follow_watched(
-        equation: &Equation,
-        modes: &NormalModes,
-        number: usize,
-        coordinate: usize,
-        amplitudes: &[f64],
-        watch: &Watch<'_>,
-    ) -> Result<Self, NoNonlinearMode> {
+        let watch = &Watch::new(progress);
         let family = Family::new(equation, modes, number, coordinate, watch)?;
         let mut last = 0.0;
         for amplitude in amplitudes {
@@ -239,7 +228,7 @@ impl<'a> Family<'a> {
         if self.rest.len() > 1 {
             return Ok(last);
         }
-        match Orbit::released_watched(self.equation, self.rest[0] + amplitude, &self.watch.part()) {
+        match Orbit::released(self.equation, self.rest[0] + amplitude, &self.watch.part()) {
             Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
             Err(error) => Ok(error.into()),
             Ok(orbit) => Ok(self.release(amplitude).refusal(&orbit).unwrap_or(last)),
@@ -255,7 +244,7 @@ impl<'a> Family<'a> {
         let mut guess = guess;
         guess.state[fixed[0]] = self.rest[self.coordinate] + amplitude;
         guess.state[fixed[1]] = 0.0;
-        match Orbit::near_watched(self.equation, &guess, &fixed, &self.watch.part()) {
+        match Orbit::near(self.equation, &guess, &fixed, &self.watch.part()) {
             Err(NoOrbit::Interrupted(interrupted)) => Err(interrupted.into()),
             Err(error) => Ok(Err(error.into())),
             Ok(orbit) => Ok(match self.release(amplitude).refusal(&orbit) {

@@ -2,7 +2,7 @@
 
 use crate::normal_modes::NoModes;
 use libration_numbers::expression::WithoutValue;
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal form about an equilibrium.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -27,7 +27,7 @@ pub enum NoNormalForm {
         "at the equilibrium the accelerations have no power series: they have a kink or a jump there, or are not finite"
     )]
     NoSeries,
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

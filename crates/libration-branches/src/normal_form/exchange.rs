@@ -4,11 +4,12 @@
 use super::form::NormalForm;
 use libration_kernels::elementary::count;
 use libration_kernels::elliptic::Modulus;
-use libration_motion::taylor::{Effort, IntegrationError, Moment, System, integrate_watched};
+use libration_motion::taylor::{Effort, IntegrationError, Moment, System, integrate};
 use libration_numbers::algebra::Complex;
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::roots::polynomial_roots;
-use libration_numbers::watch::Watch;
 use std::f64::consts::TAU;
 
 /// The exchange of energy between modes, from a state on.
@@ -79,15 +80,9 @@ impl NormalForm {
     /// # Errors
     /// No resonance; a state beyond the reach of the form; amplitudes that stay as they are, or do not come back in 2000 periods of the slowest
     /// mode.
-    pub fn exchange(&self, state: &[f64]) -> Result<Exchange, NoExchange> {
-        self.exchange_watched(state, &Watch::none())
-    }
-
-    /// The same with a watch, which is checked at each step of the integration.
-    ///
-    /// # Errors
-    /// As [`Self::exchange`], and a cancellation by the watch.
-    pub fn exchange_watched(&self, state: &[f64], watch: &Watch<'_>) -> Result<Exchange, NoExchange> {
+    /// Cancellation.
+    pub fn exchange(&self, state: &[f64], progress: &dyn Progress) -> Result<Exchange, NoExchange> {
+        let watch = &Watch::new(progress);
         let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
         let amplitudes = self.amplitudes_of(state).ok_or(NoExchange::TooFar)?;
         let seen = |interval: f64, samples: usize| self.slow_path(&amplitudes, interval, samples, watch);
@@ -115,36 +110,24 @@ impl NormalForm {
     ///
     /// # Errors
     /// As [`Self::exchange`], and where the integration ends.
+    /// Cancellation.
     pub fn measured_exchange(
         &self,
         equation: &Equation,
         state: &[f64],
         exchange: &Exchange,
-    ) -> Result<MeasuredExchange, NoExchange> {
-        self.measured_exchange_watched(equation, state, exchange, &Watch::none())
-    }
-
-    /// The same with a watch, which is checked at each step of the integration.
-    ///
-    /// # Errors
-    /// As [`Self::measured_exchange`], and a cancellation by the watch.
-    pub fn measured_exchange_watched(
-        &self,
-        equation: &Equation,
-        state: &[f64],
-        exchange: &Exchange,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<MeasuredExchange, NoExchange> {
         let mode = self.exchanging_mode().ok_or(NoExchange::NoResonance)?;
         let interval = exchange.period / count(SAMPLES);
-        let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, watch)?;
+        let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, &Watch::new(progress))?;
         let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
         let [frequency, error] = winding(&places, interval, &Scale::of(&places));
         let period = TAU / frequency;
         Ok(MeasuredExchange { period, error: error / frequency * period })
     }
 
-    /// The amplitudes by the slow flow at even times from zero on, asking at each step whether to go on.
+    /// The amplitudes by the slow flow at even times from zero on.
     ///
     /// # Errors
     /// The integration ends.
@@ -153,17 +136,16 @@ impl NormalForm {
         amplitudes: &[Complex],
         interval: f64,
         samples: usize,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Vec<Vec<Complex>>, NoExchange> {
         let start: Vec<f64> = amplitudes.iter().flat_map(|a| [a.re, a.im]).collect();
-        let states = motion(&self.slow_flow(), &start, interval, samples, watch)?;
+        let states = motion(&self.slow_flow(), &start, interval, samples, &Watch::new(progress))?;
         let amplitudes =
             |state: &Vec<f64>| state.chunks(2).map(|part| Complex::new(part[0], part[1])).collect();
         Ok(states.iter().map(amplitudes).collect())
     }
 
-    /// The amplitudes of the whole motion from a state, seen through the normal form, at even times from zero on, asking at
-    /// each step whether to go on.
+    /// The amplitudes of the whole motion from a state, seen through the normal form, at even times from zero on.
     ///
     /// # Errors
     /// A state too far from rest, or the integration ends.
@@ -173,9 +155,9 @@ impl NormalForm {
         state: &[f64],
         interval: f64,
         samples: usize,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Vec<Vec<Complex>>, NoExchange> {
-        let states = motion(equation, state, interval, samples, watch)?;
+        let states = motion(equation, state, interval, samples, &Watch::new(progress))?;
         states.iter().map(|state| self.amplitudes_of(state).ok_or(NoExchange::TooFar)).collect()
     }
 
@@ -257,8 +239,7 @@ fn motion(
     let system = System::new(equation).map_err(|_| NoExchange::TooFar)?;
     let times: Vec<f64> = (0..=samples).map(|k| interval * count(k)).collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
-    let solution =
-        integrate_watched(&system, &start, &times, &Effort::to_tolerance(TOLERANCE), |_| watch.flow())?;
+    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(TOLERANCE), &watch.part())?;
     Ok(solution.samples.into_iter().map(|it| it.state).collect())
 }
 

@@ -7,7 +7,8 @@
 use super::polynomials::{AmplitudePolynomials, Polynomial, Powers};
 use libration_numbers::internals::expression::{Jet, NoSeries, Tape};
 use libration_numbers::internals::linear::solve;
-use libration_numbers::watch::{Interrupted, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Interrupted;
 use libration_numbers::{
     algebra::Ring,
     internals::algebra::{Quadratic, QuadraticField},

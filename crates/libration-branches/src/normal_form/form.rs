@@ -5,7 +5,8 @@ use super::linear_motion::{exactly, in_digits};
 use super::polynomials::{Polynomial, Powers};
 use super::{LARGEST_ORDER, NoNormalForm};
 use crate::normal_modes::{Behaviour, NormalModes};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 use libration_numbers::{
     algebra::{Complex, Ring},
     internals::algebra::{Quadratic, Tower},
@@ -87,30 +88,19 @@ impl NormalForm {
     /// # Errors
     /// No equilibrium or modes, as [`NormalModes::about`]; a mode that does not oscillate; an order outside 2 … [`LARGEST_ORDER`]; accelerations
     /// without power series.
+    /// Cancellation.
     pub fn about(
         equation: &Equation,
         guess: &[f64],
         order: usize,
         detuning: f64,
+        progress: &dyn Progress,
     ) -> Result<Self, NoNormalForm> {
-        Self::about_watched(equation, guess, order, detuning, &Watch::none())
-    }
-
-    /// The same with a watch, which is checked at each order.
-    ///
-    /// # Errors
-    /// As [`Self::about`], and a cancellation by the watch.
-    pub fn about_watched(
-        equation: &Equation,
-        guess: &[f64],
-        order: usize,
-        detuning: f64,
-        watch: &Watch<'_>,
-    ) -> Result<Self, NoNormalForm> {
+        let watch = &Watch::new(progress);
         if !(2..=LARGEST_ORDER).contains(&order) {
             return Err(NoNormalForm::Order(order));
         }
-        let modes = NormalModes::about_watched(equation, guess, &watch.part())?;
+        let modes = NormalModes::about(equation, guess, &watch.part())?;
         if let Some(number) = modes.modes.iter().position(|it| it.behaviour != Behaviour::Oscillating) {
             return Err(NoNormalForm::NotOscillating(number + 1));
         }

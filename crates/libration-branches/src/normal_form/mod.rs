@@ -3,8 +3,9 @@
 //! ```
 //! # extern crate libration_branches as libration;
 //! use libration::normal_form::{DETUNING, NormalForm};
+//! use libration::progress::Quiet;
 //! // One coordinate, no resonance: Lindstedt's frequency, 1 − a²/16.
-//! let pendulum = NormalForm::about(&"x'' = -sin(x)".parse()?, &[0.0], 3, DETUNING)?;
+//! let pendulum = NormalForm::about(&"x'' = -sin(x)".parse()?, &[0.0], 3, DETUNING, &Quiet)?;
 //! assert_eq!(pendulum.slow_terms[0].exact.as_deref(), Some("-1/16*i"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

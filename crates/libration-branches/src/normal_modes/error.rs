@@ -1,7 +1,7 @@
 //! Errors of the search for normal modes.
 
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal modes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -48,7 +48,7 @@ pub enum NoModes {
     /// Eigenvalues that are not found.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
     NoEigenvalues,
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -11,7 +11,8 @@ use super::shift::shift;
 use super::spectrum::{Exponent, spectrum};
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::{Equation, Symbol};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Quiet, Stage};
 
 /// The normal modes of a system, by ascending frequency.
 ///
@@ -50,22 +51,16 @@ impl NormalModes {
     /// # Errors
     /// Open parameters, the time in the accelerations, and no equilibrium at which they have derivatives.
     pub fn new(equation: &Equation) -> Result<Self, NoModes> {
-        Self::about(equation, &vec![0.0; equation.variables().len()])
+        Self::about(equation, &vec![0.0; equation.variables().len()], &Quiet)
     }
 
     /// The modes about the equilibrium that Newton's method finds from a guess.
     ///
     /// # Errors
     /// As [`new`](Self::new), and a guess that does not fit.
-    pub fn about(equation: &Equation, guess: &[f64]) -> Result<Self, NoModes> {
-        Self::about_watched(equation, guess, &Watch::none())
-    }
-
-    /// Computes the same as [`about`](Self::about); `watch` is called for each mode, since its change with the amplitude takes the longest.
-    ///
-    /// # Errors
-    /// As [`about`](Self::about), and [`NoModes::Interrupted`].
-    pub fn about_watched(equation: &Equation, guess: &[f64], watch: &Watch<'_>) -> Result<Self, NoModes> {
+    /// [`NoModes::Interrupted`] if the call is cancelled.
+    pub fn about(equation: &Equation, guess: &[f64], progress: &dyn Progress) -> Result<Self, NoModes> {
+        let watch = &Watch::new(progress);
         equation.refuse_first_order()?;
         let wanted = equation.variables().len();
         if guess.len() != wanted || !guess.iter().all(|x| x.is_finite()) {

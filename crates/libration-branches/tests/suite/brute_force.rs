@@ -7,6 +7,7 @@ use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Response, ResponseOptions};
 use libration::expression::Equation;
 use libration::orbit::Stability;
+use libration::progress::Quiet;
 use libration_motion::internals::periodic::{Flow, multiplier_errors};
 use libration_numbers::internals::linear::eigenvalues;
 use libration_testing::random::Random;
@@ -30,7 +31,7 @@ struct Oscillator {
 impl Oscillator {
     fn response(&self) -> Response {
         let equation: Equation = self.text.parse().unwrap();
-        let response = Response::over(&equation, "w", self.range, &ResponseOptions::default());
+        let response = Response::over(&equation, "w", self.range, &ResponseOptions::default(), &Quiet);
         response.unwrap_or_else(|error| panic!("{}: {error}", self.text))
     }
 
@@ -342,7 +343,7 @@ fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
     // Two degrees of freedom with a stop: what a symmetric branch would show is not there.
     let pair = "x'' + 0.1*x' + 2*x - y = 0.3*cos(w*t); y'' + 0.1*y' + 2*y - x + 20*max(y - 0.5, 0) = 0";
     let response =
-        Response::over(&pair.parse().unwrap(), "w", [0.5, 2.0], &ResponseOptions::default()).unwrap();
+        Response::over(&pair.parse().unwrap(), "w", [0.5, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
     for branch in &response.branches {
         assert!(!branch.space.mirrored);
         assert!(branch.points.iter().all(|point| point.amplitude(0, false) < 10.0), "{:?}", branch.ending);
@@ -354,7 +355,8 @@ fn a_force_with_a_kink_on_one_side_is_not_symmetric() {
 fn a_force_with_kinks_on_both_sides_is_symmetric_where_they_match() {
     for (other, mirrored) in [("1000", true), ("1000.0001", false)] {
         let text = format!("x'' + 0.1*x' + x + 3*max(x - 1000, 0) - 3*max(-x - {other}, 0) = 0.3*cos(w*t)");
-        let response = Response::over(&text.parse().unwrap(), "w", [1.5, 2.0], &ResponseOptions::default());
+        let response =
+            Response::over(&text.parse().unwrap(), "w", [1.5, 2.0], &ResponseOptions::default(), &Quiet);
         assert_eq!(response.unwrap().branches[0].space.mirrored, mirrored, "{other}");
     }
 }
@@ -435,7 +437,7 @@ fn the_branch_in_which_another_one_ends_is_followed() {
 fn a_branch_in_which_others_end_is_followed_once() {
     let equation = "x'' + 0.09982078986811771*x' + x + 3.0515445510566805*max(x - 0.3834842493610043, 0) - 3.0515445510566805*max(-x - 0.09108689179579989, 0) = 0.32494762822662293*cos(w*t)";
     let equation: Equation = equation.parse().unwrap();
-    let response = Response::over(&equation, "w", [0.6, 2.0], &ResponseOptions::default()).unwrap();
+    let response = Response::over(&equation, "w", [0.6, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
     let periods: Vec<u32> = response.branches.iter().map(|it| it.space.drive_periods()).collect();
     assert_eq!(periods.iter().filter(|it| **it == 1).count(), 1, "{periods:?}");
     assert_eq!(periods.len(), 2, "{periods:?}");
@@ -457,7 +459,7 @@ fn errors_of_multipliers_hold_for_random_oscillators() {
     for (text, range) in oscillators {
         let equation: Equation = text.parse().unwrap();
         let flow = Flow::new(&equation, &["w"], 100_000).unwrap();
-        let response = Response::over(&equation, "w", range, &ResponseOptions::default()).unwrap();
+        let response = Response::over(&equation, "w", range, &ResponseOptions::default(), &Quiet).unwrap();
         for point in response.branches.iter().flat_map(|branch| &branch.points).step_by(2) {
             ratios.extend(ratios_of_multipliers(&flow, point));
         }

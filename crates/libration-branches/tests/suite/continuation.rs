@@ -6,8 +6,8 @@ use libration::continuation::{
     Branch, BranchPoint, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind,
 };
 use libration::expression::Equation;
+use libration::progress::{Quiet, Status};
 use libration::taylor::{Effort, Moment, System, integrate};
-use libration::watch::{Progress, Watch};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
@@ -20,7 +20,7 @@ fn equation(text: &str, values: &[(&str, &str)]) -> Equation {
 
 fn over(equation: &Equation, parameter: &str, range: [f64; 2]) -> Response {
     let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
-    Response::over(equation, parameter, range, &options).unwrap()
+    Response::over(equation, parameter, range, &options, &Quiet).unwrap()
 }
 
 fn specials(response: &Response, kind: SpecialKind) -> Vec<f64> {
@@ -120,7 +120,7 @@ fn curves_of_duffings_oscillator_have_their_folds_and_no_others() {
         ..ResponseOptions::default()
     };
     let subharmonic = equation(duffing, &[("c", "0.05"), ("b", "1"), ("F", "5")]);
-    let response = Response::over(&subharmonic, "w", [9.0, 10.5], &options).unwrap();
+    let response = Response::over(&subharmonic, "w", [9.0, 10.5], &options, &Quiet).unwrap();
     assert_special(&response, SpecialKind::Fold, 10.02822141013707399662466, None);
     assert_eq!(response.branches[0].space.drive_periods(), 3);
 }
@@ -135,7 +135,7 @@ fn a_curve_that_closes_is_followed_once_around() {
         generations: 0,
         ..ResponseOptions::default()
     };
-    let response = Response::over(&duffing, "w", [2.5, 6.0], &options).unwrap();
+    let response = Response::over(&duffing, "w", [2.5, 6.0], &options, &Quiet).unwrap();
     let branch = &response.branches[0];
     assert_eq!((response.branches.len(), branch.ending), (1, Ending::Closed));
     assert_eq!(branch.points.first(), branch.points.last());
@@ -147,7 +147,10 @@ fn a_curve_that_closes_is_followed_once_around() {
     );
     assert!(folds.len() == 2 || folds.len() == 6, "{folds:?}");
     let outside = ResponseOptions { at: Some(7.0), ..options };
-    assert!(matches!(Response::over(&duffing, "w", [2.5, 6.0], &outside), Err(NoBranch::Outside { .. })));
+    assert!(matches!(
+        Response::over(&duffing, "w", [2.5, 6.0], &outside, &Quiet),
+        Err(NoBranch::Outside { .. })
+    ));
 }
 
 #[test]
@@ -190,10 +193,10 @@ fn neighbouring_branches_are_not_mistaken_for_each_other() {
 fn a_strong_drive_leads_over_the_top_and_to_the_frequency_zero() {
     let pendulum = |a: &str| equation(PENDULUM, &[("c", "0.1"), ("A", a)]);
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-    let response = Response::over(&pendulum("0.2"), "w", [0.3, 1.4], &options).unwrap();
+    let response = Response::over(&pendulum("0.2"), "w", [0.3, 1.4], &options, &Quiet).unwrap();
     let last = response.branches.iter().map(|branch| branch.points.last().unwrap());
     assert!(last.into_iter().any(|point| point.parameter == 0.3 && point.amplitude(0, false) > PI));
-    let response = Response::over(&pendulum("0.15"), "w", [0.0, 1.4], &options).unwrap();
+    let response = Response::over(&pendulum("0.15"), "w", [0.0, 1.4], &options, &Quiet).unwrap();
     assert_eq!(response.branches[0].ending, Ending::SlowDrive);
     assert_eq!(specials(&response, SpecialKind::Fold).len(), 2);
     // By shooting with Taylor series in 30 digits (mpmath).
@@ -227,7 +230,7 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
         generations: 0,
         ..ResponseOptions::default()
     };
-    let swing = Response::over(&shaken, "w", [1.9, 2.0], &options).unwrap();
+    let swing = Response::over(&shaken, "w", [1.9, 2.0], &options, &Quiet).unwrap();
     let ends: Vec<f64> = swing
         .branches
         .iter()
@@ -245,7 +248,7 @@ fn followed(equation: &Equation, frequency: f64, mut state: Vec<f64>, periods: u
     let system = System::new(&equation.with(&[("w", exact)]).unwrap()).unwrap();
     for _ in 0..periods {
         let start = Moment { time: 0.0, state };
-        let solution = integrate(&system, &start, &[TAU / frequency], &Effort::to_tolerance(1e-15));
+        let solution = integrate(&system, &start, &[TAU / frequency], &Effort::to_tolerance(1e-15), &Quiet);
         state = solution.unwrap().end.state;
     }
     state
@@ -299,11 +302,11 @@ fn jumps_of_an_interrupted_response_lead_to_the_nearest_points_and_say_how_far_t
     let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
     let whole = over(&pendulum, "w", [0.7, 1.0]);
     let most = whole.branches[0].points.len() - 3;
-    let ask = |progress: Progress| {
-        if progress.done < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let options = ResponseOptions::default();
-    let response = Response::over_watched(&pendulum, "w", [0.7, 1.0], &options, &Watch::new(&ask)).unwrap();
+    let response = Response::over(&pendulum, "w", [0.7, 1.0], &options, &progress).unwrap();
     assert!(response.interrupted && response.jumps.len() == 2);
     for (jump, exact) in response.jumps.iter().zip(&whole.jumps) {
         let off = apart(&jump.to[0].state, &exact.to[0].state);
@@ -333,7 +336,7 @@ fn multipliers_of_two_coordinates_have_the_product_that_the_damping_tells() {
 #[test]
 fn what_has_no_branch_says_why() {
     let refused = |text: &str, range: [f64; 2]| {
-        Response::over(&equation(text, &[]), "w", range, &ResponseOptions::default()).unwrap_err()
+        Response::over(&equation(text, &[]), "w", range, &ResponseOptions::default(), &Quiet).unwrap_err()
     };
     assert_eq!(refused("x'' = -x + w*t", [1.0, 2.0]), NoBranch::NotDriven);
     assert_eq!(refused("x'' = -x + cos(w*t)", [1.0, 1.0]), NoBranch::Range { from: 1.0, to: 1.0 });

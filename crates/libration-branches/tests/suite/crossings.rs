@@ -2,11 +2,12 @@
 
 use libration::continuation::{Branch, Ending, NoBranch, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
+use libration::progress::Quiet;
 use std::f64::consts::PI;
 
 fn over(equation: &str, parameter: &str, range: [f64; 2], options: ResponseOptions) -> Response {
     let options = ResponseOptions { generations: 0, ..options };
-    Response::over(&equation.parse().unwrap(), parameter, range, &options).unwrap()
+    Response::over(&equation.parse().unwrap(), parameter, range, &options, &Quiet).unwrap()
 }
 
 fn specials(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
@@ -81,7 +82,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
         assert!(branch.points.iter().all(|it| (2.0 - 1e-4..2.1).contains(&it.amplitude(0, false))));
     }
     let circles = "x'' = -x + mu*0".parse().unwrap();
-    let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default());
+    let none = Response::over(&circles, "mu", [0.0, 1.0], &ResponseOptions::default(), &Quiet);
     assert_eq!(none.unwrap_err(), NoBranch::Family);
 }
 
@@ -89,7 +90,7 @@ fn van_der_pols_cycle_crosses_all_circles_where_nothing_excites_it() {
 #[test]
 fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     let pendulum: Equation = "theta'' = -theta'/10 - sin(theta) + A*cos(7*t/10)".parse().unwrap();
-    let response = Response::over(&pendulum, "A", [0.0, 0.6], &ResponseOptions::default()).unwrap();
+    let response = Response::over(&pendulum, "A", [0.0, 0.6], &ResponseOptions::default(), &Quiet).unwrap();
     let all = || response.branches.iter().flat_map(|branch| &branch.special);
     // By Fourier collocation and Taylor shooting 0.528969001376244; the branch that comes back to it ends there.
     let lost: Vec<f64> =
@@ -125,7 +126,7 @@ fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
     for order in [[theta, z], [z, theta]] {
         let pair: Equation = order.join("; ").parse().unwrap();
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-        let response = Response::over(&pair, "A", [0.0, 0.6], &options).unwrap();
+        let response = Response::over(&pair, "A", [0.0, 0.6], &options, &Quiet).unwrap();
         let of_branch = |branch: &Branch| {
             let lost = branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking);
             lost.map(|it| (branch.space, it.clone())).collect::<Vec<_>>()
@@ -135,7 +136,7 @@ fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
         let found = all.iter().find(|(_, it)| off(it.point.parameter) < 1e-13);
         let (space, lost) = found.unwrap_or_else(|| panic!("{order:?}: {all:?}"));
         assert!(space.mirrored && off(lost.point.parameter) <= lost.error.max(1e-15));
-        let precise = lost.to_digits(&pair, "A", *space, 20).unwrap().unwrap();
+        let precise = lost.to_digits(&pair, "A", *space, 20, &Quiet).unwrap().unwrap();
         assert!(off(precise.parameter.to_f64()) < 1e-15 && precise.error < 1e-20);
     }
 }

@@ -8,6 +8,7 @@ use libration::expression::Equation;
 use libration::normal_modes::NormalModes;
 use libration::orbit::{Orbit, OrbitGuess, Stability};
 use libration::oscillator::Oscillator;
+use libration::progress::Quiet;
 use libration::systems::Model;
 use libration::taylor::{
     Cause, Direction, Effort, Event, IntegrationError, Moment, System, integrate, integrate_dense,
@@ -48,7 +49,7 @@ fn every_motion_is_met_as_well_as_its_condition_allows() {
     for row in table.rows() {
         let case = row.text("equation");
         let allowed = growth.until(case, row);
-        let end = integrate(&system(case), &start(row), &[row.input("time")], &effort());
+        let end = integrate(&system(case), &start(row), &[row.input("time")], &effort(), &Quiet);
         let error = error(&end.unwrap().end.state, row);
         assert!(error <= allowed, "{case} at {}: {error:e}", row.text("time"));
     }
@@ -64,8 +65,9 @@ fn both_forms_of_one_equation_have_one_motion() {
     let as_it_is = system("x'' = -sin(x) - x'/10");
     let as_two = system("x' = v; v' = -sin(x) - v/10");
     for time in [0.3, -2.0, 40.0] {
-        let [one, two] = [&as_it_is, &as_two]
-            .map(|system| integrate(system, &from(&[1.0, 0.5]), &[time], &effort()).unwrap().end.state);
+        let [one, two] = [&as_it_is, &as_two].map(|system| {
+            integrate(system, &from(&[1.0, 0.5]), &[time], &effort(), &Quiet).unwrap().end.state
+        });
         for (a, b) in one.iter().zip(&two) {
             assert!((a - b).abs() < 2e-15 * (1.0 + a.abs()), "{one:?} {two:?}");
         }
@@ -77,7 +79,7 @@ fn both_forms_of_one_equation_have_one_motion() {
 fn the_error_of_a_variable_is_a_part_of_how_far_it_moves() {
     let far = system("x' = v; v' = -(x - 1000000)");
     let effort = Effort::to_tolerance(1e-9);
-    let end = integrate(&far, &from(&[1e6 + 1.0, 0.0]), &[10.0], &effort).unwrap().end.state;
+    let end = integrate(&far, &from(&[1e6 + 1.0, 0.0]), &[10.0], &effort, &Quiet).unwrap().end.state;
     let exact = 1e6 + libm::cos(10.0);
     assert!((end[0] - exact).abs() < 2e-9, "{end:?}");
 }
@@ -85,7 +87,8 @@ fn the_error_of_a_variable_is_a_part_of_how_far_it_moves() {
 #[test]
 fn a_variable_may_rest_while_others_move() {
     let mixed = system("q' = -q; x'' = -x; z' = 0; p' = p^2");
-    let end = integrate(&mixed, &from(&[0.0, 1.0, 3.0, 0.0, 0.0]), &[TAU], &effort()).unwrap().end.state;
+    let end =
+        integrate(&mixed, &from(&[0.0, 1.0, 3.0, 0.0, 0.0]), &[TAU], &effort(), &Quiet).unwrap().end.state;
     assert_eq!([end[0], end[2], end[3]], [0.0, 3.0, 0.0]);
     assert!((end[1] - 1.0).abs() < 1e-14 && end[4].abs() < 1e-14);
 }
@@ -99,10 +102,11 @@ fn motions_in_closed_form_are_met_from_a_power_to_a_pole() {
         ("x' = 2*t*x", 1.0, 3.0, libm::exp(9.0)),
         ("x' = abs(t - 1)", 0.0, 3.0, 2.5),
     ] {
-        let end = integrate(&system(text), &from(&[from_here]), &[time], &effort()).unwrap().end.state[0];
+        let end =
+            integrate(&system(text), &from(&[from_here]), &[time], &effort(), &Quiet).unwrap().end.state[0];
         assert!((end / exact - 1.0).abs() < 2e-14, "{text}: {end}");
     }
-    let error = integrate(&system("x' = x^2"), &from(&[1.0]), &[2.0], &effort()).unwrap_err();
+    let error = integrate(&system("x' = x^2"), &from(&[1.0]), &[2.0], &effort(), &Quiet).unwrap_err();
     let IntegrationError::Stopped { cause: Cause::StepUnderflow, solution } = error else {
         panic!("{error}")
     };
@@ -113,10 +117,10 @@ fn motions_in_closed_form_are_met_from_a_power_to_a_pole() {
 #[test]
 fn a_variable_that_no_way_leads_from_zero_stays_there() {
     let falls = system("x' = -sign(x)");
-    assert_eq!(integrate(&falls, &from(&[1.0]), &[3.0], &effort()).unwrap().end.state, [0.0]);
+    assert_eq!(integrate(&falls, &from(&[1.0]), &[3.0], &effort(), &Quiet).unwrap().end.state, [0.0]);
     let released = system("x' = -sign(x) + t/2");
     // At rest from its zero until t = 2, then x = (t − 2)²/4.
-    let solution = integrate(&released, &from(&[0.25]), &[1.5, 4.0], &effort()).unwrap();
+    let solution = integrate(&released, &from(&[0.25]), &[1.5, 4.0], &effort(), &Quiet).unwrap();
     assert_eq!(solution.samples[0].state, [0.0]);
     assert!((solution.samples[1].state[0] - 1.0).abs() < 1e-14);
 }
@@ -125,13 +129,13 @@ fn a_variable_that_no_way_leads_from_zero_stays_there() {
 fn rates_of_change_are_known_to_events_and_to_other_equations() {
     let maxima = Event { formula: "x'".parse().unwrap(), direction: Direction::Falling, ends_at: None };
     let circle = system("x' = -y; y' = x").with_events(&[maxima]).unwrap();
-    let found = integrate(&circle, &from(&[0.0, 1.0]), &[10.0], &effort()).unwrap().events;
+    let found = integrate(&circle, &from(&[0.0, 1.0]), &[10.0], &effort(), &Quiet).unwrap().events;
     let times: Vec<f64> = found.iter().map(|event| event.time).collect();
     assert_eq!(times.len(), 1, "{times:?}");
     assert!((times[0] - 0.75 * TAU).abs() < 1e-14);
     // x'' = q' + 1 with q = −t²/2: x = t²/2 − t³/6.
     let coupled = system("x'' = q' + 1; q' = -t");
-    let end = integrate(&coupled, &from(&[0.0, 0.0, 0.0]), &[3.0], &effort()).unwrap().end.state;
+    let end = integrate(&coupled, &from(&[0.0, 0.0, 0.0]), &[3.0], &effort(), &Quiet).unwrap().end.state;
     assert!(end[0].abs() < 1e-14, "{end:?}");
 }
 
@@ -141,7 +145,7 @@ fn sensitivities_are_those_of_the_closed_form() {
     let decay = with_sensitivities(&equation("x' = -k*x"), &["k"], 1);
     let system = System::new(&decay.with(&[("k", "1/2".parse().unwrap())]).unwrap()).unwrap();
     assert_eq!(system.state_names(), ["x", "delta1 x", "delta2 x"]);
-    let end = integrate(&system, &from(&[3.0, 0.0, 1.0]), &[4.0], &effort()).unwrap().end.state;
+    let end = integrate(&system, &from(&[3.0, 0.0, 1.0]), &[4.0], &effort(), &Quiet).unwrap().end.state;
     let exact = libm::exp(-2.0);
     for (got, truth) in end.iter().zip([3.0 * exact, -12.0 * exact, exact]) {
         assert!((got / truth - 1.0).abs() < 1e-14);
@@ -152,7 +156,8 @@ fn sensitivities_are_those_of_the_closed_form() {
 fn a_section_of_the_lorenz_system_is_where_the_motion_crosses() {
     let surface = Section::Crossing { formula: "z - 27".parse().unwrap(), direction: Direction::Rising };
     let points = Points { skipped: 0, recorded: 5 };
-    let found = section(&equation(LORENZ), &from(&[1.0, 1.0, 1.0]), &surface, points, &effort()).unwrap();
+    let found =
+        section(&equation(LORENZ), &from(&[1.0, 1.0, 1.0]), &surface, points, &effort(), &Quiet).unwrap();
     let motion = integrate_dense(&system(LORENZ), &from(&[1.0, 1.0, 1.0]), 10.0, &effort()).unwrap();
     assert_eq!(found.points.len(), 5);
     for point in &found.points {
@@ -176,7 +181,7 @@ fn a_bifurcation_diagram_follows_the_fixed_points() {
         points: Points { skipped: 100, recorded: 2 },
     };
     let columns =
-        bifurcation_diagram(&family, &[0.25, 1.0], &from(&[0.1]), Continuation::SameStart, &effort())
+        bifurcation_diagram(&family, &[0.25, 1.0], &from(&[0.1]), Continuation::SameStart, &effort(), &Quiet)
             .unwrap();
     for (column, exact) in columns.iter().zip([0.5, 1.0]) {
         assert!(column.section.points.iter().all(|point| (point.state[0] - exact).abs() < 1e-13));
@@ -192,7 +197,8 @@ fn lyapunov_exponents_of_lorenz_and_roessler_are_the_published_ones() {
     {
         let effort = Effort::to_tolerance(1e-10);
         let schedule = Schedule { transient: 100.0, interval, intervals };
-        let found = lyapunov_exponent(&equation(text), &from(&[1.0, 1.0, 1.0]), &schedule, &effort).unwrap();
+        let found =
+            lyapunov_exponent(&equation(text), &from(&[1.0, 1.0, 1.0]), &schedule, &effort, &Quiet).unwrap();
         assert_eq!(found.verdict, LyapunovVerdict::Chaotic, "{text}");
         assert!((found.exponent - published).abs() < 4.0 * found.uncertainty + 5e-5, "{found:?}");
         assert!(found.uncertainty < 0.05 * published);
@@ -213,10 +219,11 @@ fn a_natural_schedule_has_intervals_of_about_a_period() {
 fn cycles_of_predator_and_prey_close_and_keep_their_integral() {
     let predators = equation("x' = x - x*y; y' = x*y - y");
     let small = OrbitGuess { state: vec![1.001, 1.0], period: 6.3 };
-    let small = Orbit::near(&predators, &small, &[0, 1]).unwrap();
+    let small = Orbit::near(&predators, &small, &[0, 1], &Quiet).unwrap();
     // The first shift with the amplitude is of second order.
     assert!((small.period() / TAU - 1.0).abs() < 1e-6, "{}", small.period());
-    let large = Orbit::near(&predators, &OrbitGuess { state: vec![2.0, 1.0], period: 7.0 }, &[0, 1]).unwrap();
+    let large =
+        Orbit::near(&predators, &OrbitGuess { state: vec![2.0, 1.0], period: 7.0 }, &[0, 1], &Quiet).unwrap();
     let integral = |state: &[f64]| state.iter().map(|x| x - libm::log(*x)).sum::<f64>();
     for part in 0..50 {
         let state = large.state_at(large.period() * f64::from(part) / 50.0);
@@ -229,12 +236,12 @@ fn cycles_of_predator_and_prey_close_and_keep_their_integral() {
 #[test]
 fn a_limit_cycle_of_the_first_order_is_found_with_its_multipliers() {
     let hopf = equation("x' = x - y - x*(x^2 + y^2); y' = x + y - y*(x^2 + y^2)");
-    let orbit = Orbit::limit_cycle(&hopf, &[0.1, 0.0]).unwrap();
+    let orbit = Orbit::limit_cycle(&hopf, &[0.1, 0.0], &Quiet).unwrap();
     assert!((orbit.period() - TAU).abs() <= orbit.period_uncertainty().max(1e-14), "{}", orbit.period());
     let floquet = orbit.floquet().unwrap();
     assert_eq!(floquet.stability, Stability::Attracting);
     assert!((floquet.multipliers[1].abs() / libm::exp(-2.0 * TAU) - 1.0).abs() < 1e-6, "{floquet:?}");
-    let driven = Orbit::driven(&equation("q' = -q + cos(t)"), TAU, &[3.0]).unwrap();
+    let driven = Orbit::driven(&equation("q' = -q + cos(t)"), TAU, &[3.0], &Quiet).unwrap();
     // q = (cos t + sin t)/2.
     assert!((driven.start()[0] - 0.5).abs() < 1e-14);
 }
@@ -246,7 +253,7 @@ fn what_needs_an_acceleration_says_so() {
         Oscillator::new(&decay).unwrap_err().to_string(),
         NormalModes::new(&decay).unwrap_err().to_string(),
         NormalModes::new(&mixed).unwrap_err().to_string(),
-        Orbit::released(&decay, 1.0).unwrap_err().to_string(),
+        Orbit::released(&decay, 1.0, &Quiet).unwrap_err().to_string(),
         Model::typed("x' = -x", &[], &[]).unwrap().energy().unwrap_err().to_string(),
         Model::typed("x'' = -x; q' = x", &[], &[]).unwrap().energy().unwrap_err().to_string(),
     ];

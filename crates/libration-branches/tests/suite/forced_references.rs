@@ -3,6 +3,7 @@
 
 use libration::continuation::{BranchPoint, Ending, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
+use libration::progress::Quiet;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
 const PIVOT: &str = "theta'' = -c*theta' - (1 - a*w^2*cos(w*t))*sin(theta)";
@@ -168,7 +169,7 @@ fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_period
         ..ResponseOptions::default()
     };
     let range = [frequency, frequency + 0.01];
-    let response = Response::over(equation, "w", range, &options).unwrap();
+    let response = Response::over(equation, "w", range, &options, &Quiet).unwrap();
     let points = response.branches.iter().flat_map(|it| it.points.clone());
     let mut at = points.filter(|it| it.parameter.to_bits() == frequency.to_bits());
     at.next().unwrap_or_else(|| panic!("nothing at {frequency}"))
@@ -220,7 +221,7 @@ fn assert_special(equation: &Equation, parameter: &str, start: [f64; 2], kind: S
         generations: 0,
         ..ResponseOptions::default()
     };
-    let response = Response::over(equation, parameter, range, &options).unwrap();
+    let response = Response::over(equation, parameter, range, &options, &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
     let off = |found: f64| (found - expected).abs();
     let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
@@ -261,7 +262,7 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
         generations: 0,
         ..ResponseOptions::default()
     };
-    let response = Response::over(&relaxed, "w", [0.85, 1.0], &options).unwrap();
+    let response = Response::over(&relaxed, "w", [0.85, 1.0], &options, &Quiet).unwrap();
     let folds = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == Fold);
     let offs = folds.map(|it| (it.point.parameter - 0.9955703586630364856476981).abs());
     assert!(offs.fold(f64::INFINITY, f64::min) < 1e-12);
@@ -282,7 +283,7 @@ fn a_motion_of_two_hundred_harmonics_is_exact() {
 fn strong_damping_leaves_multipliers_below_rounding_and_no_special_point() {
     // Linear, so that amplitude and both multipliers are known: exp((-5 ± √24)·2π/w), the second below 1e-90.
     let damped = equation("x'' = -10*x' - x + cos(w*t)", &[]);
-    let response = Response::over(&damped, "w", [0.2, 0.3], &ResponseOptions::default()).unwrap();
+    let response = Response::over(&damped, "w", [0.2, 0.3], &ResponseOptions::default(), &Quiet).unwrap();
     let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
     assert!(branch.special.is_empty(), "{:?}", branch.special);
     for point in &branch.points {
@@ -304,7 +305,7 @@ fn a_motion_that_no_single_integration_closes_is_followed() {
         let start = Some(vec![-10.0 / 4.5625 - mean / 4.0, 0.0]);
         let options = ResponseOptions { start, at: Some(0.75), ..ResponseOptions::default() };
         let equation = format!("x'' = 4*x + {mean} + 10*cos(w*t)").parse().unwrap();
-        let response = Response::over(&equation, "w", [0.4, 0.9], &options).unwrap();
+        let response = Response::over(&equation, "w", [0.4, 0.9], &options, &Quiet).unwrap();
         let branch = &response.branches[0];
         assert_eq!((branch.beginning, branch.ending), (Ending::RangeEnd, Ending::RangeEnd));
         assert_eq!(branch.space.mirrored, mean == 0.0);

@@ -3,6 +3,7 @@
 use libm::{acosh, atan, cos, cosh, sin, sinh, tanh};
 use libration::expression::Equation;
 use libration::melnikov::{Melnikov, NoMelnikov, PerturbedPendulum, thresholds};
+use libration::progress::Quiet;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn perturbed(text: &str) -> PerturbedPendulum {
@@ -20,7 +21,7 @@ const THRESHOLDS: [(&str, &str, f64); 3] = [
 fn the_threshold_of_a_damped_driven_pendulum_is_that_of_the_closed_form() {
     for (c, omega, expected) in THRESHOLDS {
         let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
-        let found = thresholds(&equation, "A", [0.0, 1.0]).unwrap();
+        let found = thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap();
         assert_eq!(found.len(), 2, "one on either separatrix: {found:?}");
         for threshold in found {
             assert!((threshold.value - expected).abs() <= threshold.error.min(2e-15), "{threshold:?}");
@@ -52,7 +53,7 @@ fn residues_agree_with_quadrature_for_any_trigonometric_polynomial() {
             + 0.05 * v * sin(x) * cos(x) * cos(x) * cos(x)
             + 0.01
     };
-    for found in Melnikov::both(&pendulum) {
+    for found in Melnikov::both(&pendulum, &Quiet).unwrap() {
         for phase in [0.0, 0.7, 2.0, 4.5] {
             let expected = by_trapezoids(1.5, found.direction, phase, g);
             let difference = (found.at_phase(phase) - expected).abs();
@@ -67,7 +68,7 @@ fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
     let pendulum = perturbed(text);
     assert!(!pendulum.is_closed());
     let g = |_: f64, v: f64, t: f64| -0.1 * v * v.abs() - 0.02 * tanh(v) + 0.3 * cos(t) / (2.0 + cos(t));
-    for found in Melnikov::both(&pendulum) {
+    for found in Melnikov::both(&pendulum, &Quiet).unwrap() {
         for phase in [0.0, 1.0, 3.0] {
             let expected = by_trapezoids(1.0, found.direction, phase, g);
             let difference = (found.at_phase(phase) - expected).abs();
@@ -83,7 +84,7 @@ fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
 #[test]
 fn what_is_exponentially_small_keeps_its_digits() {
     // 2π sech(πΩ/2), which at Ω = 40 is 13 thousandths of a millionth of a millionth of a millionth of a millionth.
-    let [upper, _] = Melnikov::both(&perturbed("x'' + sin(x) = cos(40 t)"));
+    let [upper, _] = Melnikov::both(&perturbed("x'' + sin(x) = cos(40 t)"), &Quiet).unwrap();
     let expected = TAU / cosh(20.0 * PI);
     assert!((upper.harmonics[0].abs() / expected - 1.0).abs() < 1e-13);
     assert!(upper.harmonic_errors[0] < 1e-13 * expected);
@@ -91,7 +92,8 @@ fn what_is_exponentially_small_keeps_its_digits() {
 
 #[test]
 fn zeros_are_where_the_function_vanishes() {
-    let [upper, _] = Melnikov::both(&perturbed("x'' + 0.1 x' + sin(x) = 0.5 cos(t) + 0.3 sin(3t)"));
+    let [upper, _] =
+        Melnikov::both(&perturbed("x'' + 0.1 x' + sin(x) = 0.5 cos(t) + 0.3 sin(3t)"), &Quiet).unwrap();
     assert_eq!(upper.has_simple_zeros(), Some(true));
     let zeros = upper.zeros();
     assert!(zeros.len() >= 2 && zeros.len() % 2 == 0, "{zeros:?}");
@@ -110,7 +112,7 @@ fn zeros_are_where_the_function_vanishes() {
 #[test]
 fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
     let driven = perturbed("x'' + 1e-8 sin(x) = -0.04 sin(x - 3t)");
-    let resonances = driven.resonances(1);
+    let resonances = driven.resonances(1, &Quiet).unwrap();
     let [rotation] = &resonances.iter().filter(|it| it.direction != 0.0).collect::<Vec<_>>()[..] else {
         panic!("{resonances:?}")
     };
@@ -125,7 +127,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
     use libration::taylor::{Effort, Moment, System, integrate};
     let strength = 1e-4;
     let equation: Equation = format!("x'' + sin(x) = {strength} cos(0.9 t)").parse().unwrap();
-    let resonances = PerturbedPendulum::new(&equation).unwrap().resonances(1);
+    let resonances = PerturbedPendulum::new(&equation).unwrap().resonances(1, &Quiet).unwrap();
     let libration = resonances.iter().find(|it| it.direction == 0.0).unwrap();
     // From the centre of the resonance at the phase of its hyperbolic points a motion reaches the half-width on its way around.
     let system = System::new(&equation).unwrap();
@@ -142,7 +144,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
         .map(|j| {
             let state = libration.motion.state_at(period * f64::from(j) / 6.0);
             let start = Moment { time: 0.0, state: vec![state.angle, state.velocity] };
-            let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12)).unwrap();
+            let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12), &Quiet).unwrap();
             let reached =
                 solution.samples.iter().map(|it| (action(&it.state) - libration.motion.action()).abs());
             reached.fold(0.0, f64::max)
@@ -154,7 +156,7 @@ fn a_resonance_of_librations_is_as_wide_as_motions_show() {
 #[test]
 fn damping_must_be_made_up_for_within_a_resonance() {
     let driven = perturbed("x'' + 0.01 x' + sin(x) = 0.1 cos(0.8 t)");
-    let libration = driven.resonances(1).into_iter().find(|it| it.direction == 0.0).unwrap();
+    let libration = driven.resonances(1, &Quiet).unwrap().into_iter().find(|it| it.direction == 0.0).unwrap();
     // The energy taken is c∮θ′dθ = 2πcJ per period.
     let expected = -0.01 * libration.motion.action() * libration.motion.frequency();
     assert!((libration.mean_power - expected).abs() < 1e-15);
@@ -172,14 +174,14 @@ fn what_is_no_pendulum_under_a_periodic_drive_is_refused() {
     assert!(matches!(refusal("x'' = -sin(x) - x^3"), NoMelnikov::NoAngle(_)));
     assert!(matches!(refusal("x'' = -sin(x) + t"), NoMelnikov::NotPeriodic));
     let equation: Equation = "x'' + sin(x) = A cos(t)".parse().unwrap();
-    assert!(matches!(thresholds(&equation, "A", [1.0, 1.0]), Err(NoMelnikov::Range { .. })));
-    assert!(matches!(thresholds(&equation, "B", [0.0, 1.0]), Err(NoMelnikov::At { .. })));
+    assert!(matches!(thresholds(&equation, "A", [1.0, 1.0], &Quiet), Err(NoMelnikov::Range { .. })));
+    assert!(matches!(thresholds(&equation, "B", [0.0, 1.0], &Quiet), Err(NoMelnikov::At { .. })));
 }
 
 #[test]
 fn a_parameter_may_be_the_frequency_of_the_drive() {
     let equation: Equation = "x'' + 0.1 x' + sin(x) = 0.4 cos(w t)".parse().unwrap();
-    let found = thresholds(&equation, "w", [0.2, 3.0]).unwrap();
+    let found = thresholds(&equation, "w", [0.2, 3.0], &Quiet).unwrap();
     let expected = acosh(0.4 * PI / 0.4) / FRAC_PI_2;
     assert!(!found[0].above && (found[0].value - expected).abs() < 1e-14, "{found:?} {expected}");
 }
@@ -236,8 +238,8 @@ const TANGENCIES: [(&str, &str, f64); 4] = [
 fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the_threshold() {
     let excesses = TANGENCIES.map(|(c, omega, expected)| {
         let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
-        let [upper, lower] = thresholds(&equation, "A", [0.0, 2.0]).unwrap()[..] else { panic!() };
-        let [found, mirrored] = [upper, lower].map(|it| it.tangency(&equation, "A").unwrap());
+        let [upper, lower] = thresholds(&equation, "A", [0.0, 2.0], &Quiet).unwrap()[..] else { panic!() };
+        let [found, mirrored] = [upper, lower].map(|it| it.tangency(&equation, "A", &Quiet).unwrap());
         for it in [found, mirrored] {
             assert!((it.value - expected).abs() <= it.error && it.error < 1e-12, "{it:?}");
         }
@@ -259,8 +261,8 @@ fn tangencies_of_uneven_and_parametric_drives_are_those_of_another_program() {
     ];
     for (text, expected) in cases {
         let equation: Equation = text.parse().unwrap();
-        let upper = thresholds(&equation, "A", [0.0, 1.0]).unwrap()[0];
-        let found = upper.tangency(&equation, "A").unwrap();
+        let upper = thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap()[0];
+        let found = upper.tangency(&equation, "A", &Quiet).unwrap();
         assert!((found.value - expected).abs() < 5e-11 && found.error < 1e-12, "{found:?}");
     }
 }
@@ -268,8 +270,8 @@ fn tangencies_of_uneven_and_parametric_drives_are_those_of_another_program() {
 #[test]
 fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
     let equation: Equation = "x'' + 2 x' + sin(x) = A cos(t)".parse().unwrap();
-    let upper = thresholds(&equation, "A", [0.0, 100.0]).unwrap()[0];
-    assert!(upper.tangency(&equation, "A").is_err());
+    let upper = thresholds(&equation, "A", [0.0, 100.0], &Quiet).unwrap()[0];
+    assert!(upper.tangency(&equation, "A", &Quiet).is_err());
 }
 
 /// The place of a tangency, against Taylor series and Newton's method in 200 bits from two distances.
@@ -277,14 +279,14 @@ fn a_perturbation_that_is_not_weak_has_no_tangency_near_its_threshold() {
 fn the_place_of_a_tangency_is_known_to_its_stated_error() {
     use libration::taylor::{Effort, Moment, System, integrate};
     let equation: Equation = "x'' + 0.1 x' + sin(x) = A cos(t)".parse().unwrap();
-    let [upper, _] = &thresholds(&equation, "A", [0.0, 1.0]).unwrap()[..] else { panic!() };
-    let touching = upper.tangency(&equation, "A").unwrap();
+    let [upper, _] = &thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap()[..] else { panic!() };
+    let touching = upper.tangency(&equation, "A", &Quiet).unwrap();
     assert!((touching.value - 0.319_869_600_087_485_03).abs() < 1e-12);
     assert!(touching.place_error < 1e-10, "{touching:?}");
     let system =
         System::new(&equation.with(&[("A", "0.319869600087485".parse().unwrap())]).unwrap()).unwrap();
     let start = Moment { time: touching.phase, state: vec![0.0, touching.velocity] };
-    let end = integrate(&system, &start, &[TAU], &Effort::to_tolerance(1e-15)).unwrap().end.state;
+    let end = integrate(&system, &start, &[TAU], &Effort::to_tolerance(1e-15), &Quiet).unwrap().end.state;
     let expected = [0.042_517_821_156_603_723, 2.002_152_029_089_374_6];
     let off = (end[0] - expected[0]).abs().max((end[1] - expected[1]).abs());
     // On the way the angle changes by the velocity times what the phase is off.

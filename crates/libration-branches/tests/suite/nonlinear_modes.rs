@@ -3,6 +3,7 @@
 use libration::expression::Equation;
 use libration::nonlinear_modes::{NoNonlinearMode, NonlinearMode};
 use libration::normal_modes::NormalModes;
+use libration::progress::Quiet;
 
 const DOUBLE_PENDULUM: &str = "theta1'' = (-3*sin(theta1) - sin(theta1 - 2*theta2) - 2*sin(theta1 - theta2)*(theta2'^2 + theta1'^2*cos(theta1 - theta2)))/(3 - cos(2*theta1 - 2*theta2));
     theta2'' = 2*sin(theta1 - theta2)*(2*theta1'^2 + 2*cos(theta1) + theta2'^2*cos(theta1 - theta2))/(3 - cos(2*theta1 - 2*theta2))";
@@ -26,7 +27,7 @@ fn modes_of_the_double_pendulum_are_followed_to_a_right_angle_with_their_stabili
     for number in [0, 1] {
         let rows = DOUBLE.iter().filter(|row| row.0 == number);
         let amplitudes: Vec<f64> = rows.clone().map(|row| row.1.to_radians()).collect();
-        let mode = NonlinearMode::follow(&equation, &modes, number, 0, &amplitudes).unwrap();
+        let mode = NonlinearMode::follow(&equation, &modes, number, 0, &amplitudes, &Quiet).unwrap();
         assert_eq!(mode.lost, None);
         for (point, (_, degrees, period, start, stable, error)) in mode.points.iter().zip(rows) {
             let tolerance = error * period + point.orbit.period_uncertainty();
@@ -53,7 +54,7 @@ fn the_series_is_told_as_far_as_it_goes() {
     let modes = NormalModes::new(&equation).unwrap();
     let amplitudes: Vec<f64> = (1..=20).map(|degrees| f64::from(degrees).to_radians()).collect();
     let reach = |number| {
-        let mode = NonlinearMode::follow(&equation, &modes, number, 0, &amplitudes).unwrap();
+        let mode = NonlinearMode::follow(&equation, &modes, number, 0, &amplitudes, &Quiet).unwrap();
         mode.series_reach(0.01).unwrap().to_degrees()
     };
     // In phase κ is small; out of phase the frequency falls by a sixth at 20°.
@@ -65,7 +66,7 @@ fn what_cannot_be_followed_is_told() {
     let equation: Equation = DOUBLE_PENDULUM.parse().unwrap();
     let modes = NormalModes::new(&equation).unwrap();
     let refusal = |number, amplitudes: &[f64]| {
-        NonlinearMode::follow(&equation, &modes, number, 0, amplitudes).unwrap_err()
+        NonlinearMode::follow(&equation, &modes, number, 0, amplitudes, &Quiet).unwrap_err()
     };
     assert!(matches!(refusal(2, &[0.1]), NoNonlinearMode::NoMode { wanted: 3, modes: 2 }));
     assert!(matches!(refusal(0, &[0.2, 0.1]), NoNonlinearMode::Amplitudes(_)));
@@ -74,15 +75,15 @@ fn what_cannot_be_followed_is_told() {
         "r'' = r*theta'^2 + cos(theta) - 10*(r - 1); theta'' = -(2*r'*theta' + sin(theta))/r"
             .parse()
             .unwrap();
-    let modes = NormalModes::about(&spring, &[1.1, 0.0]).unwrap();
-    let still = NonlinearMode::follow(&spring, &modes, 0, 0, &[0.1]);
+    let modes = NormalModes::about(&spring, &[1.1, 0.0], &Quiet).unwrap();
+    let still = NonlinearMode::follow(&spring, &modes, 0, 0, &[0.1], &Quiet);
     assert!(matches!(still, Err(NoNonlinearMode::AtRest(_))));
 }
 
 fn pendulum_mode(equation: &str, amplitudes: &[f64]) -> NonlinearMode {
     let equation: Equation = equation.parse().unwrap();
     let modes = NormalModes::new(&equation).unwrap();
-    NonlinearMode::follow(&equation, &modes, 0, 0, amplitudes).unwrap()
+    NonlinearMode::follow(&equation, &modes, 0, 0, amplitudes, &Quiet).unwrap()
 }
 
 #[test]

@@ -4,6 +4,7 @@ use libration::expression::Equation;
 use libration::normal_form::{DETUNING, NoExchange, NoNormalForm, NormalForm};
 use libration::normal_modes::NormalModes;
 use libration::pendulum::Pendulum;
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 
 /// κ = 3 and l = g = 1: rest at 4/3, frequencies √3 and √3/2.
@@ -14,7 +15,7 @@ const DOUBLE_PENDULUM: &str = "theta1'' = (-3*sin(theta1) - sin(theta1 - 2*theta
     theta2'' = 2*sin(theta1 - theta2)*(2*theta1'^2 + 2*cos(theta1) + theta2'^2*cos(theta1 - theta2))/(3 - cos(2*theta1 - 2*theta2))";
 
 fn form(text: &str, rest: &[f64], order: usize) -> NormalForm {
-    NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING).unwrap()
+    NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING, &Quiet).unwrap()
 }
 
 /// Ω of a release from rest, by the amplitude that the form sees in it.
@@ -71,7 +72,7 @@ fn the_resonance_of_the_spring_pendulum_is_kept_with_its_coefficients() {
     let texts: Vec<_> = form.slow_terms.iter().map(|it| (it.mode, it.exact.as_deref().unwrap())).collect();
     assert_eq!(texts, [(0, "9/32*sqrt(3)*i"), (1, "1/8*sqrt(3)*i")]);
     assert!(form.slow_terms.iter().all(|it| it.detuning == 0.0));
-    let exchange = form.exchange(&[4.0 / 3.0 + 0.01, 0.01, 0.0, 0.0]).unwrap();
+    let exchange = form.exchange(&[4.0 / 3.0 + 0.01, 0.01, 0.0, 0.0], &Quiet).unwrap();
     // Jacobi's functions against the integrated slow flow, and multiple scales with amplitudes of the first order: 598.954477867174.
     let closed = exchange.closed_form.unwrap();
     assert!((closed / exchange.period - 1.0).abs() < 1e-9, "{exchange:?}");
@@ -93,12 +94,12 @@ fn the_exchange_is_that_of_return_maps() {
         let mut last = f64::INFINITY;
         for order in [3, 5] {
             let form = form(SPRING_PENDULUM, &[4.0 / 3.0, 0.0], order);
-            let exchange = form.exchange(&state).unwrap();
+            let exchange = form.exchange(&state, &Quiet).unwrap();
             let off = (exchange.period / expected - 1.0).abs();
             assert!(off < 0.2 * last, "{r} {order}: {off:e} after {last:e}");
             last = off;
             if order == 5 {
-                let measured = form.measured_exchange(&equation, &state, &exchange).unwrap();
+                let measured = form.measured_exchange(&equation, &state, &exchange, &Quiet).unwrap();
                 assert!((measured.period / expected - 1.0).abs() < 1e-12, "{measured:?}");
                 assert!(is_near_the_true_one(measured.error, measured.period, expected), "{r}: {measured:?}");
             }
@@ -118,7 +119,7 @@ fn stated_errors_of_exchanges_are_never_below_and_mostly_near_the_true_ones() {
     let form = form(SPRING_PENDULUM, &[4.0 / 3.0, 0.0], 2);
     for r in [0.01, 0.04, 0.1, -0.05] {
         for theta in [0.01, 0.05, 0.1] {
-            let exchange = form.exchange(&[4.0 / 3.0 + r, theta, 0.0, 0.0]).unwrap();
+            let exchange = form.exchange(&[4.0 / 3.0 + r, theta, 0.0, 0.0], &Quiet).unwrap();
             let truth = exchange.closed_form.unwrap();
             assert!(
                 is_near_the_true_one(exchange.error, exchange.period, truth),
@@ -158,14 +159,14 @@ fn the_slow_flow_is_also_an_equation() {
 #[test]
 fn what_has_no_normal_form_or_exchange_is_told() {
     let refusal = |text: &str, rest: &[f64], order| {
-        NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING).unwrap_err()
+        NormalForm::about(&text.parse().unwrap(), rest, order, DETUNING, &Quiet).unwrap_err()
     };
     assert!(matches!(refusal("x'' = -x - x'", &[0.0], 3), NoNormalForm::NotOscillating(1)));
     assert!(matches!(refusal("x'' = -x", &[0.0], 1), NoNormalForm::Order(1)));
     assert!(matches!(refusal("x'' = -x - x*abs(x)", &[0.0], 3), NoNormalForm::NoSeries));
     assert!(matches!(refusal("x'' = -x + cos(t)", &[0.0], 3), NoNormalForm::NoModes(_)));
     let double = form(DOUBLE_PENDULUM, &[0.0, 0.0], 3);
-    assert_eq!(double.exchange(&[0.1, 0.0, 0.0, 0.0]), Err(NoExchange::NoResonance));
+    assert_eq!(double.exchange(&[0.1, 0.0, 0.0, 0.0], &Quiet), Err(NoExchange::NoResonance));
 }
 
 const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
@@ -174,7 +175,7 @@ const HENON_HEILES: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
 #[test]
 fn an_exchange_is_found_where_the_order_has_it() {
     let state = [0.1, 0.05, 0.0, 0.0];
-    let of_order = |order| form(HENON_HEILES, &[0.0, 0.0], order).exchange(&state);
+    let of_order = |order| form(HENON_HEILES, &[0.0, 0.0], order).exchange(&state, &Quiet);
     assert_eq!(of_order(3), Err(NoExchange::Steady));
     let fifth = of_order(5).unwrap();
     // SciPy's DOP853 at 1e-12 with the fifth order's terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
@@ -190,7 +191,7 @@ fn an_exchange_is_found_where_the_order_has_it() {
 fn a_slow_flow_of_high_order_is_integrated_too() {
     let form = form(HENON_HEILES, &[0.0, 0.0], 7);
     assert!(form.slow_flow().to_string().parse::<Equation>().is_err());
-    let exchange = form.exchange(&[0.1, 0.05, 0.0, 0.0]).unwrap();
+    let exchange = form.exchange(&[0.1, 0.05, 0.0, 0.0], &Quiet).unwrap();
     // The whole motion has 2803.77344 s, by zeros of the mean of x′² + x² over many swings (SciPy's DOP853 at 1e-12).
     assert!((exchange.period / 2803.77344 - 1.0).abs() < 0.01, "{exchange:?}");
 }

@@ -3,6 +3,7 @@
 use libration::expression::Equation;
 use libration::normal_modes::{Behaviour, Mode, NoModes, NoShift, NormalModes, SearchEnd};
 use libration::orbit::{Orbit, OrbitGuess};
+use libration::progress::Quiet;
 use std::f64::consts::{PI, TAU};
 
 fn equation(text: &str) -> Equation {
@@ -90,7 +91,7 @@ fn nonlinear_mode(text: &str, mode: &Mode, amplitude: f64) -> Orbit {
         *place = amplitude * part.re;
     }
     let guess = OrbitGuess { state, period: TAU / mode.frequency() };
-    Orbit::near(&equation, &guess, &[mode.leading(), n + mode.leading()]).unwrap()
+    Orbit::near(&equation, &guess, &[mode.leading(), n + mode.leading()], &Quiet).unwrap()
 }
 
 #[test]
@@ -226,15 +227,16 @@ fn damping_that_grows_with_the_amplitude_is_no_frequency() {
 #[test]
 fn equilibria_are_found_from_a_guess() {
     let wells = equation("x'' = x - x^3 + y; y'' = -y*x");
-    let found = NormalModes::about(&wells, &[0.9, 0.1]).unwrap();
+    let found = NormalModes::about(&wells, &[0.9, 0.1], &Quiet).unwrap();
     assert_eq!(found.exact_equilibrium.unwrap(), [1, 0].map(libration::algebra::Rational::from));
     assert_eq!(found.modes[0].frequency_squared.as_ref().unwrap().to_string(), "1");
-    let hoop = NormalModes::about(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), &[1.0]).unwrap();
+    let hoop = NormalModes::about(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), &[1.0], &Quiet).unwrap();
     assert!((hoop.equilibrium[0] - PI / 3.0).abs() < 1e-15);
     // ω² = 2 sin²(π/3), and both forces are smooth there.
     assert!((hoop.modes[0].frequency() - 1.5_f64.sqrt()).abs() < 1e-15);
     let shift = hoop.modes[0].shift.as_ref().unwrap();
-    let orbit = Orbit::released(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), PI / 3.0 + 0.01).unwrap();
+    let orbit =
+        Orbit::released(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), PI / 3.0 + 0.01, &Quiet).unwrap();
     let first = orbit.harmonics(0).terms[1].amplitude();
     let slope = (orbit.frequency() - 1.5_f64.sqrt()) / (first * first);
     assert!((slope - shift.coefficient).abs() < 1e-4, "{slope} {}", shift.coefficient);
@@ -242,7 +244,7 @@ fn equilibria_are_found_from_a_guess() {
 
 #[test]
 fn what_has_no_modes_is_refused_for_a_reason() {
-    let refusal = |text: &str, guess: &[f64]| NormalModes::about(&equation(text), guess).unwrap_err();
+    let refusal = |text: &str, guess: &[f64]| NormalModes::about(&equation(text), guess, &Quiet).unwrap_err();
     assert!(matches!(refusal("x'' = -k*x", &[0.0]), NoModes::WithoutValue(_)));
     assert_eq!(refusal("x'' = -x + cos(t)", &[0.0]), NoModes::DependsOnTime);
     assert!(matches!(refusal("x'' = -x", &[0.0, 1.0]), NoModes::Guess { wanted: 1, .. }));

@@ -4,11 +4,12 @@
 use libration::continuation::{
     Branch, Ending, NoBranch, OrderFinding, Origin, Response, ResponseOptions, SpecialKind,
 };
+use libration::progress::Quiet;
 
 fn sought(equation: &str, range: [f64; 2], orders: &[&str]) -> Result<Response, NoBranch> {
     let orders = orders.iter().map(|order| order.parse().unwrap()).collect();
     let options = ResponseOptions { orders, generations: 0, ..ResponseOptions::default() };
-    Response::over(&equation.parse().unwrap(), "w", range, &options)
+    Response::over(&equation.parse().unwrap(), "w", range, &options, &Quiet)
 }
 
 fn folds(branch: &Branch) -> Vec<f64> {

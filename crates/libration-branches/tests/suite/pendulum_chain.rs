@@ -3,6 +3,7 @@
 use libm::{cos, sin, sqrt};
 use libration::expression::Expression;
 use libration::normal_modes::NormalModes;
+use libration::progress::Quiet;
 use libration::systems::Model;
 use libration::taylor::{Effort, Moment, Solution, integrate};
 use std::f64::consts::PI;
@@ -15,7 +16,7 @@ fn chain(values: &[(&str, &str)]) -> Model {
 
 fn solve(model: &Model, start: &[(&str, f64)], time: f64) -> Solution {
     let start = model.start(start).unwrap();
-    integrate(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-15)).unwrap()
+    integrate(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-15), &Quiet).unwrap()
 }
 
 /// ω² = ω0² + 4κ·sin²(πk/2n), and pendulum i moves as cos(πk(i − 1/2)/n).

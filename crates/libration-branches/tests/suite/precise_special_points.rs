@@ -3,6 +3,7 @@
 
 use libration::continuation::{Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
+use libration::progress::Quiet;
 
 const PENDULUM: &str = "theta'' = -c*theta' - sin(theta) + A*cos(w*t)";
 const DUFFING: &str = "x'' = -c*x' - x - b*x^3 + F*cos(w*t)";
@@ -24,13 +25,13 @@ struct Case<'a> {
 fn assert_digits(case: &Case<'_>) {
     let values: Vec<_> = case.values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
     let equation = case.equation.parse::<Equation>().unwrap().with(&values).unwrap();
-    let response = Response::over(&equation, case.parameter, case.range, &case.options).unwrap();
+    let response = Response::over(&equation, case.parameter, case.range, &case.options, &Quiet).unwrap();
     let near: f64 = case.expected.parse().unwrap();
     let mut specials =
         response.branches.iter().flat_map(|it| it.special.iter().map(move |special| (it.space, special)));
     let found = specials.find(|(_, it)| it.kind == case.kind && (it.point.parameter - near).abs() < 1e-11);
     let (space, special) = found.unwrap_or_else(|| panic!("no {} at {}", case.kind, case.expected));
-    let precise = special.to_digits(&equation, case.parameter, space, 25).unwrap().unwrap();
+    let precise = special.to_digits(&equation, case.parameter, space, 25, &Quiet).unwrap().unwrap();
     let digits = precise.parameter.to_rational().to_decimal(26);
     let (all_but_last, _) = case.expected.split_at(case.expected.len() - 1);
     assert!(digits.starts_with(all_but_last), "{}: {digits} for {}", case.kind, case.expected);
@@ -192,11 +193,11 @@ fn edges_of_rest_have_25_digits() {
 fn what_has_no_digits_has_none() {
     let values = [("mu", "1".parse().unwrap()), ("F", "1".parse().unwrap())];
     let equation = VAN_DER_POL.parse::<Equation>().unwrap().with(&values).unwrap();
-    let response = Response::over(&equation, "w", [1.1, 1.3], &once()).unwrap();
+    let response = Response::over(&equation, "w", [1.1, 1.3], &once(), &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|it| it.special.iter().map(move |one| (it.space, one)));
     let saddles: Vec<_> = special.filter(|(_, it)| it.kind == SpecialKind::NeutralSaddle).collect();
     assert!(!saddles.is_empty());
     for (space, saddle) in saddles {
-        assert_eq!(saddle.to_digits(&equation, "w", space, 25), Ok(None));
+        assert_eq!(saddle.to_digits(&equation, "w", space, 25, &Quiet), Ok(None));
     }
 }

@@ -5,7 +5,7 @@ use libration::continuation::{
     BranchPoint, NoBranch, Response, ResponseOptions, Rotation, SpecialKind, SpecialPoint, Sweep,
 };
 use libration::expression::Equation;
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use libration_testing::golden::Table;
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ fn an_even_rotation_is_found_over_all_its_range() {
     let pendulum = equation("theta'' = -theta'/5 - sin(theta) + w/5 + sin(w*t)", &[]);
     for turns in [1, 2] {
         let options = ResponseOptions { at: Some(2.0), ..turning(turns, u32::try_from(turns).unwrap()) };
-        let response = Response::over(&pendulum, "w", [1.5, 3.0], &options).unwrap();
+        let response = Response::over(&pendulum, "w", [1.5, 3.0], &options, &Quiet).unwrap();
         let is_even = |point: &BranchPoint| point.amplitude(0, true) < 1e-12;
         let branch = response.branches.iter().find(|it| it.points.iter().all(is_even)).unwrap();
         // What makes two turns in two periods makes one in one: it is followed there.
@@ -64,14 +64,14 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
         };
         let options =
             ResponseOptions { generations: usize::from(periods > 1), ..turning(turns / periods, 1) };
-        let response = Response::over(&pendulum, "w", [0.67, 1.0], &options).unwrap();
+        let response = Response::over(&pendulum, "w", [0.67, 1.0], &options, &Quiet).unwrap();
         let points = response.branches.iter().flat_map(|branch| &branch.points);
         let special = |kind: SpecialKind| {
             let all = response.branches.iter().flat_map(|it| it.special.iter().map(|one| (it.space, one)));
             all.filter(|(_, it)| it.kind == kind).find(|(_, it)| is_near(&it.point))
         };
         let precise = |(space, it): (_, &SpecialPoint)| {
-            let found = it.to_digits(&pendulum, "w", space, 28).unwrap().expect("28 digits");
+            let found = it.to_digits(&pendulum, "w", space, 28, &Quiet).unwrap().expect("28 digits");
             found.parameter.to_rational().to_decimal(26)
         };
         let kind = row.text("kind");
@@ -93,7 +93,7 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
 fn an_answer_goes_around_either_way() {
     let pendulum = equation(PENDULUM, &[("c", "0.5"), ("A", "2")]);
     let doublings = [1, -1].map(|turns| {
-        let response = Response::over(&pendulum, "w", [0.67, 1.0], &turning(turns, 1)).unwrap();
+        let response = Response::over(&pendulum, "w", [0.67, 1.0], &turning(turns, 1), &Quiet).unwrap();
         let branch = &response.branches[0];
         assert_eq!(branch.points[0].rotation, Some(Rotation { coordinate: 0, turns }));
         branch.special[0].point.parameter
@@ -104,7 +104,7 @@ fn an_answer_goes_around_either_way() {
 #[test]
 fn what_cannot_go_around_is_refused() {
     let over = |text: &str, values: &[(&str, &str)]| {
-        Response::over(&equation(text, values), "w", [0.5, 1.0], &turning(1, 1)).unwrap_err()
+        Response::over(&equation(text, values), "w", [0.5, 1.0], &turning(1, 1), &Quiet).unwrap_err()
     };
     let weak = over(PENDULUM, &[("c", "0.5"), ("A", "0.1")]);
     assert_eq!(weak, NoBranch::NoRotation { turns: 1, drive_periods: 1 });
@@ -113,7 +113,7 @@ fn what_cannot_go_around_is_refused() {
     assert_eq!(over("theta'' = w - theta' - sin(theta)", &[]), NoBranch::NotDriven);
     let third = ResponseOptions { rotation: Some(Rotation { coordinate: 3, turns: 1 }), ..turning(1, 1) };
     let pendulum = equation(PENDULUM, &[("c", "0.5"), ("A", "2")]);
-    let refused = Response::over(&pendulum, "w", [0.67, 1.0], &third).unwrap_err();
+    let refused = Response::over(&pendulum, "w", [0.67, 1.0], &third, &Quiet).unwrap_err();
     assert!(matches!(refused, NoBranch::NotAnAngle(_)), "{refused}");
 }
 
@@ -123,8 +123,8 @@ fn swept(
     values: usize,
     options: &ResponseOptions,
 ) -> (Response, Vec<Sweep>) {
-    let response = Response::over(equation, over.0, over.1, options).unwrap();
-    let sweeps = response.sweeps_watched(equation, over.0, over.1, values, &Watch::none()).unwrap();
+    let response = Response::over(equation, over.0, over.1, options, &Quiet).unwrap();
+    let sweeps = response.sweeps(equation, over.0, over.1, values, &Quiet).unwrap();
     (response, sweeps)
 }
 
@@ -179,11 +179,11 @@ fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
 #[test]
 fn sweeps_end_where_the_watch_says() {
     let pendulum = equation(PENDULUM, &[("c", "0.1"), ("A", "0.15")]);
-    let response = Response::over(&pendulum, "w", [0.9, 1.0], &ResponseOptions::default()).unwrap();
-    let ask = |now: libration::watch::Progress| match now.done {
+    let response = Response::over(&pendulum, "w", [0.9, 1.0], &ResponseOptions::default(), &Quiet).unwrap();
+    let progress = |status: libration::progress::Status| match status.done {
         0..5 => std::ops::ControlFlow::Continue(()),
         _ => std::ops::ControlFlow::Break(()),
     };
-    let sweeps = response.sweeps_watched(&pendulum, "w", [0.9, 1.0], 20, &Watch::new(&ask)).unwrap();
+    let sweeps = response.sweeps(&pendulum, "w", [0.9, 1.0], 20, &progress).unwrap();
     assert_eq!(sweeps.iter().map(|it| it.points.len()).sum::<usize>(), 5);
 }

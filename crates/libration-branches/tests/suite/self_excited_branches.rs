@@ -2,12 +2,12 @@
 
 use libration::continuation::{Branch, Ending, NoBranch, Origin, Response, ResponseOptions, SpecialKind};
 use libration::expression::Equation;
-use libration::watch::{Progress, Watch};
+use libration::progress::{Quiet, Status};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 fn over(equation: &str, parameter: &str, range: [f64; 2], options: &ResponseOptions) -> Response {
-    Response::over(&equation.parse().unwrap(), parameter, range, options).unwrap()
+    Response::over(&equation.parse().unwrap(), parameter, range, options, &Quiet).unwrap()
 }
 
 fn special(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
@@ -67,7 +67,8 @@ fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
 #[test]
 fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
     let neuron = "v' = v - v^3/3 - w + q; w' = 0.5*(v + 0.7 - 0.8*w)";
-    let at_ends = Response::over(&neuron.parse().unwrap(), "q", [0.2, 1.6], &ResponseOptions::default());
+    let at_ends =
+        Response::over(&neuron.parse().unwrap(), "q", [0.2, 1.6], &ResponseOptions::default(), &Quiet);
     assert!(matches!(at_ends, Err(NoBranch::NoStart(_))), "{at_ends:?}");
     let options = ResponseOptions { at: Some(0.8), ..ResponseOptions::default() };
     let response = over(neuron, "q", [0.2, 1.6], &options);
@@ -119,7 +120,7 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
 #[test]
 fn what_has_no_cycle_says_why() {
     let refused = |equation: &str, options: &ResponseOptions| {
-        Response::over(&equation.parse::<Equation>().unwrap(), "k", [1.0, 2.0], options).unwrap_err()
+        Response::over(&equation.parse::<Equation>().unwrap(), "k", [1.0, 2.0], options, &Quiet).unwrap_err()
     };
     let once = ResponseOptions::default();
     assert_eq!(refused("x'' = -k*x - x^3", &once), NoBranch::Family);
@@ -130,11 +131,11 @@ fn what_has_no_cycle_says_why() {
 
 #[test]
 fn a_branch_of_cycles_that_is_stopped_has_what_was_done() {
-    let ask = |now: Progress| if now.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let progress =
+        |status: Status| if status.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let equation = CIRCLES.parse().unwrap();
-    let watch = Watch::new(&ask);
     let response =
-        Response::over_watched(&equation, "m", [-0.4, 0.5], &ResponseOptions::default(), &watch).unwrap();
+        Response::over(&equation, "m", [-0.4, 0.5], &ResponseOptions::default(), &progress).unwrap();
     assert!(response.interrupted && response.branches[0].ending == Ending::Interrupted);
     assert!(response.branches[0].points.len() == 5, "{}", response.branches[0].points.len());
 }

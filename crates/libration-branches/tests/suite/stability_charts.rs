@@ -8,7 +8,7 @@ use libration::continuation::{
     StabilityChart,
 };
 use libration::expression::Equation;
-use libration::watch::{Progress, Watch};
+use libration::progress::{Quiet, Status};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
@@ -41,7 +41,8 @@ fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, s
 fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind, edge: f64) {
     let options =
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };
-    let response = Response::over(&equation(PIVOT, &[("w", w), ("c", c)]), "a", range, &options).unwrap();
+    let response =
+        Response::over(&equation(PIVOT, &[("w", w), ("c", c)]), "a", range, &options, &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|it| &it.special).filter(|it| it.kind == kind);
     let off = |parameter: f64| (parameter - edge).abs();
     let found = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
@@ -89,7 +90,8 @@ fn edges_of_the_hanging_and_of_the_upright_pendulum_are_exact() {
 fn the_chart_of_the_upright_pendulum_has_both_edges_and_what_is_between_them_stable() {
     let upright = equation(PIVOT, &[("c", "0")]);
     let options = ChartOptions { start: Some(vec![PI, 0.0]), ..REST_ALONE };
-    let chart = StabilityChart::over(&upright, ["w", "a"], [[10.0, 20.0], [0.01, 0.5]], &options).unwrap();
+    let chart =
+        StabilityChart::over(&upright, ["w", "a"], [[10.0, 20.0], [0.01, 0.5]], &options, &Quiet).unwrap();
     assert_eq!(chart.curves.len(), 2);
     assert_at(&chart, SpecialKind::BranchPoint, true, [10.0, 0.1420381667926439343143172]);
     assert_at(&chart, SpecialKind::BranchPoint, true, [20.0, 0.07078795806129156749085805]);
@@ -105,7 +107,7 @@ fn tongues_narrower_than_the_grid_are_found() {
     // The second tongue under weak damping, and the first without any down to its tip.
     let hanging = equation(PIVOT, &[("c", "0")]);
     let ranges = [[0.5, 4.5], [0.0, 0.05]];
-    let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE).unwrap();
+    let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap();
     let edges = |kind: SpecialKind| chart.curves.iter().filter(|it| it.kind == kind).collect::<Vec<_>>();
     let first = edges(SpecialKind::PeriodDoubling);
     assert!(first.len() >= 2, "{} edges", first.len());
@@ -127,7 +129,8 @@ fn tongues_narrower_than_the_grid_are_found() {
 fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
     let driven = equation("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[]);
     let options = ChartOptions { generations: 0, lines: 2, ..ChartOptions::default() };
-    let chart = StabilityChart::over(&driven, ["w", "A"], [[0.7, 1.0], [0.05, 0.45]], &options).unwrap();
+    let chart =
+        StabilityChart::over(&driven, ["w", "A"], [[0.7, 1.0], [0.05, 0.45]], &options, &Quiet).unwrap();
     assert_eq!((chart.curves.len(), &chart.rest), (1, &None));
     assert_at(&chart, SpecialKind::Fold, false, [0.7, 0.4211893702662230667519522]);
     assert_eq!(chart.curves[0].endings, [Ending::RangeEnd; 2]);
@@ -140,7 +143,7 @@ fn folds_of_the_driven_pendulum_meet_in_a_cusp() {
         let drive = format!("{:?}", part * cusp.second);
         let at = equation("theta'' = -0.1*theta' - sin(theta) + A*cos(w*t)", &[("A", &drive)]);
         let none = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-        let response = Response::over(&at, "w", [0.8, 1.0], &none).unwrap();
+        let response = Response::over(&at, "w", [0.8, 1.0], &none, &Quiet).unwrap();
         assert_eq!(response.branches[0].special.len(), folds, "at {drive}");
     }
 }
@@ -150,7 +153,7 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
     let hanging = equation(PIVOT, &[("c", "0.1")]);
     let options = ChartOptions { lines: 1, ..ChartOptions::default() };
     let ends = [1.512626304330608055862438, 2.2];
-    let chart = StabilityChart::over(&hanging, ["w", "a"], [ends, [0.01, 0.2]], &options).unwrap();
+    let chart = StabilityChart::over(&hanging, ["w", "a"], [ends, [0.01, 0.2]], &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::Fold, false, [ends[0], 0.1]);
     let folds: Vec<&SpecialCurve> = chart.curves.iter().filter(|it| it.kind == SpecialKind::Fold).collect();
     assert!(folds.len() == 1 && folds[0].endings.contains(&Ending::BranchPoint), "{:?}", folds[0].endings);
@@ -172,13 +175,14 @@ fn folds_of_swings_begin_at_the_edge_of_rest() {
 fn losses_of_symmetry_and_second_frequencies_are_followed() {
     let shaken = equation("theta'' = -0.1*theta' - sin(theta) + a*w^2*cos(w*t)*cos(theta)", &[]);
     let options = ChartOptions { generations: 0, lines: 1, ..ChartOptions::default() };
-    let chart = StabilityChart::over(&shaken, ["w", "a"], [[5.0, 20.0], [0.0, 0.4]], &options).unwrap();
+    let chart =
+        StabilityChart::over(&shaken, ["w", "a"], [[5.0, 20.0], [0.0, 0.4]], &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::SymmetryBreaking, false, [5.0, 0.2807823565671525037105779]);
     assert_at(&chart, SpecialKind::SymmetryBreaking, false, [20.0, 0.07067842058025383831445224]);
     assert_eq!(chart.curves.len(), 1);
     let van_der_pol = equation("x'' = 0.1*(1 - x^2)*x' - x + F*cos(w*t)", &[]);
     let ranges = [[0.9306613812095431400414873, 1.1], [0.0, 0.3]];
-    let chart = StabilityChart::over(&van_der_pol, ["w", "F"], ranges, &options).unwrap();
+    let chart = StabilityChart::over(&van_der_pol, ["w", "F"], ranges, &options, &Quiet).unwrap();
     assert_at(&chart, SpecialKind::NeimarkSacker, false, [ranges[0][0], 0.2]);
     // Averaged over the fast oscillation: w = 1 ± mu/(2√3), F = 2·mu·√(8/27).
     let cusps: Vec<&CurvePoint> = chart.curves.iter().flat_map(|it| &it.cusps).collect();
@@ -192,12 +196,11 @@ fn losses_of_symmetry_and_second_frequencies_are_followed() {
 #[test]
 fn a_chart_that_is_stopped_has_what_was_done() {
     let hanging = equation(PIVOT, &[("c", "0.1")]);
-    let ask = |progress: Progress| {
-        if progress.done < 6 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < 6 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let ranges = [[1.5, 2.5], [0.0, 0.2]];
-    let chart =
-        StabilityChart::over_watched(&hanging, ["w", "a"], ranges, &REST_ALONE, &Watch::new(&ask)).unwrap();
+    let chart = StabilityChart::over(&hanging, ["w", "a"], ranges, &REST_ALONE, &progress).unwrap();
     assert!(chart.interrupted && chart.curves.len() == 1);
     assert!(chart.curves[0].endings.contains(&Ending::Interrupted));
 }
@@ -205,7 +208,7 @@ fn a_chart_that_is_stopped_has_what_was_done() {
 #[test]
 fn what_has_no_chart_says_why() {
     let refused = |text: &str, ranges: [[f64; 2]; 2]| {
-        StabilityChart::over(&equation(text, &[]), ["w", "a"], ranges, &REST_ALONE).unwrap_err()
+        StabilityChart::over(&equation(text, &[]), ["w", "a"], ranges, &REST_ALONE, &Quiet).unwrap_err()
     };
     assert_eq!(refused("x'' = -w*x - a*x", [[1.0, 2.0]; 2]), NoBranch::NotDriven);
     let flat = [[1.0, 2.0], [1.0, 1.0]];
@@ -218,7 +221,8 @@ fn what_has_no_chart_says_why() {
 fn strips_narrower_than_the_grid_are_told() {
     let mathieu = "x'' + (d + e*cos(t))*x = 0".parse().unwrap();
     let options = ChartOptions { lines: 0, ..ChartOptions::default() };
-    let chart = StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 2.5], [0.0, 2.0]], &options).unwrap();
+    let chart =
+        StabilityChart::over(&mathieu, ["d", "e"], [[-0.5, 2.5], [0.0, 2.0]], &options, &Quiet).unwrap();
     let ranges = chart.rest_is_stable_at(0).unwrap();
     // By SciPy's monodromy: multipliers of 3.2 at 1.18, of size 1 from 1.195 to 1.22, of 2.6 at 1.23.
     assert_eq!(ranges.len(), 1);

@@ -1,6 +1,7 @@
 //! Questions that another program asks in its own process.
 
 use crate::command::{message, run};
+use libration::progress::Quiet;
 use libration::systems::Model;
 use libration::taylor::Ensemble;
 use libration_queries::internals::query_error::CommandWords;
@@ -276,7 +277,7 @@ fn motions_that_go_on_together_are_those_of_the_program() {
         motion["samples"][0]["state"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect()
     };
     let expected: Vec<f64> = answer["motions"].as_array().unwrap().iter().flat_map(numbers).collect();
-    assert_eq!(followed.states_at(1.5), expected);
+    assert_eq!(followed.states_at(1.5, &Quiet).unwrap(), expected);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::super::check::{DerivationError, FlowTerms};
 use super::super::phase::{PhaseFunction, PiNumber, Wave};
 use super::question::Question;
 use libration::algebra::{Polynomial, Rational, Variable};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 /// The powers of the amplitude and of the small parameter.
 pub(crate) type Place = (usize, usize);

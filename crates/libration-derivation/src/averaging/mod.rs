@@ -25,8 +25,9 @@ use super::document::{Block, Derivation, DerivationStep};
 use super::prose::Prose;
 use flow::Flow;
 use libration::expression::Equation;
+use libration::internals::progress::Watch;
 use libration::perturbation::SlowFlow;
-use libration::watch::{Interrupted, Stage, Watch};
+use libration::progress::{Interrupted, Progress, Stage};
 
 pub(super) use question::Question;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
@@ -36,14 +37,18 @@ pub(super) use tables::in_terms;
 /// including the power `order`, and in the small parameter, up to and including the power `parameter_order`, derived power by power. The small
 /// parameter is the letter without a value, or the one that is named; the amplitude is the displacement where the motion turns.
 ///
+/// A cancelled call returns the steps derived until then.
+///
 /// # Errors
 /// An order that is not between 1 and [`HIGHEST_AMPLITUDE_ORDER`] or [`HIGHEST_DAMPING_ORDER`]; an equation without slow flow, or with
 /// numbers that are not fractions; and a formula that fails its check, which would be an error of this program.
+/// [`DerivationError::Interrupted`] if the call is cancelled before the first step.
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_derivation::{averaging, to_markdown};
-/// let page = averaging(&"x'' + c*x'*abs(x') + x = 0".parse()?, None, 3, 1)?;
+/// let page = averaging(&"x'' + c*x'*abs(x') + x = 0".parse()?, None, 3, 1, &Quiet)?;
 /// assert!(to_markdown(&page).contains(r"\frac{4cA^{2}}{3\pi "));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -52,21 +57,9 @@ pub fn averaging(
     parameter: Option<&str>,
     order: usize,
     parameter_order: usize,
+    progress: &dyn Progress,
 ) -> Result<Derivation, DerivationError> {
-    averaging_watched(equation, parameter, order, parameter_order, &Watch::none())
-}
-
-/// Derives the same as [`averaging`]; `watch` is checked before each part. If it cancels, the steps derived until then are returned.
-///
-/// # Errors
-/// As [`averaging`], and [`DerivationError::Interrupted`] where there is no step yet.
-pub fn averaging_watched(
-    equation: &Equation,
-    parameter: Option<&str>,
-    order: usize,
-    parameter_order: usize,
-    watch: &Watch<'_>,
-) -> Result<Derivation, DerivationError> {
+    let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let question = Question::new(equation, parameter, [order, parameter_order])?;
     let flow = Flow::new(&question, watch)?;

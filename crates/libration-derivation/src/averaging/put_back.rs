@@ -7,8 +7,8 @@ use super::super::phase::{PhaseFunction, PiNumber, Wave};
 use super::flow::{Flow, Place};
 use super::question::Question;
 use libration::algebra::{PiSum, Rational};
-use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, slow_flow_watched};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::perturbation::{Gauge, PhaseTerm, SlowFlow, slow_flow};
 
 /// A function of amplitude, parameter and phase.
 pub(crate) type Series = BTreeMap<Place, PhaseFunction>;
@@ -124,14 +124,8 @@ pub fn agrees_with_library(
     watch: &Watch<'_>,
 ) -> Result<SlowFlow, DerivationError> {
     let (equation, name) = (&question.equation, question.force.parameter.as_str());
-    let known = slow_flow_watched(
-        equation,
-        Some(name),
-        question.order,
-        question.parameter_order,
-        &Gauge::XMax,
-        watch,
-    )?;
+    let known =
+        slow_flow(equation, Some(name), question.order, question.parameter_order, &Gauge::XMax, watch)?;
     let is = |own: &BTreeMap<Place, PiNumber>, place: Place, other: &PiSum| {
         own.get(&place).cloned().unwrap_or_default().is(other)
     };

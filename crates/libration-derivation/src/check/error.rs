@@ -4,7 +4,7 @@ use super::super::evaluate::NoEvaluation;
 use libration::oscillator::Remedy;
 use libration::pendulum::PendulumError;
 use libration::perturbation::{ExpansionError, OpenGaugeError, SlowFlowError};
-use libration::watch::Interrupted;
+use libration::progress::Interrupted;
 
 /// The reason why a derivation cannot be given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -121,7 +121,7 @@ pub enum DerivationError {
     /// A pendulum that cannot be.
     #[error(transparent)]
     Pendulum(#[from] PendulumError),
-    /// The watch said so before the first step.
+    /// Cancelled before the first step.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

@@ -4,9 +4,9 @@ use super::super::averaging::Question;
 use super::super::check::DerivationError;
 use super::cycle::Cycle;
 use libration::algebra::Rational;
+use libration::internals::progress::Watch;
 use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{Expansion, Gauge, SlowLimitCycle, expand_watched, slow_flow_watched};
-use libration::watch::Watch;
+use libration::perturbation::{Expansion, Gauge, SlowLimitCycle, expand, slow_flow};
 
 /// Denominators that are tried for an amplitude that is known in digits.
 const DENOMINATORS: i64 = 1000;
@@ -19,13 +19,13 @@ pub(super) enum Known {
 impl Known {
     pub(super) fn new(question: &Question, order: usize, watch: &Watch<'_>) -> Result<Self, DerivationError> {
         if let Some(oscillator) = Oscillator::new(&question.equation).ok().filter(is_limit_cycle) {
-            let expansion = expand_watched(&oscillator, order, &Gauge::Fundamental, watch)?;
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental, watch)?;
             return Ok(Self::Fractions(Box::new(expansion)));
         }
         let degree = question.flow.terms.iter().map(|term| term.position + term.velocity).max().unwrap_or(1);
         let name = Some(question.force.parameter.as_str());
         let powers = 1 + order * degree.saturating_sub(1);
-        let flow = slow_flow_watched(&question.equation, name, powers, order, &Gauge::Fundamental, watch)?;
+        let flow = slow_flow(&question.equation, name, powers, order, &Gauge::Fundamental, watch)?;
         flow.limit_cycles().into_iter().next().map(Self::Digits).ok_or(DerivationError::NoExcitation)
     }
 

@@ -12,7 +12,8 @@ use super::prose::Prose;
 use cycle::Cycle;
 use known::Known;
 use libration::expression::Equation;
-use libration::watch::{Interrupted, Stage, Watch};
+use libration::internals::progress::Watch;
+use libration::progress::{Interrupted, Progress, Stage};
 
 /// The highest power of the excitation that is derived step by step.
 pub const HIGHEST_CYCLE_ORDER: usize = 9;
@@ -25,11 +26,13 @@ const HIGHEST_DEGREE: usize = 9;
 /// # Errors
 /// An order that is not between 1 and [`HIGHEST_CYCLE_ORDER`]; an equation without limit cycle, or of which the amplitude or other numbers are no
 /// fractions; and a formula that fails its check, which would be an error of this program.
+/// [`DerivationError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_derivation::{limit_cycle, to_markdown};
-/// let page = limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?, None, 2)?;
+/// let page = limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?, None, 2, &Quiet)?;
 /// assert!(to_markdown(&page).contains(r"\Omega =1-\frac{1}{16}\mu ^{2}"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -37,20 +40,9 @@ pub fn limit_cycle(
     equation: &Equation,
     parameter: Option<&str>,
     order: usize,
+    progress: &dyn Progress,
 ) -> Result<Derivation, DerivationError> {
-    limit_cycle_watched(equation, parameter, order, &Watch::none())
-}
-
-/// Derives the same as [`limit_cycle`]; `watch` is checked before each power.
-///
-/// # Errors
-/// As [`limit_cycle`], and [`DerivationError::Interrupted`] when it is cancelled.
-pub fn limit_cycle_watched(
-    equation: &Equation,
-    parameter: Option<&str>,
-    order: usize,
-    watch: &Watch<'_>,
-) -> Result<Derivation, DerivationError> {
+    let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(order));
     if !(1..=HIGHEST_CYCLE_ORDER).contains(&order) {
         return Err(DerivationError::CycleOrder { order });

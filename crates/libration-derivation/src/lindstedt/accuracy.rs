@@ -10,11 +10,12 @@ use super::names::harmonic_name;
 use super::question::Question;
 use libration::algebra::Rational;
 use libration::comparison::{ExactMotion, ExactValue, NoExactValue, SeriesQuantity};
+use libration::internals::progress::Watch;
 use libration::perturbation::{
     Certainty, Gauge, Remainder, SeriesEvaluation, expand, pendulum_period_remainder,
 };
+use libration::progress::Quiet;
 use libration::quantity::{Displacement, is_angle_name};
-use libration::watch::Watch;
 
 /// The order to which what is missing is estimated.
 const LONGER: usize = 31;
@@ -85,7 +86,7 @@ fn sine_coefficient(n: usize) -> Rational {
 /// The partial sums of T/T0.
 fn terms(question: &Question, amplitude: f64, motion: &Exactly) -> Result<DerivationTable, DerivationError> {
     let pendulum = is_pendulum(question, amplitude);
-    let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental)?.of_amplitude;
+    let longer = expand(&question.oscillator, LONGER, &Gauge::Fundamental, &Quiet)?.of_amplitude;
     let series = longer.map_or_else(Vec::new, |of| of.period_ratio);
     let evaluation = SeriesEvaluation::new(&series, amplitude);
     let evaluation = if pendulum {
@@ -193,7 +194,7 @@ type Exactly = Result<ExactMotion, NoExactValue>;
 
 /// The exact motion at an amplitude.
 pub fn exactly_at(question: &Question, amplitude: &Displacement, watch: &Watch<'_>) -> Exactly {
-    ExactMotion::new_watched(&question.oscillator, &question.solution.expansion, amplitude, watch)
+    ExactMotion::new(&question.oscillator, &question.solution.expansion, amplitude, watch)
 }
 
 fn exact(motion: &Exactly, quantity: SeriesQuantity) -> Result<ExactValue, NoExactValue> {

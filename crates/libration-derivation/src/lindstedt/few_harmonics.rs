@@ -9,8 +9,8 @@ use super::accuracy::{amplitude_of, as_given};
 use super::names::harmonic_name;
 use super::question::Question;
 use libration::algebra::Complex;
+use libration::internals::progress::Watch;
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem};
-use libration::watch::Watch;
 
 /// cos Ωt and cos 3Ωt, with the cube of the displacement.
 pub(super) const HARMONICS: u32 = 2;
@@ -26,8 +26,7 @@ pub fn step(
     let exactly = amplitude_of(released)?;
     let amplitude = exactly.to_f64();
     let system = TruncatedSystem::new(&question.force, HARMONICS, DEGREE);
-    let Some(solutions) = system.ok().and_then(|system| system.solutions_watched(amplitude, watch).ok())
-    else {
+    let Some(solutions) = system.ok().and_then(|system| system.solutions(amplitude, watch).ok()) else {
         return Ok(None);
     };
     let step = DerivationStep::new("two-harmonics", "All solutions for two harmonics")

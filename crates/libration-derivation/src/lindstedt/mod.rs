@@ -19,10 +19,11 @@ pub(crate) mod truncated;
 use super::check::DerivationError;
 use super::document::{Block, Derivation, DerivationStep};
 use super::prose::Prose;
+use libration::internals::progress::Watch;
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
+use libration::progress::{Interrupted, Progress, Stage};
 use libration::quantity::Displacement;
-use libration::watch::{Interrupted, Stage, Watch};
 use question::Question;
 
 /// The oscillation whose numbers a derivation shows.
@@ -41,31 +42,21 @@ pub const HIGHEST_ORDER: usize = 9;
 /// gauge left open, then in the gauge requested and in a second one, with the numbers of an oscillation if one is
 /// given.
 ///
+/// A cancelled call returns the steps derived until then.
+///
 /// # Errors
 /// An order that is not between 2 and [`HIGHEST_ORDER`]; an oscillator whose acceleration depends on the velocity or has
 /// numbers that are no fractions; a gauge that the oscillator does not have; an amplitude that is not positive and
 /// finite; and a formula that fails its check, which would be an error of this program.
+/// [`DerivationError::Interrupted`] if the call is cancelled before the first step.
 pub fn perturbation(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
     released: Option<&Released>,
+    progress: &dyn Progress,
 ) -> Result<Derivation, DerivationError> {
-    perturbation_watched(oscillator, order, gauge, released, &Watch::none())
-}
-
-/// Derives the same as [`perturbation`]; `watch` is checked at each order and before each part. If it cancels, the steps derived until then
-/// are returned.
-///
-/// # Errors
-/// As [`perturbation`], and [`DerivationError::Interrupted`] where there is no step yet.
-pub fn perturbation_watched(
-    oscillator: &Oscillator,
-    order: usize,
-    gauge: &Gauge,
-    released: Option<&Released>,
-    watch: &Watch<'_>,
-) -> Result<Derivation, DerivationError> {
+    let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };

@@ -9,8 +9,8 @@ use super::names::coefficient_name;
 use super::orders::solutions;
 use super::question::Question;
 use libration::algebra::{Rational, Variable};
+use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
-use libration::watch::Watch;
 
 /// The step; nothing where the ansatz has all powers anyway.
 pub(super) fn step(

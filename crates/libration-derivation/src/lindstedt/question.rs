@@ -5,9 +5,9 @@ use super::super::formula::{Formula, Name};
 use super::HIGHEST_ORDER;
 use libration::algebra::{Rational, Rationals};
 use libration::expression::Symbol;
+use libration::internals::progress::Watch;
 use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand_watched};
-use libration::watch::Watch;
+use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand};
 
 /// An oscillator about its equilibrium, prepared.
 #[derive(Debug)]
@@ -65,7 +65,7 @@ impl Question {
         } else {
             EpsilonPowers::All
         };
-        let open = OpenGauge::new_watched(&force, u32::try_from(order).unwrap_or(u32::MAX), powers, watch)?;
+        let open = OpenGauge::new(&force, u32::try_from(order).unwrap_or(u32::MAX), powers, watch)?;
         Ok(Self {
             oscillator: oscillator.clone(),
             variable,
@@ -128,7 +128,7 @@ impl Solution {
         gauge: &Gauge,
         watch: &Watch<'_>,
     ) -> Result<Self, DerivationError> {
-        Ok(Self { gauge: gauge.clone(), expansion: expand_watched(oscillator, order, gauge, watch)? })
+        Ok(Self { gauge: gauge.clone(), expansion: expand(oscillator, order, gauge, watch)? })
     }
 
     /// The coefficients of cos kτ, by powers of ε.

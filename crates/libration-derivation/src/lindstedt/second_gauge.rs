@@ -9,8 +9,9 @@ use super::names::coefficient_name;
 use super::question::{Question, Solution};
 use super::substitution::solves;
 use libration::algebra::Rational;
+use libration::internals::progress::Watch;
 use libration::perturbation::Gauge;
-use libration::watch::Watch;
+use libration::progress::Quiet;
 
 /// A₁ = 1, and −1 for the next coefficient there is; the first harmonic itself if that was the gauge.
 fn other(question: &Question) -> Gauge {
@@ -20,7 +21,7 @@ fn other(question: &Question) -> Gauge {
 }
 
 pub(super) fn comparison(question: &Question) -> Result<DerivationStep, DerivationError> {
-    let other = Solution::new(&question.oscillator, question.order, &other(question), &Watch::none())?;
+    let other = Solution::new(&question.oscillator, question.order, &other(question), &Watch::new(&Quiet))?;
     let mut step = DerivationStep::new("second-gauge", "A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {

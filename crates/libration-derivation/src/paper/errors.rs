@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use super::amplitudes::in_degrees;
 use libration::algebra::Rational;
 use libration::period_formulas::{Crossover, ErrorTable, PeriodFormula};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 
 /// The formulas that the document plots and names, by the keys of the catalogue.
@@ -16,7 +17,8 @@ const OTHERS: [&str; 4] = ["small_angle", "power_series_2", "carvalhaes_suppes",
 /// Searched once for all claims.
 static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| {
     let keys = PLOTTED.iter().chain(&OTHERS);
-    ErrorTable::new(&keys.filter_map(|key| PeriodFormula::by_key(key).ok()).collect::<Vec<_>>())
+    let formulas: Vec<_> = keys.filter_map(|key| PeriodFormula::by_key(key).ok()).collect();
+    ErrorTable::new(&formulas, &Quiet).expect("nothing cancels it")
 });
 
 fn place(key: &str) -> Option<usize> {

@@ -8,6 +8,7 @@ use super::super::words::{amplitude, theta_0};
 use super::report::{catalogued, leading_error, stated};
 use libration::algebra::Rational;
 use libration::period_formulas::{ErrorTable, frequency_in_amplitude};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 
 /// One over the frequency's series with this many corrections.
@@ -73,7 +74,7 @@ pub(super) fn three_terms(trials: &Trials) -> Result<DerivationStep, DerivationE
 
 /// The lowest amplitude at which the formula has no error.
 fn exact_at(key: &str) -> Result<Formula, DerivationError> {
-    let table = ErrorTable::new(&[catalogued(key)?]);
+    let table = ErrorTable::new(&[catalogued(key)?], &Quiet)?;
     let first = table.amplitudes_where_exact(0).into_iter().next();
     first.map(degrees).ok_or_else(|| missing(key))
 }

@@ -2,22 +2,23 @@
 
 use libration::algebra::Rational;
 use libration::expression::Equation;
+use libration::internals::progress::Watch;
 use libration::perturbation::{Gauge, slow_flow};
-use libration::watch::{Progress, Watch};
+use libration::progress::{Quiet, Status};
 use libration_derivation::internals::averaging::{self as put_back, Flow, Question};
 use libration_derivation::internals::phase::{PhaseFunction, PiNumber};
-use libration_derivation::{DerivationError, averaging, averaging_watched, to_markdown};
+use libration_derivation::{DerivationError, averaging, to_markdown};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
 fn page(equation: &str, orders: [usize; 2]) -> Result<String, DerivationError> {
     let equation: Equation = equation.parse().unwrap();
-    averaging(&equation, None, orders[0], orders[1]).map(|page| to_markdown(&page))
+    averaging(&equation, None, orders[0], orders[1], &Quiet).map(|page| to_markdown(&page))
 }
 
 fn solved(equation: &str, orders: [usize; 2]) -> (Question, Flow) {
     let question = Question::new(&equation.parse().unwrap(), None, orders).unwrap();
-    let flow = Flow::new(&question, &Watch::none()).unwrap();
+    let flow = Flow::new(&question, &Watch::new(&Quiet)).unwrap();
     (question, flow)
 }
 
@@ -53,7 +54,7 @@ fn asymmetric_springs_and_a_place_of_rest_elsewhere_are_derived() {
 #[test]
 fn the_published_square_of_the_velocity_is_no_damping() {
     let equation = "x'' + c*x'^2 + sin(x) = 0".parse().unwrap();
-    let flow = slow_flow(&equation, None, 6, 4, &Gauge::XMax).unwrap();
+    let flow = slow_flow(&equation, None, 6, 4, &Gauge::XMax, &Quiet).unwrap();
     assert!(flow.amplitude_rate.iter().flatten().all(libration::algebra::PiSum::is_zero));
     let (_, own) = solved("x'' + c*x'^2 + sin(x) = 0", [6, 2]);
     assert!(own.growth.is_empty() && own.frequency.contains_key(&(2, 2)));
@@ -87,7 +88,7 @@ fn a_coefficient_that_is_changed_is_found() {
             let value = wrong.growth[&place].scaled(&Rational::new(1001, 1000).unwrap());
             wrong.growth.insert(place, value);
             assert!(put_back::check(&question, &wrong).is_err(), "{damping} a {place:?}");
-            let other = put_back::agrees_with_library(&question, &wrong, &Watch::none());
+            let other = put_back::agrees_with_library(&question, &wrong, &Watch::new(&Quiet));
             assert!(matches!(other, Err(DerivationError::Disagreement { .. })), "{damping} a {place:?}");
         }
         for place in places(&|flow| flow.motion.keys().copied().filter(|it| *it != (1, 0)).collect()) {
@@ -130,11 +131,11 @@ fn a_derivation_that_is_stopped_keeps_its_steps() {
     let equation: Equation = "x'' + c*x' + x = 0".parse().unwrap();
     let steps_after = |limit: usize| {
         let asked = Cell::new(0);
-        let ask = |_: Progress| {
+        let progress = |_: Status| {
             asked.set(asked.get() + 1);
             if asked.get() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let known = averaging_watched(&equation, None, 1, 1, &Watch::new(&ask));
+        let known = averaging(&equation, None, 1, 1, &progress);
         known.map(|known| known.steps.len())
     };
     assert!(matches!(steps_after(0), Err(DerivationError::Interrupted(_))));

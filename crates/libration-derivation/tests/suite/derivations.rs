@@ -4,6 +4,7 @@ use libration::algebra::{Function, Rational};
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::pendulum::{Amplitude, Pendulum};
 use libration::perturbation::Gauge;
+use libration::progress::Quiet;
 use libration_derivation::internals::build::{
     call, double_factorial, integral, letter, number, order, series, sin, sqrt, sum,
 };
@@ -52,7 +53,7 @@ fn every_road() -> Vec<Derivation> {
         perturbation("helmholtz_duffing", 5, "energy"),
         averaged("theta'' + c*theta'*abs(theta') + sin(theta) = 0", 4, 2),
         averaged("x'' - mu*(1 - x^2)*x' + x = 0", 5, 2),
-        limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap(), None, 3).unwrap(),
+        limit_cycle(&"x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap(), None, 3, &Quiet).unwrap(),
     ]
 }
 
@@ -226,7 +227,7 @@ fn text_is_harmless_in_every_form() {
 }
 
 fn averaged(equation: &str, order: usize, damping_order: usize) -> Derivation {
-    averaging(&equation.parse().unwrap(), None, order, damping_order).unwrap()
+    averaging(&equation.parse().unwrap(), None, order, damping_order, &Quiet).unwrap()
 }
 
 fn derived(key: &str, order: usize, gauge: &str) -> Result<Derivation, DerivationError> {
@@ -234,7 +235,7 @@ fn derived(key: &str, order: usize, gauge: &str) -> Result<Derivation, Derivatio
     let gauge: Gauge = gauge.parse().unwrap();
     let amplitude = libration::quantity::Displacement::from_f64(0.2).unwrap();
     let released = Released { amplitude, angular_frequency: None };
-    perturbation(&oscillator, order, &gauge, Some(&released))
+    perturbation(&oscillator, order, &gauge, Some(&released), &Quiet)
 }
 
 #[test]
@@ -260,7 +261,7 @@ fn perturbation_is_refused_where_it_is_not_exact() {
     assert!(matches!(derived("relativistic", 5, "fundamental"), Err(DerivationError::Velocity)));
     assert!(matches!(derived("pendulum", 10, "fundamental"), Err(DerivationError::Order { order: 10 })));
     let two_sided = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse().unwrap()).unwrap();
-    let refused = perturbation(&two_sided, 3, &Gauge::Fundamental, None);
+    let refused = perturbation(&two_sided, 3, &Gauge::Fundamental, None, &Quiet);
     assert!(matches!(refused, Err(DerivationError::TwoSided)));
     assert!(matches!(derived("duffing", 5, "nome"), Err(DerivationError::Expansion(_))));
 }

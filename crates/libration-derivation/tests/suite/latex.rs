@@ -2,6 +2,7 @@
 
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::Gauge;
+use libration::progress::Quiet;
 use libration_derivation::{
     Derivation, averaging, elliptic, formulas, limit_cycle, perturbation, to_latex, to_notebook,
 };
@@ -17,11 +18,11 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
     let own = vec![
         ("elliptic", elliptic(None).unwrap()),
         ("formulas", formulas(None).unwrap()),
-        ("perturbation", perturbation(&pendulum, 5, &Gauge::Fundamental, None).unwrap()),
-        ("two-sided", perturbation(&two_sided, 3, &Gauge::Fundamental, None).unwrap()),
-        ("averaging", averaging(&damped, None, 3, 2).unwrap()),
-        ("rubbing", averaging(&rubbed, None, 3, 1).unwrap()),
-        ("limit-cycle", limit_cycle(&excited, None, 3).unwrap()),
+        ("perturbation", perturbation(&pendulum, 5, &Gauge::Fundamental, None, &Quiet).unwrap()),
+        ("two-sided", perturbation(&two_sided, 3, &Gauge::Fundamental, None, &Quiet).unwrap()),
+        ("averaging", averaging(&damped, None, 3, 2, &Quiet).unwrap()),
+        ("rubbing", averaging(&rubbed, None, 3, 1, &Quiet).unwrap()),
+        ("limit-cycle", limit_cycle(&excited, None, 3, &Quiet).unwrap()),
     ];
     let exercises: Vec<_> = own.iter().map(|(name, it)| (*name, it.clone().exercises())).collect();
     own.into_iter().chain(exercises).collect()

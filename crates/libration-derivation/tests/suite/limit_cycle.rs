@@ -1,9 +1,10 @@
 //! Limit cycles are derived, with the coefficients that are known.
 
+use libration::progress::Quiet;
 use libration_derivation::{DerivationError, limit_cycle, to_markdown};
 
 fn page(equation: &str, order: usize) -> Result<String, DerivationError> {
-    limit_cycle(&equation.parse().unwrap(), None, order).map(|page| to_markdown(&page))
+    limit_cycle(&equation.parse().unwrap(), None, order, &Quiet).map(|page| to_markdown(&page))
 }
 
 /// Van der Pol's frequency to the fourth power, and the first harmonic (A. Dadfar, J. Geer, C. Andersen, SIAM J. Appl. Math. 44, 881 (1984)).

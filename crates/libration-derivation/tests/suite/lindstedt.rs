@@ -1,10 +1,11 @@
 //! Rejection of motions that are not solutions.
 
 use libration::algebra::{Polynomial, Rational, Variable};
+use libration::internals::progress::Watch;
 use libration::oscillator::NamedOscillator;
 use libration::perturbation::{Gauge, TruncatedSystem};
+use libration::progress::Quiet;
 use libration::quantity::Displacement;
-use libration::watch::Watch;
 use libration_derivation::internals::lindstedt::{
     Contributions, Elimination, Question, as_given, check_contributions, check_three_harmonics, exactly_at,
     few_harmonics, fundamental_and_harmonics, has_harmonics, motion, motion_in_numbers, solves,
@@ -13,7 +14,7 @@ use libration_derivation::{Block, Formula, Name, Prose, Released, Span, formula_
 
 fn question(key: &str, order: usize) -> Question {
     let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-    Question::new(&oscillator, order, &Gauge::Fundamental, &Watch::none()).unwrap()
+    Question::new(&oscillator, order, &Gauge::Fundamental, &Watch::new(&Quiet)).unwrap()
 }
 
 #[test]
@@ -52,7 +53,7 @@ fn the_exact_motion_beside_the_series_is_the_same_motion() {
         let question = question(key, 4);
         let amplitude = Displacement::from_f64(0.01).unwrap();
         let released = Released { amplitude, angular_frequency: Some(1.0) };
-        let exactly = exactly_at(&question, &released.amplitude, &Watch::none());
+        let exactly = exactly_at(&question, &released.amplitude, &Watch::new(&Quiet));
         let table = motion_in_numbers(&question, &released, &exactly).unwrap();
         let number = |prose: &Prose| match prose.0.as_slice() {
             [Span::Formula(Formula::Decimal(decimal))] => decimal.value().unwrap().to_f64(),
@@ -73,7 +74,7 @@ fn the_solutions_of_two_harmonics_are_listed_with_their_verdicts() {
     let verdicts = |key: &str, order: usize, amplitude: f64| {
         let amplitude = Displacement::from_f64(amplitude).unwrap();
         let released = Released { amplitude, angular_frequency: None };
-        let step = few_harmonics(&question(key, order), Some(&released), &Watch::none()).unwrap()?;
+        let step = few_harmonics(&question(key, order), Some(&released), &Watch::new(&Quiet)).unwrap()?;
         let tables = step.blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => Some(table),
             _ => None,

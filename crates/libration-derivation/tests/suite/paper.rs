@@ -1,5 +1,6 @@
 //! The verdicts follow from what is printed.
 
+use libration::progress::Quiet;
 use libration_derivation::internals::paper::{
     Expansion, NOT_EVALUATED, PrintedStatement as Statement, statements,
 };
@@ -175,7 +176,7 @@ fn the_orders_agree_with_the_perturbation_engine() {
     use libration::algebra::Rational;
     use libration::perturbation::{EpsilonPowers, OpenGauge};
     let sine = ["1", "0", "-1/6", "0", "1/120", "0", "-1/5040"].map(|text| text.parse().unwrap());
-    let engine = OpenGauge::new(&sine, 7, EpsilonPowers::OneParity).unwrap();
+    let engine = OpenGauge::new(&sine, 7, EpsilonPowers::OneParity, &Quiet).unwrap();
     let ours = Expansion::odd_gauge(7).unwrap();
     for (name, polynomial) in engine.solution() {
         assert_eq!(ours.named(&name.to_string()).as_ref(), Some(polynomial), "{name}");

@@ -1,6 +1,6 @@
 //! Fitted swings that go on after their last row, compared with the true motion.
 
-use libration::watch::Watch;
+use libration::progress::Quiet;
 
 use libration::decay::{DecayEnding, DecayError};
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
@@ -15,7 +15,7 @@ const SWING: Synthetic = Synthetic { step: 0.04, rows: 500, noise: 0.003, ..Synt
 
 fn fitted(swing: &Synthetic, model: &str, seed: u64) -> TraceFit {
     let trace = swing.trace(&mut Random::seeded(seed));
-    let go_on = &Watch::none();
+    let go_on = &Quiet;
     fit_traces(&[trace], model.parse().unwrap(), &TraceOptions::default(), go_on).unwrap()
 }
 
@@ -30,7 +30,7 @@ fn truth(swing: &Synthetic, until: f64) -> Vec<[f64; 2]> {
     let system = System::new(&equation.parse().unwrap()).unwrap().with_events(&[turn]).unwrap();
     let start = Moment { time: 0.0, state: vec![swing.amplitude, swing.velocity] };
     let effort = Effort::to_tolerance(1e-12);
-    let motion = integrate(&system, &start, &[until], &effort).unwrap();
+    let motion = integrate(&system, &start, &[until], &effort, &Quiet).unwrap();
     motion.events.iter().map(|event| [event.time, event.state[0].abs()]).collect()
 }
 

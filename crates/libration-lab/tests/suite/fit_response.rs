@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use crate::synthetic_response::DrivenPendulum;
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use libration_lab::fit::response::{
     AmplitudeErrors, MeasuredAmplitude, ResponseColumns, ResponseFit, ResponseFitError, ResponseModel,
     ResponseTable, ResponseWarning, response,
@@ -30,7 +30,7 @@ fn duffing() -> [Vec<f64>; 4] {
 
 fn fit(columns: &ResponseColumns<'_>, model: ResponseModel, measured: MeasuredAmplitude) -> ResponseFit {
     let table = ResponseTable::new(columns).unwrap();
-    response(&table, &[model], measured, &Watch::none()).unwrap().best().clone()
+    response(&table, &[model], measured, &Quiet).unwrap().best().clone()
 }
 
 /// ω0, c, perhaps κ, and A.
@@ -243,7 +243,7 @@ fn rows_prefer_the_oscillator_that_they_are_of() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
         assert_eq!(fit.best().model, model);
     }
 }
@@ -278,8 +278,7 @@ fn closed_form_of_the_linear_oscillator() {
         };
         let table = ResponseTable::new(&columns).unwrap();
         assert_eq!(table.leads(), phases.is_some());
-        let found =
-            response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        let found = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
         assert_near(&values(found.best()), &[omega, damping, drive], 1e-9);
     }
 }
@@ -302,8 +301,7 @@ fn a_damping_that_amplitudes_leave_open_is_bounded() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let found =
-            response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        let found = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
         let damping = found.best().damping;
         assert!((0.1..3.0).contains(&(damping.value + 3.0 * damping.uncertainty)), "{damping}");
         open += usize::from(found.warnings.contains(&ResponseWarning::DampingOpen));
@@ -322,7 +320,7 @@ fn warned(columns: &[Vec<f64>; 4], change: impl Fn(&mut Vec<f64>, &mut Vec<f64>)
         ..Default::default()
     };
     let table = ResponseTable::new(&columns).unwrap();
-    response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Watch::none()).unwrap().warnings
+    response(&table, &[ResponseModel::Pendulum], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings
 }
 
 /// The unstable answer at 2.5 rad/s has the largest angle 0.9 about: between the two stable ones.
@@ -346,7 +344,7 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
             Ok(table) => table,
             Err(error) => return error.to_string(),
         };
-        let fit = response(&table, models, MeasuredAmplitude::Peak, &Watch::none());
+        let fit = response(&table, models, MeasuredAmplitude::Peak, &Quiet);
         fit.map(|fit| format!("{fit:?}")).unwrap_or_else(|error| error.to_string())
     };
     let linear = [ResponseModel::Linear];
@@ -371,7 +369,7 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
     };
     let table = ResponseTable::new(&columns).unwrap();
     let both = [ResponseModel::Linear, ResponseModel::Pendulum];
-    let fit = response(&table, &both, MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+    let fit = response(&table, &both, MeasuredAmplitude::Peak, &Quiet).unwrap();
     assert_eq!(fit.best().model, ResponseModel::Linear);
     assert_eq!(fit.left_out, [ResponseFitError::Amplitude { row: 2, amplitude: 4.1 }]);
     let columns = ResponseColumns {
@@ -391,7 +389,7 @@ fn jumps_are_where_the_sweeps_have_them() {
     let [frequencies, peaks, ..] = &pendulum();
     let columns = ResponseColumns { frequencies, amplitudes: peaks, ..Default::default() };
     let fit = fit(&columns, ResponseModel::Pendulum, MeasuredAmplitude::Peak);
-    let jumps = fit.curve([1.9, 3.7], &Watch::none()).unwrap().jumps;
+    let jumps = fit.curve([1.9, 3.7], &Quiet).unwrap().jumps;
     let found: Vec<(bool, f64)> = jumps.iter().map(|jump| (jump.rising, jump.frequency.value)).collect();
     assert!(found.len() == 2 && !found[0].0 && found[1].0, "{found:?}");
     assert!((2.13..2.23).contains(&found[0].1) && (2.7..2.8).contains(&found[1].1), "{found:?}");
@@ -445,7 +443,7 @@ fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Watch::none()).unwrap();
+        let fit = response(&table, &ResponseModel::ALL, MeasuredAmplitude::Peak, &Quiet).unwrap();
         let pendulum = fit.fits.iter().find(|it| it.model == ResponseModel::Pendulum).unwrap();
         let distance = distance_squared(pendulum, &[truth.omega, truth.damping, truth.drive]);
         // 3·F(3, 37) is beyond 75 with the probability 5e-9.
@@ -496,8 +494,7 @@ fn a_wrong_model_leaves_residuals_that_are_not_random() {
     let [frequencies, amplitudes, ..] = &pendulum();
     let columns = ResponseColumns { frequencies, amplitudes, ..Default::default() };
     let table = ResponseTable::new(&columns).unwrap();
-    let warnings =
-        |model| response(&table, &[model], MeasuredAmplitude::Peak, &Watch::none()).unwrap().warnings;
+    let warnings = |model| response(&table, &[model], MeasuredAmplitude::Peak, &Quiet).unwrap().warnings;
     assert!(warnings(ResponseModel::Linear).contains(&ResponseWarning::Systematic));
     assert!(!warnings(ResponseModel::Pendulum).contains(&ResponseWarning::Systematic));
 }

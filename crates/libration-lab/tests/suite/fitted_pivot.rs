@@ -1,6 +1,6 @@
 //! Positions of a bob with noise, whose pivot is fitted: what the angles about it owe to its place enters every answer.
 
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -41,11 +41,11 @@ fn positions(amplitude: f64, noise: f64, seed: u64) -> Trace {
 fn fitted(trace: &Trace) -> TraceFit {
     let linear = DampingModel::only(DampingKind::Linear);
     let options = TraceOptions::default();
-    fit_traces(std::slice::from_ref(trace), linear, &options, &Watch::none()).unwrap()
+    fit_traces(std::slice::from_ref(trace), linear, &options, &Quiet).unwrap()
 }
 
 fn cycles_of(trace: &Trace) -> Cycles {
-    cycles::cycles(trace, &cycles::CyclesOptions::default()).unwrap()
+    cycles::cycles(trace, &cycles::CyclesOptions::default(), &Quiet).unwrap()
 }
 
 /// Root mean squares of errors over their stated uncertainties: T0 and offset of the fit of the trace, then of its cycles.
@@ -103,7 +103,7 @@ fn parts_about_one_pivot_share_its_error() {
     let whole = positions(10.0 * DEGREE, 5e-4, 2);
     let parts = [0, 1].map(|part| whole.only(|row| row / 180 == part).unwrap());
     let linear = DampingModel::only(DampingKind::Linear);
-    let go_on = &Watch::none();
+    let go_on = &Quiet;
     let together = fit_traces(&parts, linear, &TraceOptions::default(), go_on).unwrap();
     let offsets: Vec<usize> =
         (0..together.parameters.len()).filter(|&place| together.parameters[place].name == "offset").collect();
@@ -171,8 +171,8 @@ fn three_parts(whole: &Trace) -> Vec<Trace> {
 
 fn beta_of(traces: &[Trace]) -> Beta {
     let cycles: Vec<_> =
-        traces.iter().map(|trace| cycles::cycles(trace, &cycles::CyclesOptions::default())).collect();
-    beta_of_traces(traces, &cycles).unwrap()
+        traces.iter().map(|trace| cycles::cycles(trace, &cycles::CyclesOptions::default(), &Quiet)).collect();
+    beta_of_traces(traces, &cycles, &Quiet).unwrap()
 }
 
 #[test]
@@ -251,7 +251,7 @@ fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
         let pivot = (0.3 + error * libm::cos(direction), 1.4 + error * libm::sin(direction));
         let said = |pivot| {
             let trace = positions_about(Some(pivot), amplitude, 5e-4, seed);
-            swings(&[trace], &options, &Watch::none()).unwrap()
+            swings(&[trace], &options, &Quiet).unwrap()
         };
         let found = said(pivot);
         assert!(is_named(&found), "{pivot:?} from {amplitude}: {:?}", found.warnings);

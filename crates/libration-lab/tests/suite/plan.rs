@@ -1,8 +1,8 @@
 //! Expected results of a plan, compared with fits of simulated recordings and by themselves.
 
 use libration::pendulum::Amplitude;
+use libration::progress::Quiet;
 use libration::quantity::Quantity;
-use libration::watch::Watch;
 use libration_lab::fit::DampingKind;
 use libration_lab::fit::plan::{PlanError, PlannedRecording, plan};
 use libration_lab::fit::trace::{DampingModel, TraceOptions, fit_traces};
@@ -15,7 +15,7 @@ use crate::synthetic_trace::Synthetic;
 /// ω0 of a fitted recording, and its uncertainty for independent errors.
 fn fitted(trace: Trace) -> (f64, f64) {
     let model = DampingModel::only(DampingKind::Linear);
-    let fit = fit_traces(&[trace], model, &TraceOptions::default(), &Watch::none()).unwrap();
+    let fit = fit_traces(&[trace], model, &TraceOptions::default(), &Quiet).unwrap();
     (fit.parameters[0].estimate.value, fit.parameters[0].formal_uncertainty)
 }
 

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use libration::pendulum::Pendulum;
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use libration_lab::fit::Uncertain;
 use libration_lab::fit::trace::{DampingModel, TraceFit, TraceOptions, fit_traces};
 use libration_lab::measurement::{Choices, ReadOptions, Recording, Trace};
@@ -28,7 +28,7 @@ fn trace(rate: f64, begin: f64) -> Trace {
 
 fn fitted(trace: Trace) -> TraceFit {
     let options = TraceOptions::default();
-    fit_traces(&[trace], DampingModel::UNDAMPED, &options, &Watch::none()).unwrap()
+    fit_traces(&[trace], DampingModel::UNDAMPED, &options, &Quiet).unwrap()
 }
 
 #[test]

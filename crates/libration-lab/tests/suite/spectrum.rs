@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use libration::watch::{Interrupted, Progress, Watch};
+use libration::progress::{Interrupted, Quiet, Status};
 use libration_lab::fit::cycles::CyclesError;
 use libration_lab::fit::spectrum::{
-    Spectrum, SpectrumError, SpectrumOptions, SpectrumRemark, lomb_scargle, spectrum, spectrum_watched,
+    Spectrum, SpectrumError, SpectrumOptions, SpectrumRemark, lomb_scargle, spectrum,
 };
 use libration_lab::measurement::{Observable, Trace};
 
@@ -15,7 +15,7 @@ use libration_testing::sweep::{self, Limits};
 use std::ops::ControlFlow;
 
 fn found_in(trace: &Trace) -> Spectrum {
-    spectrum(trace, &SpectrumOptions::default()).unwrap()
+    spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap()
 }
 
 fn of(synthetic: &Synthetic, seed: u64) -> Spectrum {
@@ -23,7 +23,7 @@ fn of(synthetic: &Synthetic, seed: u64) -> Spectrum {
 }
 
 fn refused(trace: &Trace) -> SpectrumError {
-    spectrum(trace, &SpectrumOptions::default()).unwrap_err()
+    spectrum(trace, &SpectrumOptions::default(), &Quiet).unwrap_err()
 }
 
 /// The same rows with other values.
@@ -296,8 +296,8 @@ fn what_has_no_harmonics_is_refused() {
     let degrees = seen_as(&usual, |_, value| value.to_degrees());
     assert!(matches!(refused(&degrees), SpectrumError::BeyondATurn(_)));
     let options = |harmonics, swings| SpectrumOptions { harmonics, swings };
-    assert_eq!(spectrum(&usual, &options(7, 2)).unwrap_err(), SpectrumError::ShortWindows(2));
-    assert_eq!(spectrum(&usual, &options(0, 5)).unwrap_err(), SpectrumError::NoHarmonics);
+    assert_eq!(spectrum(&usual, &options(7, 2), &Quiet).unwrap_err(), SpectrumError::ShortWindows(2));
+    assert_eq!(spectrum(&usual, &options(0, 5), &Quiet).unwrap_err(), SpectrumError::NoHarmonics);
     // Three swings, a gap of 1.7 periods, and three more, all in one window.
     let torn = usual.only(|row| row < 370 || (560..900).contains(&row)).unwrap();
     assert_eq!(refused(&torn), SpectrumError::NoWindow { windows: 1 });
@@ -325,20 +325,20 @@ fn windows_of_three_swings_take_all_residuals_for_noise() {
 fn the_search_is_stopped_when_asked() {
     let trace = Synthetic::USUAL.trace(&mut Random::seeded(1));
     let calls = std::cell::Cell::new(0);
-    let ask = |_: Progress| {
+    let progress = |_: Status| {
         calls.set(calls.get() + 1);
         ControlFlow::Continue(())
     };
-    spectrum_watched(&trace, &SpectrumOptions::default(), &Watch::new(&ask)).unwrap();
+    spectrum(&trace, &SpectrumOptions::default(), &progress).unwrap();
     let all = calls.get();
     assert!(all > 20, "{all}");
     for last in [0, all / 2, all - 2] {
         calls.set(0);
-        let ask = |_: Progress| {
+        let progress = |_: Status| {
             calls.set(calls.get() + 1);
             if calls.get() > last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let stopped = spectrum_watched(&trace, &SpectrumOptions::default(), &Watch::new(&ask));
+        let stopped = spectrum(&trace, &SpectrumOptions::default(), &progress);
         assert!(matches!(
             stopped,
             Err(SpectrumError::Interrupted(Interrupted) | SpectrumError::Cycles(CyclesError::Interrupted(_)))
@@ -402,7 +402,7 @@ fn periodograms_are_those_of_scipy() {
     let values: Vec<f64> = (0..).zip(&times).map(value).collect();
     let weights: Vec<f64> = (0..60).map(|k| 1.0 + 0.5 * f64::from(k % 5)).collect();
     for (weights, (powers, amplitudes)) in [None, Some(&weights[..])].into_iter().zip(SCIPY) {
-        let found = lomb_scargle(&times, &values, weights, 0.3, 7, &Watch::none()).unwrap();
+        let found = lomb_scargle(&times, &values, weights, 0.3, 7, &Quiet).unwrap();
         for (place, point) in found.iter().enumerate() {
             assert!((point.power - powers[place]).abs() < 1e-12, "{point:?} {}", powers[place]);
             assert!((point.amplitude - amplitudes[place]).abs() < 1e-12, "{point:?} {}", amplitudes[place]);
@@ -414,11 +414,11 @@ fn periodograms_are_those_of_scipy() {
 fn rows_that_determine_no_sine_have_none() {
     let even: Vec<f64> = (0..20).map(f64::from).collect();
     let values: Vec<f64> = even.iter().map(|t| libm::cos(t * 1.3)).collect();
-    let found = lomb_scargle(&even, &values, None, 0.25, 4, &Watch::none()).unwrap();
+    let found = lomb_scargle(&even, &values, None, 0.25, 4, &Quiet).unwrap();
     // At 1/4 of the rate there is a sine; at half of it cosines alone, at the rate a constant alone.
     let is_there: Vec<bool> = found.iter().map(|point| point.amplitude.is_finite()).collect();
     assert_eq!(is_there, [true, false, true, false]);
-    assert!(lomb_scargle(&even[..2], &values, None, 0.25, 1, &Watch::none()).unwrap()[0].power.is_nan());
-    assert!(lomb_scargle(&[], &[], None, 0.25, 1, &Watch::none()).unwrap()[0].power.is_nan());
-    assert!(lomb_scargle(&even, &[1.0; 20], None, 0.2, 1, &Watch::none()).unwrap()[0].power.is_nan());
+    assert!(lomb_scargle(&even[..2], &values, None, 0.25, 1, &Quiet).unwrap()[0].power.is_nan());
+    assert!(lomb_scargle(&[], &[], None, 0.25, 1, &Quiet).unwrap()[0].power.is_nan());
+    assert!(lomb_scargle(&even, &[1.0; 20], None, 0.2, 1, &Quiet).unwrap()[0].power.is_nan());
 }

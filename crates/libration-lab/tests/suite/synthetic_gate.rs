@@ -3,6 +3,7 @@
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 
 use crate::random::Random;
+use libration::progress::Quiet;
 
 /// A pendulum that is released from rest, and a gate.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +37,8 @@ impl GateRecord {
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let system = system.with_events(&[event(-1.0), event(1.0)]).unwrap();
         let start = Moment { time: 0.0, state: vec![self.release, 0.0] };
-        let motion = integrate(&system, &start, &[self.seconds], &Effort::to_tolerance(1e-12)).unwrap();
+        let motion =
+            integrate(&system, &start, &[self.seconds], &Effort::to_tolerance(1e-12), &Quiet).unwrap();
         // Moving down the upper edge comes first.
         let blocks = |velocity: f64, event: usize| (event == 1) == (velocity < 0.0);
         motion.events.iter().map(|found| (found.time, blocks(found.state[1], found.event))).collect()

@@ -4,6 +4,7 @@ use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::measurement::{Observable, Trace};
 
 use crate::random::Random;
+use libration::progress::Quiet;
 
 /// A pendulum that is released, and the instrument.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +59,7 @@ impl Synthetic {
         let times: Vec<f64> = (0..self.rows).map(|row| 0.0137 + self.step * f64::from(row)).collect();
         let start = Moment { time: 0.0, state: vec![self.amplitude, self.velocity] };
         let effort = Effort::to_tolerance(1e-12);
-        let solution = integrate(&system, &start, &times, &effort).unwrap();
+        let solution = integrate(&system, &start, &times, &effort, &Quiet).unwrap();
         let place = usize::from(self.observable == Observable::AngularVelocity);
         let observable = |state: &[f64]| {
             let value = state[place] + self.offset + self.noise * normal(random);

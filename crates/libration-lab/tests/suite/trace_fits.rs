@@ -1,6 +1,6 @@
 //! Fits of traces against traces of known truth: motions of `systems`, made imperfect as instruments do.
 
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -102,7 +102,7 @@ impl Truth {
         let times: Vec<f64> = all.filter(|_| random.between(0.0, 1.0) >= self.lost).collect();
         let start = Moment { time: 0.0, state: self.state.to_vec() };
         let effort = Effort::to_tolerance(1e-13);
-        let motion = integrate(&system, &start, &times, &effort).unwrap();
+        let motion = integrate(&system, &start, &times, &effort, &Quiet).unwrap();
         let number = if self.observable == Observable::Angle { 0 } else { 1 };
         let observable = |moment: &Moment| {
             let value = moment.state[number] + self.offset + self.noise * random.normal();
@@ -129,7 +129,7 @@ impl Truth {
 }
 
 fn fit(traces: &[Trace], terms: DampingModel, options: TraceOptions) -> TraceFit {
-    fit_traces(traces, terms, &options, &Watch::none()).unwrap()
+    fit_traces(traces, terms, &options, &Quiet).unwrap()
 }
 
 /// The difference of a parameter from the truth in its standard uncertainties.
@@ -167,12 +167,8 @@ fn coverage(traces: usize, seed: u64, profile: bool) -> Coverage {
     for _ in 0..traces {
         let truth = Truth::random(&mut random);
         let trace = truth.trace(&mut random);
-        let fit = fit_traces(
-            &[trace],
-            truth.terms(),
-            &TraceOptions { profile, ..TraceOptions::default() },
-            &Watch::none(),
-        );
+        let fit =
+            fit_traces(&[trace], truth.terms(), &TraceOptions { profile, ..TraceOptions::default() }, &Quiet);
         let fit = fit.unwrap_or_else(|error| panic!("{error}: {truth:?}"));
         assert!(fit.converged, "{truth:?}");
         for parameter in &fit.parameters {
@@ -333,8 +329,7 @@ fn the_damping_is_told_where_the_data_tell_it() {
         [([0.05, 0.0, 0.0], "dry"), ([0.0, 0.06, 0.0], "linear"), ([0.0, 0.0, 0.06], "quadratic")]
     {
         let truth = Truth { damping, noise: 0.003, cycles: 12.0, ..Truth::plain() };
-        let comparison =
-            compare(&[truth.trace(&mut random)], &TraceOptions::default(), &Watch::none()).unwrap();
+        let comparison = compare(&[truth.trace(&mut random)], &TraceOptions::default(), &Quiet).unwrap();
         assert!(
             comparison.best().damping.has(truth.terms().iter().next().unwrap()),
             "{name}: {comparison:?}"
@@ -355,7 +350,7 @@ fn the_damping_is_told_where_the_data_tell_it() {
 fn little_data_do_not_tell_one_damping_from_another() {
     let truth = Truth { damping: [0.0, 0.01, 0.0], noise: 0.02, cycles: 4.0, ..Truth::plain() };
     let comparison =
-        compare(&[truth.trace(&mut Random::seeded(10))], &TraceOptions::default(), &Watch::none()).unwrap();
+        compare(&[truth.trace(&mut Random::seeded(10))], &TraceOptions::default(), &Quiet).unwrap();
     assert!(comparison.rivals().len() >= 2, "{:?}", comparison.rivals());
 }
 
@@ -488,14 +483,13 @@ fn swings_of_more_than_a_turn_are_refused_before_any_fit() {
     };
     // ±45°, called radians.
     let degrees = by(180.0 / std::f64::consts::PI);
-    let error = compare(&[degrees], &TraceOptions::default(), &Watch::new(&ask)).unwrap_err();
+    let error = compare(&[degrees], &TraceOptions::default(), &ask).unwrap_err();
     assert_eq!(evaluations.get(), 0);
     let TraceFitError::BeyondATurn(beyond) = &error else { panic!("{error}") };
     assert!(beyond.in_degrees && (beyond.half.to_degrees() / 2580.0 - 1.0).abs() < 0.05, "{beyond:?}");
     assert!(error.to_string().contains("these angles are degrees, not radians"), "{error}");
     // Counts of an encoder, say.
-    let counts =
-        fit_traces(&[by(600.0)], truth.terms(), &TraceOptions::default(), &Watch::none()).unwrap_err();
+    let counts = fit_traces(&[by(600.0)], truth.terms(), &TraceOptions::default(), &Quiet).unwrap_err();
     assert!(counts.to_string().contains("check the unit"), "{counts}");
 }
 
@@ -526,13 +520,13 @@ fn stated_uncertainties_are_not_made_smaller() {
 fn what_cannot_be_fitted_is_refused() {
     let linear = DampingModel::only(DampingKind::Linear);
     let options = TraceOptions::default();
-    assert_eq!(fit_traces(&[], linear, &options, &Watch::none()), Err(TraceFitError::NoTrace));
+    assert_eq!(fit_traces(&[], linear, &options, &Quiet), Err(TraceFitError::NoTrace));
     let trace = |rows: u32, value: fn(f64) -> f64| {
         let times: Vec<f64> = (0..rows).map(f64::from).collect();
         let values = times.iter().map(|&time| value(time)).collect();
         Trace::new("none", Observable::Angle, times, values, None).unwrap()
     };
-    let refused = |trace: Trace| fit_traces(&[trace], linear, &options, &Watch::none()).unwrap_err();
+    let refused = |trace: Trace| fit_traces(&[trace], linear, &options, &Quiet).unwrap_err();
     assert!(matches!(refused(trace(5, |t| t)), TraceFitError::TooFewRows { rows: 5, .. }));
     for still in [|_| 0.0, |_| 1.0] {
         let error = refused(trace(100, still));
@@ -549,7 +543,7 @@ fn what_cannot_be_fitted_is_refused() {
             evaluations.set(evaluations.get() + 1);
             if evaluations.get() < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
-        let interrupted = fit_traces(std::slice::from_ref(&swing), linear, &options, &Watch::new(&ask));
+        let interrupted = fit_traces(std::slice::from_ref(&swing), linear, &options, &ask);
         assert_eq!(interrupted, Err(TraceFitError::Interrupted));
         assert_eq!(evaluations.get(), last);
     }

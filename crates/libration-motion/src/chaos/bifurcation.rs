@@ -1,12 +1,11 @@
 //! Bifurcation diagrams: the section of a motion for each value of a parameter.
 
-use super::section::{
-    PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section_watched,
-};
-use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_watched};
+use super::section::{PoincareSection, Points, Section, SectionEnding, SectionError, flashes, section};
+use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_stepwise};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, EquationError, Expression};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 
 /// Equations with one varied parameter, and the section of their motions.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +55,8 @@ pub enum DiagramError {
 
 /// The section for each value of the parameter, in the order in which they are given.
 ///
+/// `progress` has the number of complete columns, and a cancelled call returns these.
+///
 /// # Errors
 /// A parameter or a value that cannot be, or a section that cannot, as [`section`](super::section()) says.
 ///
@@ -63,6 +64,7 @@ pub enum DiagramError {
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::chaos::{Continuation, Family, Points, Section, bifurcation_diagram};
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
 /// let section = Section::Stroboscope { period: None, phase: 0.0 };
@@ -70,7 +72,7 @@ pub enum DiagramError {
 /// let family = Family { equation: &equation, parameter: "A", section: &section, points };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
-/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort)?;
+/// let columns = bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, &Quiet)?;
 /// assert_eq!(columns[1].section.points.len(), 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -80,23 +82,9 @@ pub fn bifurcation_diagram(
     start: &Moment,
     continuation: Continuation,
     effort: &Effort,
+    progress: &dyn Progress,
 ) -> Result<Vec<DiagramColumn>, DiagramError> {
-    bifurcation_diagram_watched(family, values, start, continuation, effort, &Watch::none())
-}
-
-/// The columns as [`bifurcation_diagram`] gives them; `watch` is checked at each step of each motion, and receives the number of columns
-/// done. Where it stops the columns that are complete are given.
-///
-/// # Errors
-/// As [`bifurcation_diagram`].
-pub fn bifurcation_diagram_watched(
-    family: &Family<'_>,
-    values: &[f64],
-    start: &Moment,
-    continuation: Continuation,
-    effort: &Effort,
-    watch: &Watch<'_>,
-) -> Result<Vec<DiagramColumn>, DiagramError> {
+    let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(values.len()));
     let cut = family.section.with_period_of(family.equation);
     match (continuation, &cut) {
@@ -130,7 +118,7 @@ impl Family<'_> {
                 (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
                 _ => start.clone(),
             };
-            let section = section_watched(&equation, &from, cut, self.points, effort, &watch.part())?;
+            let section = section(&equation, &from, cut, self.points, effort, &watch.part())?;
             if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
                 break;
             }
@@ -159,7 +147,7 @@ impl Family<'_> {
             .map(|(&value, times)| Trajectory { start: start.clone(), parameters: vec![value], times })
             .collect();
         let mut done = 0;
-        let outcomes = integrate_many_watched(&system, &trajectories, effort, |number, step| {
+        let outcomes = integrate_many_stepwise(&system, &trajectories, effort, |number, step| {
             done += usize::from(times[number].last().is_some_and(|last| step.end() >= *last));
             watch.flow_at(done)
         });

@@ -5,10 +5,11 @@ use std::f64::consts::{PI, TAU};
 use super::drive::drive_period;
 use crate::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Start, System,
-    integrate_from, integrate_watched,
+    integrate_from, integrate_stepwise,
 };
 use libration_numbers::expression::{Equation, Expression, WithoutValue};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 
 /// The condition under which a state of the motion is recorded.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,6 +110,8 @@ pub enum SectionError {
 
 /// The points of the section of a motion.
 ///
+/// A cancelled call returns the points until then, with [`Cause::Interrupted`].
+///
 /// # Accuracy
 /// As that of [`integrate`](crate::taylor::integrate()); points of a chaotic motion are those of a motion near by after some ten of its periods.
 ///
@@ -119,12 +122,13 @@ pub enum SectionError {
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::chaos::{Points, Section, section};
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let duffing = "x'' + x'/4 - x + x^3 = 0.2*cos(t)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 200, recorded: 2 };
-/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12))?;
+/// let found = section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
 /// // The motion has the period of its drive.
 /// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -135,23 +139,9 @@ pub fn section(
     section: &Section,
     points: Points,
     effort: &Effort,
+    progress: &dyn Progress,
 ) -> Result<PoincareSection, SectionError> {
-    section_watched(equation, start, section, points, effort, &Watch::none())
-}
-
-/// The points as [`section`] gives them; `watch` is checked at each step. Where it stops the points until then are given, with
-/// [`Cause::Interrupted`].
-///
-/// # Errors
-/// As [`section`].
-pub fn section_watched(
-    equation: &Equation,
-    start: &Moment,
-    section: &Section,
-    points: Points,
-    effort: &Effort,
-    watch: &Watch<'_>,
-) -> Result<PoincareSection, SectionError> {
+    let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(points.recorded));
     match section {
         Section::Stroboscope { period, phase } => {
@@ -185,7 +175,7 @@ fn stroboscopic(
     watch: &Watch<'_>,
 ) -> Result<PoincareSection, SectionError> {
     let mut taken = 0;
-    let outcome = integrate_watched(system, start, times, effort, |step| {
+    let outcome = integrate_stepwise(system, start, times, effort, |step| {
         taken += times[taken..].iter().take_while(|time| **time <= step.end()).count();
         watch.flow_at(taken)
     });

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use super::turning::{self, arrival, departure};
 use super::{Damping, DecayEnding, LEAST_AMPLITUDE, PowerLawTerm};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_watched};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System, integrate_stepwise};
 use libration_kernels::double_double::{DoubleDouble, two_sum};
 use libration_numbers::algebra::{BigFloat, Rational};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
@@ -83,7 +83,7 @@ impl HalfSwing {
         longest: f64,
     ) -> Result<Option<(f64, f64)>, IntegrationError> {
         let mut turn = None;
-        let outcome = integrate_watched(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
+        let outcome = integrate_stepwise(&frame.system, start, &[start.time + longest], &EFFORT, |step| {
             turn = self.turn_in(step, frame);
             if turn.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });

@@ -6,7 +6,7 @@ use super::path::{Path, sign_change, until};
 use crate::periodic::Flow;
 use crate::taylor::{IntegrationError, Moment, StateLayout};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 use std::f64::consts::TAU;
 
 /// The flow of a system without parameters, round by round.

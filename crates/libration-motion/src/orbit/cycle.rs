@@ -11,9 +11,10 @@ use super::relaxation::forgetful;
 use super::released::depends_on_time;
 use super::search::OrbitKind;
 use super::shooting::{Unknowns, closed};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_watched};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, Step, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use std::ops::ControlFlow;
 
 /// Maxima of the first coordinate that are waited for: deviations that shrink by 0.23 % from one to the next, 0.9977³⁰⁰⁰ = 10⁻³, are
@@ -40,34 +41,24 @@ impl Orbit {
     ///
     /// # Errors
     /// The time in the equation; a motion that comes to rest, leads to infinity, or does not repeat itself.
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{Orbit, Stability};
-    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0])?;
+    /// use libration::progress::Quiet;
+    /// let orbit = Orbit::limit_cycle(&"x'' = (1 - x^2) x' - x".parse()?, &[0.1, 0.0], &Quiet)?;
     /// assert!((orbit.period() - 6.66328685932313).abs() < 1e-13);
     /// assert_eq!(orbit.floquet().ok_or("no multipliers")?.stability, Stability::Attracting);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn limit_cycle(equation: &Equation, start: &[f64]) -> Result<Self, NoOrbit> {
-        Self::limit_cycle_watched(equation, start, &Watch::none())
-    }
-
-    /// Computes [`limit_cycle`](Self::limit_cycle); `watch` is called at each step and can cancel.
-    ///
-    /// # Errors
-    /// As [`limit_cycle`](Self::limit_cycle), and [`NoOrbit::Interrupted`].
-    pub fn limit_cycle_watched(
-        equation: &Equation,
-        start: &[f64],
-        watch: &Watch<'_>,
-    ) -> Result<Self, NoOrbit> {
+    pub fn limit_cycle(equation: &Equation, start: &[f64], progress: &dyn Progress) -> Result<Self, NoOrbit> {
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }
         let none_asked = |_: &Rounds<'_>, _: f64| Ok(None);
-        Ok(cycle_unless(none_asked, equation, start, watch)?.1)
+        Ok(cycle_unless(none_asked, equation, start, &Watch::new(progress))?.1)
     }
 
     /// The limit cycle to which a motion without drive settles, or the orbit through the start itself where it is one of a family.
@@ -132,7 +123,7 @@ fn settled(system: &System, start: &[f64], watch: &Watch<'_>) -> Result<OrbitGue
     let mut guess = None;
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(1e-12);
-    let outcome = integrate_watched(system, &start, &[FAR], &effort, |step| {
+    let outcome = integrate_stepwise(system, &start, &[FAR], &effort, |step| {
         guess = maxima.watch(step).filter(|_| !maxima.vanish());
         if guess.is_some() || maxima.are_enough() || maxima.vanish() || maxima.fade() {
             ControlFlow::Break(())

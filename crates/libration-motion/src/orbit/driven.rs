@@ -7,7 +7,8 @@ use super::periodic::Orbit;
 use super::released::depends_on_time;
 use super::shooting::{Unknowns, closed};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 impl Orbit {
     /// The periodic motion of a system whose force depends on the time t, near a state at t = 0: a fixed point of the map from
@@ -19,30 +20,25 @@ impl Orbit {
     /// # Errors
     /// No time in the equation, a period or a start that cannot be, motions that cannot be followed, and
     /// [`NoOrbit::NoConvergence`].
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
+    /// use libration::progress::Quiet;
     /// // x = cos(2t/3)/(1 − 4/9) is the answer of the oscillator without damping.
-    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2])?;
+    /// let orbit = Orbit::driven(&"x'' = -x + cos(2t/3)".parse()?, 3.0 * std::f64::consts::PI, &[1.0, 0.2], &Quiet)?;
     /// assert!((orbit.start()[0] - 1.8).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn driven(equation: &Equation, period: f64, start: &[f64]) -> Result<Self, NoOrbit> {
-        Self::driven_watched(equation, period, start, &Watch::none())
-    }
-
-    /// Computes [`driven`](Self::driven); `watch` is called at each step and can cancel.
-    ///
-    /// # Errors
-    /// As [`driven`](Self::driven), and [`NoOrbit::Interrupted`].
-    pub fn driven_watched(
+    pub fn driven(
         equation: &Equation,
         period: f64,
         start: &[f64],
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoOrbit> {
+        let watch = &Watch::new(progress);
         /// A transient that falls to a tenth in ten periods is 1e-4 of itself after the four later starts; what falls more slowly has
         /// been given to Newton's method, which needs no transient to fall.
         const TRIES: u32 = 5;
@@ -70,8 +66,9 @@ impl Orbit {
         equation: &Equation,
         period: f64,
         start: &[f64],
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoOrbit> {
+        let watch = &Watch::new(progress);
         let rounds = Rounds::new(equation, watch)?;
         let unknowns = Unknowns { free: (0..rounds.layout().numbers()).collect(), period: false };
         let guess = OrbitGuess { state: start.to_vec(), period };

@@ -2,7 +2,8 @@
 
 use crate::taylor::{Cause, IntegrationError};
 use libration_numbers::expression::{NotSecondOrder, WithoutValue};
-use libration_numbers::watch::{Interrupted, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Interrupted;
 
 /// The reason why there is no periodic orbit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -129,7 +130,7 @@ pub enum NoOrbit {
     /// An orbit that cannot be followed to its end.
     #[error(transparent)]
     Integration(IntegrationError),
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

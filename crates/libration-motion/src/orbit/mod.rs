@@ -7,14 +7,15 @@
 //! ```
 //! # extern crate libration_motion as libration;
 //! use libration::orbit::Orbit;
+//! use libration::progress::Quiet;
 //!
 //! // The pendulum from 60°, which this module only integrates, beside its closed form.
-//! let orbit = Orbit::released(&"theta'' + sin(theta) = 0".parse()?, std::f64::consts::FRAC_PI_3)?;
+//! let orbit = Orbit::released(&"theta'' + sin(theta) = 0".parse()?, std::f64::consts::FRAC_PI_3, &Quiet)?;
 //! let exact = libration::pendulum::Pendulum::from_angular_frequency(1.0)?.released_from("60deg".parse()?)?.period();
 //! assert!((orbit.period() - exact).abs() <= orbit.period_uncertainty());
 //!
 //! // Van der Pol's limit cycle, from a start inside it, with its Floquet multipliers.
-//! let cycle = Orbit::limit_cycle(&"x'' - (1 - x^2) x' + x = 0".parse()?, &[0.5, 0.0])?;
+//! let cycle = Orbit::limit_cycle(&"x'' - (1 - x^2) x' + x = 0".parse()?, &[0.5, 0.0], &Quiet)?;
 //! assert!((cycle.period() - 6.6632868593231301896996820).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -2,11 +2,11 @@
 
 use crate::periodic::{Extrema, extrema};
 use crate::taylor::{
-    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_watched,
+    DenseSolution, Effort, IntegrationError, Moment, OwnedStep, Solution, Step, System, integrate_stepwise,
 };
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::quadrature::gauss;
 use libration_numbers::roots::{Tolerance, bisect};
-use libration_numbers::watch::Watch;
 use std::ops::ControlFlow;
 
 /// Steps one behind the other, from a state to a state.
@@ -38,7 +38,7 @@ impl Path {
         watch: &Watch<'_>,
     ) -> Result<Self, IntegrationError> {
         let mut steps = DenseSolution::default();
-        integrate_watched(system, start, &[end], effort, |step| {
+        integrate_stepwise(system, start, &[end], effort, |step| {
             steps.push(step);
             watch.flow()
         })?;
@@ -139,7 +139,7 @@ pub(super) fn until(
     let (mut at, mut duration) = (start.clone(), first);
     while duration < last {
         let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
-        let outcome = integrate_watched(system, &at, &[start.time + duration], &effort, |step| {
+        let outcome = integrate_stepwise(system, &at, &[start.time + duration], &effort, |step| {
             steps.push(step.to_owned_step());
             found = happens(step);
             let goes_on = watch.flow();

@@ -9,11 +9,11 @@
 //! values.
 
 use crate::periodic::{precise_series, precise_step, precise_sum};
-use crate::taylor::{Effort, Moment, OwnedStep, StateLayout, System, integrate_watched};
+use crate::taylor::{Effort, Moment, OwnedStep, StateLayout, System, integrate};
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Ring};
 use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::roots::{Tolerance, bisect};
-use libration_numbers::watch::Watch;
 use std::slice;
 
 /// Position and velocity.
@@ -45,7 +45,7 @@ pub enum NoHalfPeriod {
     Undecided,
     /// Until a time it does not come to rest, and it is far away then, or where the equation has no value.
     Lost(f64),
-    /// The series end, and say nothing about how far they hold, there are too many steps, or the watch ends it.
+    /// The series end, and say nothing about how far they hold, there are too many steps, or it is cancelled.
     Unable,
 }
 
@@ -142,7 +142,7 @@ impl<'a> Motion<'a> {
         const MOST_STEPS: usize = 10_000;
         let start = Moment { time: 0.0, state: vec![state.x.to_f64(), state.velocity.to_f64()] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-16) };
-        let solution = integrate_watched(self.system, &start, &[length], &effort, |_| self.watch.flow());
+        let solution = integrate(self.system, &start, &[length], &effort, &self.watch.part());
         let solution = solution.ok()?;
         let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
         let ends = [&series.x, &series.velocity].map(|series| precise_sum(series, &elapsed).to_f64());

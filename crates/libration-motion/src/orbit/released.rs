@@ -22,7 +22,8 @@ use super::precise::{HalfPeriod, Motion, NoHalfPeriod};
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression, Symbol};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// Steps of one half of an oscillation; more are taken only by motions without end.
 const MOST_STEPS: usize = 20_000;
@@ -55,36 +56,31 @@ impl Orbit {
     /// # Errors
     /// Several coordinates or the time in the equation, a release in an equilibrium or on a separatrix, and motions that do not come
     /// back to where they began.
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::Orbit;
-    /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0)?;
+    /// use libration::progress::Quiet;
+    /// let orbit = Orbit::released(&"x'' = -x^3".parse()?, 2.0, &Quiet)?;
     /// // Γ(1/4)²/√π over the amplitude.
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn released(equation: &Equation, place: f64) -> Result<Self, NoOrbit> {
-        Self::released_watched(equation, place, &Watch::none())
-    }
-
-    /// Computes [`released`](Self::released); `watch` is called at each step and can cancel.
-    ///
-    /// # Errors
-    /// As [`released`](Self::released), and [`NoOrbit::Interrupted`].
-    pub fn released_watched(equation: &Equation, place: f64, watch: &Watch<'_>) -> Result<Self, NoOrbit> {
+    pub fn released(equation: &Equation, place: f64, progress: &dyn Progress) -> Result<Self, NoOrbit> {
         let refusal = || NoOrbit::Start { state: vec![place], wanted: 1 };
         Release::check(equation)?;
-        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, watch)
+        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, progress)
     }
 
     /// The same from a place that is known to more digits than an `f64` has.
     pub fn released_from(
         equation: &Equation,
         place: &ReleasePlace,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoOrbit> {
+        let watch = &Watch::new(progress);
         Release::check(equation)?;
         finished(Release::new(equation, place, watch)?.orbit(), watch)
     }

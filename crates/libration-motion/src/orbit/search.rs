@@ -8,7 +8,8 @@ use super::periodic::Orbit;
 use super::released::depends_on_time;
 use crate::taylor::StateLayout;
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// The known properties of an orbit that is searched for.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,44 +46,38 @@ impl Orbit {
     ///
     /// # Errors
     /// As the kind of orbit has them; [`NoOrbit::NoPeriod`] where a period is needed and none is given.
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{Orbit, OrbitKind, OrbitSearch};
+    /// use libration::progress::Quiet;
     /// let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
-    /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search)?;
+    /// let (kind, cycle) = Orbit::search(&"x'' = (1 - x^2) x' - x".parse()?, &search, &Quiet)?;
     /// assert_eq!(kind, OrbitKind::LimitCycle);
     /// assert!((cycle.period() - 6.66328685932313).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn search(equation: &Equation, search: &OrbitSearch) -> Result<(OrbitKind, Self), NoOrbit> {
-        Self::search_watched(equation, search, &Watch::none())
-    }
-
-    /// Computes [`search`](Self::search); `watch` is called at each step and can cancel.
-    ///
-    /// # Errors
-    /// As [`search`](Self::search), and [`NoOrbit::Interrupted`].
-    pub fn search_watched(
+    pub fn search(
         equation: &Equation,
         search: &OrbitSearch,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<(OrbitKind, Self), NoOrbit> {
+        let watch = &Watch::new(progress);
         let layout = StateLayout::new(equation);
         if search.start.len() != layout.numbers() {
             return Err(NoOrbit::Start { state: search.start.clone(), wanted: layout.numbers() });
         }
         if depends_on_time(equation) {
             let period = search.period.ok_or(NoOrbit::NoPeriod)?;
-            let orbit = Self::driven_watched(equation, period, &search.start, watch)?;
+            let orbit = Self::driven(equation, period, &search.start, watch)?;
             return Ok((OrbitKind::Driven, orbit));
         }
         if let Some(period) = search.period {
             return search.near(equation, &layout, period, watch);
         }
-        let from_rest =
-            search.is_at_rest(&layout).then(|| Self::released_watched(equation, search.start[0], watch));
+        let from_rest = search.is_at_rest(&layout).then(|| Self::released(equation, search.start[0], watch));
         match from_rest {
             Some(Ok(orbit)) => Ok((OrbitKind::Released, orbit)),
             Some(Err(error)) if search.conserves_energy => Err(error),
@@ -112,7 +107,7 @@ impl OrbitSearch {
         let guess = OrbitGuess { state: self.start.clone(), period };
         let [start, family] = self.fixed(layout);
         let near = |fixed: &[usize]| {
-            let orbit = Orbit::near_watched(equation, &guess, fixed, watch)?;
+            let orbit = Orbit::near(equation, &guess, fixed, watch)?;
             Ok((OrbitKind::Near, orbit))
         };
         let through = || {

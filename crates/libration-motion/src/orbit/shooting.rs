@@ -19,7 +19,8 @@ use super::periodic::{Orbit, StateErrors};
 use super::released::depends_on_time;
 use crate::periodic::{CLOSED, Floquet, NewtonStep, Stability};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 impl Orbit {
     /// The periodic orbit near a guess, on which some numbers of the state at the start keep the values of the guess: one of
@@ -32,36 +33,31 @@ impl Orbit {
     /// # Errors
     /// A guess that does not fit, the time in the equation, a motion that cannot be followed, and
     /// [`NoOrbit::NoConvergence`].
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
     /// use libration::orbit::{OrbitGuess, Orbit};
+    /// use libration::progress::Quiet;
     /// // Two equal masses between three springs, of which the middle one stiffens: in opposite phase x = −y.
     /// let equation = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3".parse()?;
     /// let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
-    /// let orbit = Orbit::near(&equation, &guess, &[0, 2])?;
-    /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1)?;
+    /// let orbit = Orbit::near(&equation, &guess, &[0, 2], &Quiet)?;
+    /// let alone = Orbit::released(&"x'' = -3*x - 8*x^3".parse()?, 0.1, &Quiet)?;
     /// assert!((orbit.period() - alone.period()).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # References
     /// R. Seydel, *Practical Bifurcation and Stability Analysis*, Springer 2010, chapter 7, doi:10.1007/978-1-4419-1740-9.
-    pub fn near(equation: &Equation, guess: &OrbitGuess, fixed: &[usize]) -> Result<Self, NoOrbit> {
-        Self::near_watched(equation, guess, fixed, &Watch::none())
-    }
-
-    /// Computes [`near`](Self::near); `watch` is called at each step and can cancel.
-    ///
-    /// # Errors
-    /// As [`near`](Self::near), and [`NoOrbit::Interrupted`].
-    pub fn near_watched(
+    pub fn near(
         equation: &Equation,
         guess: &OrbitGuess,
         fixed: &[usize],
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoOrbit> {
+        let watch = &Watch::new(progress);
         if depends_on_time(equation) {
             return Err(NoOrbit::DependsOnTime);
         }

@@ -84,7 +84,7 @@ impl Flow {
     ) -> Result<Solution, IntegrationError> {
         let start = Moment { time: from, state: state.to_vec() };
         let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
-        trajectory.integrate_watched(&self.plain, &self.effort(tolerance), each)
+        trajectory.integrate_stepwise(&self.plain, &self.effort(tolerance), each)
     }
 
     /// The end of a motion between two times with its derivatives.
@@ -143,7 +143,7 @@ impl Flow {
         }
         let start = Moment { time: from, state: start };
         let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
-        let solution = trajectory.integrate_watched(&self.with_variations, &self.effort(tolerance), each)?;
+        let solution = trajectory.integrate_stepwise(&self.with_variations, &self.effort(tolerance), each)?;
         Ok(solution.end.state)
     }
 

@@ -196,11 +196,12 @@ impl Model {
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
+    /// use libration::progress::Quiet;
     /// use libration::systems::Model;
     /// use libration::taylor::{Effort, integrate};
     /// let model = Model::by_key("double_pendulum", &[], &[])?;
     /// let start = model.start(&[("theta1", 2.0)])?;
-    /// let solution = integrate(&model.system()?, &start, &[10.0], &Effort::to_tolerance(1e-15))?;
+    /// let solution = integrate(&model.system()?, &start, &[10.0], &Effort::to_tolerance(1e-15), &Quiet)?;
     /// assert!(model.energy()?.drift(&start, &solution.end).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::batch::{Batch, LaneStep};
+use super::batch::{Batch, LaneStep, Observer};
 use super::stepper::Stepper;
 use super::{Checkpoint, Effort, IntegrationError, Moment, Occurrence, Solution, Step, System, Trajectory};
 
@@ -59,7 +59,7 @@ impl<'a> AcceptedStep<'a> {
 }
 
 /// Integrates as [`integrate`](super::integrate) does, from a state or from a checkpoint; the numbers that follow are the same,
-/// bit for bit. `watch` sees what each step brings.
+/// bit for bit. The function `each` receives what each step brings.
 ///
 /// # Errors
 /// As [`integrate`](super::integrate), or a checkpoint of another system.
@@ -87,9 +87,9 @@ pub fn integrate_from(
     start: &Start,
     times: &[f64],
     effort: &Effort,
-    mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
+    mut each: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
-    resumed(system, start, times, effort, &mut watch)
+    resumed(system, start, times, effort, &mut each)
 }
 
 fn resumed(
@@ -97,7 +97,7 @@ fn resumed(
     start: &Start,
     times: &[f64],
     effort: &Effort,
-    watch: &mut dyn FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
+    each: &mut dyn FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
     let (start, checkpoint) = match start {
         Start::State(moment) => (moment.clone(), None),
@@ -113,7 +113,7 @@ fn resumed(
     let mut batch = Batch::<1>::new(system, effort).resumed_from(checkpoint);
     let outcomes = batch.integrate(
         std::slice::from_ref(&trajectory),
-        Some(&mut |_, taken| watch(&AcceptedStep { taken: *taken })),
+        Observer::Steps(&mut |_, taken| each(&AcceptedStep { taken: *taken })),
     );
     outcomes.into_iter().next().expect("one motion has one outcome")
 }

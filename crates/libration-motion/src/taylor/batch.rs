@@ -6,6 +6,8 @@ use super::partial_solution::PartialSolution;
 use super::rest::{Rest, rest};
 use super::stepper::Stepper;
 use super::{Cause, Checkpoint, Effort, IntegrationError, Moment, Solution, Step, System, Trajectory};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Stage;
 
 type Outcome = Result<Solution, IntegrationError>;
 
@@ -20,9 +22,20 @@ pub(super) struct Batch<'a, const N: usize> {
     checkpoint: Option<&'a Checkpoint>,
 }
 
-/// The callback for the steps of the motions, with their numbers; it may stop them all.
-pub(super) type Watch<'w, const N: usize> =
-    Option<&'w mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>>;
+/// The recipient of progress, which may cancel all motions.
+pub(super) enum Observer<'w, const N: usize> {
+    /// The number of finished motions, before each step.
+    Progress(Watch<'w>),
+    /// Each step of each motion, with the number of the motion.
+    Steps(&'w mut dyn FnMut(usize, &LaneStep<'_, N>) -> ControlFlow<()>),
+}
+
+impl<const N: usize> Observer<'_, N> {
+    /// Reports the number of finished motions; `true` cancels them all.
+    fn cancels(&self, finished: usize) -> bool {
+        matches!(self, Self::Progress(watch) if watch.reached(finished).is_err())
+    }
+}
 
 /// A step that one motion has taken, in its lane.
 #[derive(Clone, Copy, Debug)]
@@ -49,26 +62,33 @@ impl<'a, const N: usize> Batch<'a, N> {
     pub(super) fn integrate(
         &mut self,
         trajectories: &'a [Trajectory<'_>],
-        mut watch: Watch<'_, N>,
+        mut observer: Observer<'_, N>,
     ) -> Vec<Outcome> {
+        if let Observer::Progress(watch) = &observer {
+            watch.begin(Stage::Whole, Some(trajectories.len()));
+        }
         let mut outcomes: Vec<Option<Outcome>> = trajectories.iter().map(|_| None).collect();
         let mut waiting = trajectories.iter().enumerate();
+        let mut finished = 0;
         let mut interrupted = false;
         loop {
             for lane in 0..N {
                 while self.solutions[lane].is_none() && !interrupted {
                     let Some((number, trajectory)) = waiting.next() else { break };
                     outcomes[number] = self.start(lane, number, trajectory).err();
+                    finished += usize::from(outcomes[number].is_some());
                 }
             }
             if self.solutions.iter().all(Option::is_none) {
                 break;
             }
+            interrupted = interrupted || observer.cancels(finished);
             let ahead = self.stepper.look_ahead();
             for (lane, ahead) in ahead.into_iter().enumerate() {
                 let Some(solution) = &mut self.solutions[lane] else { continue };
                 let lane_of = Lane { stepper: &self.stepper, lane };
-                let Err(end) = lane_of.advance(solution, ahead, &self.effort, &mut interrupted, &mut watch)
+                let Err(end) =
+                    lane_of.advance(solution, ahead, &self.effort, &mut interrupted, &mut observer)
                 else {
                     continue;
                 };
@@ -80,8 +100,9 @@ impl<'a, const N: usize> Batch<'a, N> {
                         self.system,
                         &self.effort,
                         &mut interrupted,
-                        &mut watch,
+                        &mut observer,
                     ));
+                    finished += 1;
                 }
                 self.stepper.idle(lane);
             }
@@ -131,7 +152,7 @@ fn conclude<const N: usize>(
     system: &System,
     effort: &Effort,
     interrupted: &mut bool,
-    watch: &mut Watch<'_, N>,
+    observer: &mut Observer<'_, N>,
 ) -> Outcome {
     let (cause, moment) = match end {
         End::Stopped(cause, moment) if Rest::may_explain(cause) => (cause, moment),
@@ -147,10 +168,11 @@ fn conclude<const N: usize>(
     let mut stepper = Stepper::<N>::new(&system, *effort);
     stepper.start(0, &start, &parameters, goal);
     loop {
+        *interrupted = *interrupted || observer.cancels(solution.number);
         let ahead = stepper.look_ahead()[0];
         let lane = Lane { stepper: &stepper, lane: 0 };
-        if let Err(end) = lane.advance(&mut solution, ahead, effort, interrupted, watch) {
-            return conclude(end, solution, &system, effort, interrupted, watch);
+        if let Err(end) = lane.advance(&mut solution, ahead, effort, interrupted, observer) {
+            return conclude(end, solution, &system, effort, interrupted, observer);
         }
         stepper.advance();
     }
@@ -185,7 +207,7 @@ impl<const N: usize> Lane<'_, N> {
         ahead: Result<(), Cause>,
         effort: &Effort,
         interrupted: &mut bool,
-        watch: &mut Watch<'_, N>,
+        observer: &mut Observer<'_, N>,
     ) -> Result<(), End> {
         let Self { stepper, lane } = *self;
         let allowed = if *interrupted { Err(Cause::Interrupted) } else { solution.has_steps_left(effort) };
@@ -194,13 +216,18 @@ impl<const N: usize> Lane<'_, N> {
             let too_large = cause == Cause::Singularity && solution.overflows(&moment);
             return Err(End::Stopped(if too_large { Cause::Overflow } else { cause }, moment));
         }
-        if watch.is_none() && solution.pass(stepper.block.start[lane], stepper.block.end[lane]) {
+        if matches!(observer, Observer::Progress(_))
+            && solution.pass(stepper.block.start[lane], stepper.block.end[lane])
+        {
             return Ok(());
         }
         let step = stepper.step(lane);
         let end = solution.take(&step, |event| stepper.event(event, lane), stepper.effort.relative);
         let taken = LaneStep { step, stepper, solution, lane };
-        let stop = watch.as_mut().is_some_and(|watch| watch(solution.number, &taken).is_break());
+        let stop = match observer {
+            Observer::Progress(_) => false,
+            Observer::Steps(each) => each(solution.number, &taken).is_break(),
+        };
         if let Some(end) = end {
             return Err(End::Reached(end));
         }

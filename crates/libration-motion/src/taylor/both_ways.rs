@@ -8,8 +8,8 @@ use super::{
 };
 use libration_numbers::expression::WithoutValue;
 
-/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward; `watch` sees
-/// each step. Samples and events are in the order of time, in which events rise and fall too.
+/// Integrates a system from a state to times on both sides of it, in ascending order: first backward, then forward; the function `each`
+/// receives each step. Samples and events are in the order of time, in which events rise and fall too.
 ///
 /// # Errors
 /// As [`integrate`](super::integrate()), with what was computed until then.
@@ -32,7 +32,7 @@ pub fn integrate_both_ways(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
+    mut each: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
     if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
         return Err(IntegrationError::TimesNotInOrder { before: pair[0], after: pair[1] });
@@ -41,12 +41,12 @@ pub fn integrate_both_ways(
     let before: Vec<f64> = before.iter().rev().copied().collect();
     let beginning = Start::State(start.clone());
     let backward = match seen_backward(system) {
-        Ok(backward) => integrate_from(&backward, &beginning, &before, effort, &mut watch),
+        Ok(backward) => integrate_from(&backward, &beginning, &before, effort, &mut each),
         // It had values when it was made.
-        Err(_) => integrate_from(system, &beginning, &before, effort, &mut watch),
+        Err(_) => integrate_from(system, &beginning, &before, effort, &mut each),
     };
     let before = backward.map(reversed).map_err(|error| with_solution(error, reversed))?;
-    let forward = integrate_from(system, &beginning, after, effort, &mut watch);
+    let forward = integrate_from(system, &beginning, after, effort, &mut each);
     match forward {
         Ok(after) => Ok(joined(before, after)),
         Err(error) => Err(with_solution(error, |after| joined(before, after))),

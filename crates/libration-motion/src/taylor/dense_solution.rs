@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Effort, IntegrationError, Moment, OwnedStep, Step, System, integrate_watched};
+use super::{Effort, IntegrationError, Moment, OwnedStep, Step, System, integrate_stepwise};
 
 /// A motion as the polynomials of all its steps, from which the state at every time between its ends follows.
 ///
@@ -36,7 +36,7 @@ pub fn integrate_dense(
     effort: &Effort,
 ) -> Result<DenseSolution, IntegrationError> {
     let mut motion = DenseSolution::default();
-    integrate_watched(system, start, &[end], effort, |step| {
+    integrate_stepwise(system, start, &[end], effort, |step| {
         motion.push(step);
         ControlFlow::Continue(())
     })?;

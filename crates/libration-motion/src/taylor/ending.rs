@@ -9,6 +9,7 @@
 
 use super::gathered::gathered_roundings;
 use super::{Effort, IntegrationError, Moment, System, integrate};
+use libration_numbers::progress::Quiet;
 
 /// The uncertainty of time and state at the end of an integration, each component in its unit.
 ///
@@ -29,11 +30,12 @@ use super::{Effort, IntegrationError, Moment, System, integrate};
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Event, System, ending_error, integrate};
 /// let bottom = Event { ends_at: Some(3), ..Event::zero_of("x".parse()?) };
 /// let system = System::new(&"x'' = -x".parse()?)?.with_events(&[bottom])?;
 /// let (start, effort) = (system.start(&[("x", 1.0)])?, Effort::to_tolerance(1e-9));
-/// let end = integrate(&system, &start, &[100.0], &effort)?.end;
+/// let end = integrate(&system, &start, &[100.0], &effort, &Quiet)?.end;
 /// let error = ending_error(&system, &start, 100.0, &effort, &end)?;
 /// assert!((end.time - 2.5 * std::f64::consts::PI).abs() <= error.time && error.time < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -70,5 +72,5 @@ pub fn ending_error(
 fn finer(system: &System, start: &Moment, last: f64, effort: &Effort) -> Result<Moment, IntegrationError> {
     let relative = (effort.relative / 1000.0).max(Effort::TOLERANCES[0]);
     let finer = Effort { relative, absolute: effort.absolute / 1000.0, ..*effort };
-    Ok(integrate(&system.with_part_of_tolerances(0.001), start, &[last], &finer)?.end)
+    Ok(integrate(&system.with_part_of_tolerances(0.001), start, &[last], &finer, &Quiet)?.end)
 }

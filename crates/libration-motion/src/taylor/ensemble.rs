@@ -5,7 +5,8 @@
 use super::stepper::Stepper;
 use super::trajectory::Trajectory;
 use super::{Cause, Checkpoint, Effort, IntegrationError, LANES, Moment, OwnedStep, System};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 
 /// Many motions of a system, from t = 0 or whenever they start, whose end is open.
 ///
@@ -15,12 +16,13 @@ use libration_numbers::watch::{Interrupted, Stage, Watch};
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Ensemble, Moment, System};
 /// let system = System::new(&"theta'' + theta'/2 + sin(theta) = 3/2*cos(2t/3)".parse()?)?;
 /// let starts: Vec<Moment> =
 ///     (0..100).map(|n| Moment { time: 0.0, state: vec![0.2 + 1e-6 * f64::from(n), 0.0] }).collect();
 /// let mut ensemble = Ensemble::new(system, &starts, &Effort::to_tolerance(1e-8))?;
-/// let states = ensemble.states_at(10.0);
+/// let states = ensemble.states_at(10.0, &Quiet)?;
 /// assert_eq!(states.len(), 200);
 /// assert!((states[0] - states[198]).abs() < 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -92,16 +94,13 @@ impl Ensemble {
 
     /// The states at a time, one behind the other: of each motion what [`System::state_names`] names; NaN before its start and behind its
     /// end, and where it has been requested later times before.
-    pub fn states_at(&mut self, time: f64) -> Vec<f64> {
-        self.states_at_watched(time, &Watch::none()).unwrap_or_default()
-    }
-
-    /// The same; `watch` is checked before each step of as many motions as there are lanes, and receives the number of those that are there. What was done
-    /// until it stops is kept, so that another call goes on there.
+    ///
+    /// `progress` has the number of motions that have reached the time. A cancelled call keeps what was done, and another call continues it.
     ///
     /// # Errors
-    /// It was stopped.
-    pub fn states_at_watched(&mut self, time: f64, watch: &Watch<'_>) -> Result<Vec<f64>, Interrupted> {
+    /// The call is cancelled.
+    pub fn states_at(&mut self, time: f64, progress: &dyn Progress) -> Result<Vec<f64>, Interrupted> {
+        let watch = &Watch::new(progress);
         watch.begin(Stage::Whole, Some(self.members.len()));
         let mut behind: Vec<usize> = (0..self.members.len()).collect();
         let Self { system, effort, members } = self;

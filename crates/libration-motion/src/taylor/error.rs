@@ -87,7 +87,7 @@ pub enum Cause {
     /// A number of the state at zero, where a root of it lets the motion stay or leave at any time, as x′ = √|x| does.
     #[error("the motion can stay where it is or leave at any time, which the equations do not decide,")]
     Undecided,
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error("the integration was interrupted")]
     Interrupted,
 }

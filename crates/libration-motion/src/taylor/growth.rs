@@ -2,6 +2,7 @@
 
 use super::matrix::Matrix;
 use super::{Effort, IntegrationError, Moment, Solution, System, Trajectory, integrate_many};
+use libration_numbers::progress::Quiet;
 
 /// The derivatives of the state at a later moment by that at an earlier one, from each moment to the next, by differences of motions that begin a
 /// little apart: whatever a force does on the way, jump, bend or bring to rest, it does to them too. `None` where such a motion does not get there.
@@ -18,7 +19,7 @@ pub(super) fn growths(system: &System, moments: &[&Moment], apart: &[f64]) -> Op
             }
         }
     }
-    let ends = integrate_many(system, &trajectories, &EFFORT);
+    let ends = integrate_many(system, &trajectories, &EFFORT, &Quiet);
     let pairs = trajectories.chunks(2).zip(ends.chunks(2)).enumerate();
     let columns = pairs.map(|(place, (from, to))| column(from, to, place % apart.len()));
     let columns: Vec<Vec<f64>> = columns.collect::<Option<_>>()?;

@@ -2,10 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use super::batch::{Batch, Watch};
+use super::batch::{Batch, Observer};
 use super::solution::{Moment, Solution};
 use super::trajectory::Trajectory;
 use super::{Effort, IntegrationError, Step, System};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 /// Integrates a system from a state to the states at some times, which are all after the start or all before it, one
 /// behind the other.
@@ -24,15 +26,16 @@ use super::{Effort, IntegrationError, Step, System};
 /// sin(x)/x, is passed.
 ///
 /// # Errors
-/// A start, times or tolerances that cannot be; a singularity or the step limit, with what was computed until then.
+/// A start, times or tolerances that cannot be; a singularity, the step limit or cancellation, with what was computed until then.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, System, integrate};
 /// let system = System::new(&"theta'' + 0.1 theta' + sin(theta) = 0".parse()?)?;
 /// let start = system.start(&[("theta", 1.0)])?;
-/// let solution = integrate(&system, &start, &[1.0, 20.0], &Effort::to_tolerance(1e-15))?;
+/// let solution = integrate(&system, &start, &[1.0, 20.0], &Effort::to_tolerance(1e-15), &Quiet)?;
 /// assert!((solution.samples[0].state[0] - 0.6129128065918317).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -41,38 +44,39 @@ pub fn integrate(
     start: &Moment,
     times: &[f64],
     effort: &Effort,
+    progress: &dyn Progress,
 ) -> Result<Solution, IntegrationError> {
-    Trajectory { start: start.clone(), parameters: vec![], times }.integrate(system, effort)
+    Trajectory { start: start.clone(), parameters: vec![], times }.integrate(system, effort, progress)
 }
 
-/// Integrates as [`integrate`] does; `watch` sees each step and may stop the integration.
+/// Integrates as [`integrate`] does; the function `each` receives each step, and may end the integration.
 ///
 /// # Errors
-/// As [`integrate`], or an interruption, with what was computed until then.
+/// As [`integrate`]. [`Cause::Interrupted`](super::Cause::Interrupted) where `each` ends it.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
-/// use libration::taylor::{Effort, System, integrate_watched};
+/// use libration::taylor::{Effort, System, integrate_stepwise};
 /// use std::ops::ControlFlow;
 /// let system = System::new(&"x'' + x = 0".parse()?)?;
 /// let start = system.start(&[("x", 1.0)])?;
 /// // Until x is negative for the first time.
-/// let stopped = integrate_watched(&system, &start, &[100.0], &Effort::to_tolerance(1e-12), |step| {
+/// let stopped = integrate_stepwise(&system, &start, &[100.0], &Effort::to_tolerance(1e-12), |step| {
 ///     if step.state_at(step.end())[0] < 0.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 /// });
 /// assert!(stopped.is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn integrate_watched(
+pub fn integrate_stepwise(
     system: &System,
     start: &Moment,
     times: &[f64],
     effort: &Effort,
-    watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
 ) -> Result<Solution, IntegrationError> {
     let trajectory = Trajectory { start: start.clone(), parameters: vec![], times };
-    trajectory.integrate_watched(system, effort, watch)
+    trajectory.integrate_stepwise(system, effort, each)
 }
 
 impl Trajectory<'_> {
@@ -80,26 +84,31 @@ impl Trajectory<'_> {
     ///
     /// # Errors
     /// As [`integrate`], or parameters that do not fit the system.
-    pub fn integrate(&self, system: &System, effort: &Effort) -> Result<Solution, IntegrationError> {
-        one(system, self, effort, None)
-    }
-
-    /// The motion from here, as [`integrate_watched`] gives it.
-    ///
-    /// # Errors
-    /// As [`integrate_watched`], or parameters that do not fit the system.
-    pub fn integrate_watched(
+    pub fn integrate(
         &self,
         system: &System,
         effort: &Effort,
-        mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+        progress: &dyn Progress,
     ) -> Result<Solution, IntegrationError> {
-        one(system, self, effort, Some(&mut |_, taken| watch(&taken.step)))
+        one(system, self, effort, Observer::Progress(Watch::new(progress)))
+    }
+
+    /// The motion from here, as [`integrate_stepwise`] gives it.
+    ///
+    /// # Errors
+    /// As [`integrate_stepwise`], or parameters that do not fit the system.
+    pub fn integrate_stepwise(
+        &self,
+        system: &System,
+        effort: &Effort,
+        mut each: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Solution, IntegrationError> {
+        one(system, self, effort, Observer::Steps(&mut |_, taken| each(&taken.step)))
     }
 }
 
 /// Integrates many motions of a system, several of them side by side in the lanes of vector registers. Each is bit for bit
-/// the one that [`Trajectory::integrate`] gives.
+/// the one that [`Trajectory::integrate`] gives. `progress` has the number of finished motions.
 ///
 /// # Errors
 /// Each motion has its own, as [`integrate`].
@@ -107,39 +116,45 @@ pub fn integrate_many(
     system: &System,
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
+    progress: &dyn Progress,
 ) -> Vec<Result<Solution, IntegrationError>> {
     match trajectories {
-        [one] => vec![one.integrate(system, effort)],
-        _ => many(system, trajectories, effort, None),
+        [one] => vec![one.integrate(system, effort, progress)],
+        _ => many(system, trajectories, effort, Observer::Progress(Watch::new(progress))),
     }
 }
 
-/// Integrates as [`integrate_many`] does; `watch` sees the steps of all motions, with their numbers, and may stop them all.
+/// Integrates as [`integrate_many`] does; the function `each` receives the steps of all motions, with their numbers, and may end them all.
 ///
 /// # Errors
-/// Each motion has its own, as [`integrate_watched`].
-pub fn integrate_many_watched(
+/// Each motion has its own, as [`integrate_stepwise`].
+pub fn integrate_many_stepwise(
     system: &System,
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
-    mut watch: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
+    mut each: impl FnMut(usize, &Step<'_>) -> ControlFlow<()>,
 ) -> Vec<Result<Solution, IntegrationError>> {
     match trajectories {
-        [one] => vec![one.integrate_watched(system, effort, |step| watch(0, step))],
-        _ => many(system, trajectories, effort, Some(&mut |number, taken| watch(number, &taken.step))),
+        [one] => vec![one.integrate_stepwise(system, effort, |step| each(0, step))],
+        _ => many(
+            system,
+            trajectories,
+            effort,
+            Observer::Steps(&mut |number, taken| each(number, &taken.step)),
+        ),
     }
 }
 
-// Loops over steps that do not depend on the type of their watch, so that they are compiled once and in this crate.
+// Loops over steps that do not depend on the type of `each`, so that they are compiled once and in this crate.
 
 fn one(
     system: &System,
     trajectory: &Trajectory<'_>,
     effort: &Effort,
-    watch: Watch<'_, 1>,
+    observer: Observer<'_, 1>,
 ) -> Result<Solution, IntegrationError> {
     let mut batch = Batch::<1>::new(system, effort);
-    let outcomes = batch.integrate(std::slice::from_ref(trajectory), watch);
+    let outcomes = batch.integrate(std::slice::from_ref(trajectory), observer);
     outcomes.into_iter().next().expect("one motion has one outcome")
 }
 
@@ -147,10 +162,10 @@ fn many(
     system: &System,
     trajectories: &[Trajectory<'_>],
     effort: &Effort,
-    watch: Watch<'_, LANES>,
+    observer: Observer<'_, LANES>,
 ) -> Vec<Result<Solution, IntegrationError>> {
     let mut batch = Batch::<LANES>::new(system, effort);
-    batch.integrate(trajectories, watch)
+    batch.integrate(trajectories, observer)
 }
 
 /// Number of motions integrated side by side: two vector registers of AVX-512, so that neither waits for the other. Driven pendulums at 1e-9 take

@@ -5,13 +5,14 @@
 //!
 //! ```
 //! # extern crate libration_motion as libration;
+//! use libration::progress::Quiet;
 //! use libration::taylor::{Effort, Event, System, integrate, integrate_dense};
 //!
 //! // A damped pendulum from 2 rad: the states at two times, and when it passes the bottom.
 //! let bottom = Event::zero_of("theta".parse()?);
 //! let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse()?)?.with_events(&[bottom])?;
 //! let start = system.start(&[("theta", 2.0)])?;
-//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15))?;
+//! let solution = integrate(&system, &start, &[5.0, 10.0], &Effort::to_tolerance(1e-15), &Quiet)?;
 //! assert_eq!((solution.samples.len(), solution.events.len()), (2, 3));
 //!
 //! // The same motion at every time.
@@ -131,7 +132,7 @@ pub use ending::ending_error;
 pub use ensemble::Ensemble;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
-pub use integrate::{integrate, integrate_many, integrate_many_watched, integrate_watched};
+pub use integrate::{integrate, integrate_many, integrate_many_stepwise, integrate_stepwise};
 pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
 pub use sensitivities::{Sensitivities, SensitivityError};

@@ -13,12 +13,13 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Sensitivities, System, integrate};
 /// // How x = cos(√k·t) changes with k and with x(0).
 /// let by = Sensitivities::new(&"x'' = -k*x".parse()?, &[("k", "4".parse()?)], &["k", "x"])?;
 /// assert_eq!(by.names(), ["dx/dk", "dx'/dk", "dx/dx(0)", "dx'/dx(0)"]);
 /// let start = by.start(&[1.0, 0.0]);
-/// let end = integrate(&System::new(by.equation())?, &start, &[3.0], &Effort::to_tolerance(1e-15))?.end;
+/// let end = integrate(&System::new(by.equation())?, &start, &[3.0], &Effort::to_tolerance(1e-15), &Quiet)?.end;
 /// let derivatives = by.derivatives_in(&end.state);
 /// assert!((derivatives[0] + 3.0 * libm::sin(6.0) / 4.0).abs() < 1e-15);
 /// assert!((derivatives[2] - libm::cos(6.0)).abs() < 1e-15);

@@ -92,11 +92,12 @@ impl System {
     /// # Examples
     /// ```
     /// # extern crate libration_motion as libration;
+    /// use libration::progress::Quiet;
     /// use libration::taylor::{Effort, System, integrate};
     /// // What y is matters to nothing else.
     /// let system = System::new(&"x'' = -x; y' = x*cos(20*x)".parse()?)?;
     /// let start = system.start(&[("x", 1.0)])?;
-    /// let steps = |system: &System| integrate(system, &start, &[20.0], &Effort::to_tolerance(1e-15)).map(|it| it.steps);
+    /// let steps = |system: &System| integrate(system, &start, &[20.0], &Effort::to_tolerance(1e-15), &Quiet).map(|it| it.steps);
     /// let looser = system.clone().with_tolerances(&[("y", 1e-6)])?;
     /// assert!(steps(&looser)? < steps(&system)?);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

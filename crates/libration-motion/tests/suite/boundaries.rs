@@ -1,12 +1,13 @@
 //! Ends of formulas, at which motions end, and removable singularities, which motions pass.
 
+use libration::progress::Quiet;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment, Solution, System, integrate};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 fn attempt(equation: &str, state: [f64; 2], time: f64, tolerance: f64) -> Result<Solution, IntegrationError> {
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(&system, &start, &[time], &Effort::to_tolerance(tolerance))
+    integrate(&system, &start, &[time], &Effort::to_tolerance(tolerance), &Quiet)
 }
 
 /// The solution up to the singularity that stops it.

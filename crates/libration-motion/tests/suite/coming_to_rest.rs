@@ -1,6 +1,7 @@
 //! Components that come to zero in a finite time, and stay there.
 
 use libm::{pow, sqrt};
+use libration::progress::Quiet;
 use libration::taylor::{
     Cause, Effort, Event, IntegrationError, Moment, Solution, Start, System, Trajectory, integrate,
     integrate_from, integrate_many,
@@ -19,7 +20,7 @@ fn from(state: &[f64]) -> Moment {
 }
 
 fn solve(equations: &str, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
-    integrate(&system(equations), &from(state), times, &Effort::to_tolerance(tolerance)).unwrap()
+    integrate(&system(equations), &from(state), times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()
 }
 
 /// √x = √x₀ − t/2 until it is zero, from either side.
@@ -86,7 +87,8 @@ fn powers_next_to_one_lose_nothing_to_cancellation() {
 fn roots_without_bars_come_to_rest_where_they_end() {
     let end = solve("x' = -sqrt(x); y'' = -sqrt(y')", &[1.0, 0.0, 1.0], &[9.0], 1e-15).end.state;
     assert!(end[0] == 0.0 && end[2] == 0.0 && (end[1] - 2.0 / 3.0).abs() < 1e-15, "{end:?}");
-    let away = integrate(&system("x' = sqrt(x)"), &from(&[0.0]), &[1.0], &Effort::to_tolerance(1e-12));
+    let away =
+        integrate(&system("x' = sqrt(x)"), &from(&[0.0]), &[1.0], &Effort::to_tolerance(1e-12), &Quiet);
     let Err(IntegrationError::Stopped { cause, .. }) = away else { panic!("{away:?}") };
     assert_eq!(cause, Cause::Undecided);
 }
@@ -133,7 +135,8 @@ fn even_powers_over_powers_of_a_modulus_keep_no_sign() {
 #[test]
 fn a_rate_that_is_infinite_at_zero_ends_the_motion() {
     let equation = "x'' = -x'/abs(x')^1.5";
-    let motion = integrate(&system(equation), &from(&[0.0, 1.0]), &[9.0], &Effort::to_tolerance(1e-12));
+    let motion =
+        integrate(&system(equation), &from(&[0.0, 1.0]), &[9.0], &Effort::to_tolerance(1e-12), &Quiet);
     let Err(IntegrationError::Stopped { solution, .. }) = motion else { panic!("{motion:?}") };
     assert!((solution.end.time - 2.0 / 3.0).abs() < 1e-12, "{}", solution.end.time);
 }
@@ -176,7 +179,8 @@ fn events_are_found_before_and_at_the_rest() {
             zero("ln(x) + 5"),
         ])
         .unwrap();
-    let solution = integrate(&water, &from(&[1.0, 1.0, 0.0]), &[9.0], &Effort::to_tolerance(1e-12)).unwrap();
+    let solution =
+        integrate(&water, &from(&[1.0, 1.0, 0.0]), &[9.0], &Effort::to_tolerance(1e-12), &Quiet).unwrap();
     assert!(solution.steps < 300, "{}", solution.steps);
     let times: Vec<(usize, f64)> = solution.events.iter().map(|event| (event.event, event.time)).collect();
     assert_eq!(times.len(), 5, "{times:?}");
@@ -199,8 +203,8 @@ fn motions_side_by_side_rest_by_themselves() {
     };
     let all: Vec<Trajectory<'_>> = (0..11).map(motion).collect();
     let effort = Effort::to_tolerance(1e-12);
-    let alone: Vec<_> = all.iter().map(|motion| motion.integrate(&system, &effort)).collect();
-    assert_eq!(integrate_many(&system, &all, &effort), alone);
+    let alone: Vec<_> = all.iter().map(|motion| motion.integrate(&system, &effort, &Quiet)).collect();
+    assert_eq!(integrate_many(&system, &all, &effort, &Quiet), alone);
 }
 
 #[test]
@@ -225,7 +229,9 @@ fn tolerances_hold_beside_a_rest() {
     let steps = |tolerances: &[(&str, f64)]| {
         let tank = system("x' = -sqrt(abs(x))*sign(x); y'' = -900*y").with_tolerances(tolerances).unwrap();
         let whole = |time| {
-            integrate(&tank, &from(&[1.0, 1.0, 0.0]), &[time], &Effort::to_tolerance(1e-13)).unwrap().steps
+            integrate(&tank, &from(&[1.0, 1.0, 0.0]), &[time], &Effort::to_tolerance(1e-13), &Quiet)
+                .unwrap()
+                .steps
         };
         whole(20.0) - whole(3.0)
     };
@@ -236,7 +242,7 @@ fn tolerances_hold_beside_a_rest() {
 #[test]
 fn where_zero_may_be_left_at_any_time_the_motion_ends() {
     let motion =
-        integrate(&system("x' = -sqrt(abs(x))"), &from(&[1.0]), &[9.0], &Effort::to_tolerance(1e-12));
+        integrate(&system("x' = -sqrt(abs(x))"), &from(&[1.0]), &[9.0], &Effort::to_tolerance(1e-12), &Quiet);
     let Err(IntegrationError::Stopped { cause, solution }) = motion else { panic!("{motion:?}") };
     assert_eq!(cause, Cause::Undecided);
     assert!((solution.end.time - 2.0).abs() < 1e-12 && cause.to_string().contains("do not decide"));

@@ -1,8 +1,9 @@
 //! Named systems that keep their energy: stars, planets and chains, against the thirty digits of `conservative.csv`.
 
 use libration::expression::Expression;
+use libration::progress::Quiet;
 use libration::systems::Model;
-use libration::taylor::{Effort, Moment, integrate, integrate_watched};
+use libration::taylor::{Effort, Moment, integrate, integrate_stepwise};
 use libration_testing::condition::{Growth, error};
 use libration_testing::golden::Table;
 use libration_testing::ulp::from_hex;
@@ -28,7 +29,7 @@ fn every_motion_is_met_as_well_as_its_condition_allows() {
         let mut balance = energy.balance(&start);
         let times = [row.input("time")];
         let effort = Effort::to_tolerance(1e-15);
-        let end = integrate_watched(&model.system().unwrap(), &start, &times, &effort, |step| {
+        let end = integrate_stepwise(&model.system().unwrap(), &start, &times, &effort, |step| {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
             ControlFlow::Continue(())
         });
@@ -51,7 +52,7 @@ fn errors_of_chain(set: &str, end: f64) -> Vec<[f64; 3]> {
     let system = model("fermi_pasta_ulam", set).system().unwrap();
     let numbers = f64::from(u32::try_from(start.len()).unwrap()).sqrt();
     let effort = Effort::to_tolerance(1e-15);
-    let motion = integrate(&system, &Moment { time: 0.0, state: start }, &times, &effort).unwrap();
+    let motion = integrate(&system, &Moment { time: 0.0, state: start }, &times, &effort, &Quiet).unwrap();
     let mut growth = Growth::default();
     let errors = motion.samples.iter().zip(rows()).map(|(sample, row)| {
         let periods = sample.time / 66.0;
@@ -99,7 +100,8 @@ fn drift_of_chain(alpha: &str, beta: &str, end: f64) -> f64 {
     let mode = (1..=32).map(|i| libm::sin(PI * f64::from(i) / 33.0)).chain([0.0; 32]);
     let start = Moment { time: 0.0, state: mode.collect() };
     let times: Vec<f64> = (1..=100).map(|part| end * f64::from(part) / 100.0).collect();
-    let motion = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15)).unwrap();
+    let motion =
+        integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15), &Quiet).unwrap();
     let [alpha, beta] = [alpha, beta].map(|text| text.parse().unwrap());
     let energy = energy_of_chain(&start.state, alpha, beta);
     let changes = motion.samples.iter().map(|it| energy_of_chain(&it.state, alpha, beta) / energy - 1.0);

@@ -1,6 +1,7 @@
 //! The stated error of the end of a motion, compared with its error. What closed forms lose by rounding is far less.
 
 use libration::pendulum::{Motion, Pendulum};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration::taylor::{Effort, Event, Moment, System, ending_error, integrate};
 use std::f64::consts::PI;
@@ -16,7 +17,7 @@ fn ended(equation: &str, start: &[(&str, f64)], ending: &Event, tolerance: f64) 
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let system = system.with_events(std::slice::from_ref(ending)).unwrap();
     let (start, effort) = (system.start(start).unwrap(), Effort::to_tolerance(tolerance));
-    let end = integrate(&system, &start, &[LAST], &effort).unwrap().end;
+    let end = integrate(&system, &start, &[LAST], &effort, &Quiet).unwrap().end;
     let error = ending_error(&system, &start, LAST, &effort, &end).unwrap();
     [end, error]
 }

@@ -1,10 +1,10 @@
 //! Motions that go on together are those that were followed alone, bit for bit, whatever times are requested.
 
+use libration::progress::Quiet;
 use libration::systems::Model;
 use libration::taylor::{
     Cause, Effort, Ensemble, IntegrationError, Moment, System, Trajectory, integrate_many,
 };
-use libration::watch::Watch;
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
@@ -31,7 +31,7 @@ fn alone(system: &System, starts: &[Moment], times: &[f64], effort: &Effort) -> 
         .map(|start| Trajectory { start: start.clone(), parameters: vec![], times: &times })
         .collect();
     let solutions: Vec<_> =
-        integrate_many(system, &trajectories, effort).into_iter().map(Result::unwrap).collect();
+        integrate_many(system, &trajectories, effort, &Quiet).into_iter().map(Result::unwrap).collect();
     let at = |place: usize| solutions.iter().flat_map(|it| it.samples[place].state.clone()).collect();
     (0..times.len() - 1).map(at).collect()
 }
@@ -45,7 +45,7 @@ fn each_motion_is_the_one_that_is_followed_alone() {
             let times: Vec<f64> = (0..40).map(|n| step * f64::from(n)).collect();
             let mut ensemble = Ensemble::new(system.clone(), &starts, &effort).unwrap();
             for (time, expected) in times.iter().zip(alone(&system, &starts, &times, &effort)) {
-                assert_eq!(ensemble.states_at(*time), expected, "{equation} at {time}");
+                assert_eq!(ensemble.states_at(*time, &Quiet).unwrap(), expected, "{equation} at {time}");
             }
             assert_eq!((ensemble.len(), ensemble.ended().count()), (37, 0));
         }
@@ -66,13 +66,16 @@ fn what_was_stopped_goes_on_where_it_was() {
             asked.set(asked.get() + 1);
             if asked.get() > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        if let Ok(states) = sliced.states_at_watched(3.0, &Watch::new(&ask)) {
+        if let Ok(states) = sliced.states_at(3.0, &ask) {
             break states;
         }
     };
     assert!(slices > 10, "{slices}");
-    assert_eq!(states, whole.states_at(3.0));
-    assert!(whole.states_at(0.0).iter().all(|number| number.is_nan()), "steps behind are not kept");
+    assert_eq!(states, whole.states_at(3.0, &Quiet).unwrap());
+    assert!(
+        whole.states_at(0.0, &Quiet).unwrap().iter().all(|number| number.is_nan()),
+        "steps behind are not kept"
+    );
 }
 
 #[test]
@@ -81,14 +84,14 @@ fn motions_that_end_are_told_and_do_not_hold_up_the_others() {
     let system = System::new(&"x' = x^2".parse().unwrap()).unwrap();
     let starts: Vec<Moment> = [1.0, 0.1, 0.0].map(|x| Moment { time: 0.0, state: vec![x] }).into();
     let mut ensemble = Ensemble::new(system, &starts, &Effort::to_tolerance(1e-12)).unwrap();
-    let states = ensemble.states_at(2.0);
+    let states = ensemble.states_at(2.0, &Quiet).unwrap();
     assert!(states[0].is_nan() && (states[1] - 0.125).abs() < 1e-12 && states[2] == 0.0, "{states:?}");
     let ended: Vec<_> = ensemble.ended().collect();
     assert!(
         matches!(ended[..], [(0, Cause::StepUnderflow | Cause::Singularity | Cause::OutOfRange)]),
         "{ended:?}"
     );
-    assert!(ensemble.states_at(1e300).iter().all(|number| number.is_nan()));
+    assert!(ensemble.states_at(1e300, &Quiet).unwrap().iter().all(|number| number.is_nan()));
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Events on the way of a motion, friction that holds, and many motions side by side.
 
 use libration::pendulum::Pendulum;
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration::taylor::{
     Cause, Contact, Direction, Effort, Event, IntegrationError, Moment, Solution, System, Trajectory,
-    ending_error, integrate, integrate_many, integrate_many_watched,
+    ending_error, integrate, integrate_many, integrate_many_stepwise,
 };
 use libration_testing::random::Random;
 use std::f64::consts::PI;
@@ -22,7 +23,7 @@ fn watched(equation: &str, events: &[(&str, Direction, bool)]) -> System {
 
 fn run(system: &System, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(system, &start, times, &Effort::to_tolerance(tolerance)).unwrap()
+    integrate(system, &start, times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()
 }
 
 /// Thresholds at 0.999 and 0.999999 of the amplitude, from anywhere on the orbit, for random amplitudes, tolerances and
@@ -293,9 +294,9 @@ fn many_motions_side_by_side_are_bit_for_bit_those_alone() {
             })
             .collect();
         let effort = Effort { most_steps: 3000, ..Effort::to_tolerance(1e-11) };
-        let together = integrate_many(&system, &trajectories, &effort);
+        let together = integrate_many(&system, &trajectories, &effort, &Quiet);
         for (trajectory, together) in trajectories.iter().zip(together) {
-            let alone = trajectory.integrate(&system, &effort);
+            let alone = trajectory.integrate(&system, &effort, &Quiet);
             assert_eq!(together, alone);
         }
     }
@@ -319,7 +320,7 @@ fn interrupting_many_motions_keeps_what_is_done() {
         })
         .collect();
     let mut steps = 0;
-    let outcomes = integrate_many_watched(&system, &trajectories, &Effort::to_tolerance(1e-9), |_, _| {
+    let outcomes = integrate_many_stepwise(&system, &trajectories, &Effort::to_tolerance(1e-9), |_, _| {
         steps += 1;
         if steps > 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
@@ -381,7 +382,7 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
         let event = Event { formula: formula.parse().unwrap(), direction: Direction::Any, ends_at: None };
         let system = System::new(&"x'' = -x".parse().unwrap()).unwrap().with_events(&[event]).unwrap();
         let start = Moment { time: 0.0, state: vec![5.0, 0.0] };
-        let solution = integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15));
+        let solution = integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15), &Quiet);
         let found: Vec<f64> = solution.unwrap().events.iter().map(|event| event.time).collect();
         assert_eq!(found.len(), expected.len(), "{formula}: {found:?}");
         for (found, expected) in found.iter().zip(&expected) {
@@ -407,7 +408,7 @@ fn a_motion_ends_at_the_event_that_is_counted() {
         let start = system.start(&[("theta", 2.5)]).unwrap();
         for tolerance in [1e-4, 1e-6, 1e-9, 1e-12, 1e-15] {
             let effort = Effort::to_tolerance(tolerance);
-            let solution = integrate(&system, &start, &[100.0], &effort).unwrap();
+            let solution = integrate(&system, &start, &[100.0], &effort, &Quiet).unwrap();
             let error = ending_error(&system, &start, 100.0, &effort, &solution.end).unwrap();
             let apart = (solution.end.time - quarters * quarter).abs();
             assert!(apart <= error.time, "{direction:?} {count} {tolerance}: {apart:e} {:e}", error.time);

@@ -3,12 +3,13 @@
 //! Each motion is held to its energy, which the integration does not know.
 
 use libration::orbit::Orbit;
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate, integrate_many};
 
 fn solve(equation: &str, state: [f64; 2], times: &[f64], tolerance: f64) -> Solution {
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(&system, &start, times, &Effort::to_tolerance(tolerance)).unwrap()
+    integrate(&system, &start, times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()
 }
 
 fn even_times(end: f64) -> Vec<f64> {
@@ -52,7 +53,7 @@ fn an_exponential_wall_throws_back_whatever_comes_from_however_far() {
 
 #[test]
 fn the_orbit_of_an_exponential_wall_has_the_same_period() {
-    let orbit = Orbit::released(&"x'' = 1 - exp(x)".parse().unwrap(), 5.0).unwrap();
+    let orbit = Orbit::released(&"x'' = 1 - exp(x)".parse().unwrap(), 5.0, &Quiet).unwrap();
     let error = (orbit.period() - WALL_PERIODS[1].1).abs();
     assert!(error <= orbit.period_uncertainty() && error < 1e-9, "{error:e}");
 }
@@ -126,9 +127,9 @@ fn motions_against_walls_are_the_same_in_lanes() {
         .map(|&from| Trajectory { start: start(from), parameters: vec![], times: &times })
         .collect();
     let effort = Effort::to_tolerance(1e-12);
-    let many = integrate_many(&system, &trajectories, &effort);
+    let many = integrate_many(&system, &trajectories, &effort, &Quiet);
     for (trajectory, many) in trajectories.iter().zip(many) {
-        let one = trajectory.integrate(&system, &effort).unwrap();
+        let one = trajectory.integrate(&system, &effort, &Quiet).unwrap();
         assert_eq!(many.unwrap(), one);
     }
 }

@@ -4,6 +4,7 @@ use libration::elliptic::Modulus;
 use libration::expression::Equation;
 use libration::orbit::{Lost, NoOrbit, Orbit, OrbitGuess, OrbitKind, OrbitSearch, Stability};
 use libration::pendulum::{Motion, Pendulum};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use std::f64::consts::{PI, TAU};
 
@@ -12,7 +13,7 @@ fn equation(text: &str) -> Equation {
 }
 
 fn released(text: &str, place: f64) -> Orbit {
-    Orbit::released(&equation(text), place).unwrap()
+    Orbit::released(&equation(text), place, &Quiet).unwrap()
 }
 
 fn assert_within(value: f64, expected: f64, tolerance: f64, what: &str) {
@@ -84,7 +85,7 @@ fn the_purely_cubic_oscillator_has_a_period_in_proportion_to_one_over_the_amplit
 fn amplitudes_whose_squares_have_all_digits_have_the_right_orbit_and_smaller_ones_none() {
     for exponent in (0..=323).step_by(3).chain([145, 146, 147, 154, 161, 162]) {
         let amplitude: f64 = format!("1e-{exponent}").parse().unwrap();
-        match Orbit::released(&"x'' = -4*x".parse().unwrap(), amplitude) {
+        match Orbit::released(&"x'' = -4*x".parse().unwrap(), amplitude, &Quiet) {
             Ok(orbit) => {
                 assert_within(orbit.period(), PI, orbit.period_uncertainty(), &format!("1e-{exponent}"));
                 assert!(orbit.period_uncertainty() < 1e-13, "1e-{exponent}");
@@ -121,7 +122,7 @@ fn van_der_pols_cycle_is_found_when_it_is_far_from_a_circle() {
     for (strength, period) in
         [("0.5", 6.380_675_801_773_586), ("1", 6.663_286_859_323_13), ("2", 7.629_874_479_674_842)]
     {
-        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[0.01, 0.0]).unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[0.01, 0.0], &Quiet).unwrap();
         let allowed = orbit.period_uncertainty();
         assert_within(orbit.period(), period, allowed, strength);
         assert!(allowed < 1e-13, "{allowed:e}");
@@ -141,7 +142,7 @@ fn van_der_pols_cycle_is_found_when_it_relaxes() {
         ("1000", 1_614.401_125_81, 2.000_072_97),
     ] {
         let mu: f64 = strength.parse().unwrap();
-        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
         // To the digits that are written, and SciPy's tolerance.
         assert_within(orbit.period(), period, 5e-9 + 2e-11 * period, strength);
         assert_within(orbit.start()[0], amplitude, 1e-8, strength);
@@ -166,8 +167,8 @@ fn van_der_pols_cycle_is_found_when_it_relaxes() {
 fn rayleighs_cycle_has_van_der_pols_period() {
     for strength in ["3", "30"] {
         let rayleigh = equation("x'' = mu*(1 - x'^2/3)*x' - x").with(&[("mu", strength.parse().unwrap())]);
-        let one = Orbit::limit_cycle(&rayleigh.unwrap(), &[1.0, 0.0]).unwrap();
-        let other = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let one = Orbit::limit_cycle(&rayleigh.unwrap(), &[1.0, 0.0], &Quiet).unwrap();
+        let other = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
         let allowed = one.period_uncertainty() + other.period_uncertainty();
         assert_within(one.period(), other.period(), allowed, strength);
         assert!(allowed < 1e-11);
@@ -181,13 +182,13 @@ fn rayleighs_cycle_has_van_der_pols_period() {
 fn the_two_ways_to_a_cycle_meet() {
     // The logarithms are −35 and −47 there: on either side of −40.
     for strength in ["3.2", "3.6"] {
-        let found = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let found = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
         let guess = OrbitGuess { state: found.start(), period: found.period() };
-        let by_newton = Orbit::near(&van_der_pol(strength), &guess, &[1]).unwrap();
+        let by_newton = Orbit::near(&van_der_pol(strength), &guess, &[1], &Quiet).unwrap();
         let allowed = found.period_uncertainty() + by_newton.period_uncertainty();
         assert_within(found.period(), by_newton.period(), allowed, strength);
     }
-    let by_newton = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let by_newton = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0], &Quiet).unwrap();
     let floquet = by_newton.floquet().unwrap();
     assert_within(libm::exp(floquet.logarithm.unwrap()), floquet.multipliers[1].re, 1e-11, "Liouville");
 }
@@ -195,7 +196,7 @@ fn the_two_ways_to_a_cycle_meet() {
 /// Liouville: the product of the multipliers is the exponential of the integral of the divergence μ(1 − x²).
 #[test]
 fn multipliers_have_the_product_that_the_divergence_tells() {
-    let orbit = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0]).unwrap();
+    let orbit = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0], &Quiet).unwrap();
     let spectrum = orbit.harmonics(0);
     let squares: f64 = spectrum.terms.iter().map(|it| 0.5 * it.amplitude() * it.amplitude()).sum();
     let divergence = orbit.period() * (1.0 - squares);
@@ -207,7 +208,7 @@ fn multipliers_have_the_product_that_the_divergence_tells() {
 #[test]
 fn repelling_cycles_are_found_from_a_guess() {
     let guess = OrbitGuess { state: vec![1.9, 0.0], period: 6.5 };
-    let orbit = Orbit::near(&van_der_pol("-1"), &guess, &[1]).unwrap();
+    let orbit = Orbit::near(&van_der_pol("-1"), &guess, &[1], &Quiet).unwrap();
     assert_within(orbit.period(), 6.663_286_859_323_13, 1e-12, "the same cycle backwards");
     assert_eq!(orbit.floquet().unwrap().stability, Stability::Unstable);
 }
@@ -218,6 +219,7 @@ fn absolute_values_have_their_deviations() {
         &equation("x'' = -2*x*abs(x)"),
         &OrbitGuess { state: vec![1.0, 0.0], period: 5.0 },
         &[0, 1],
+        &Quiet,
     )
     .unwrap();
     let released = released("x'' = -2*x*abs(x)", 1.0);
@@ -236,7 +238,7 @@ fn absolute_values_have_their_deviations() {
 fn a_driven_linear_oscillator_answers_as_it_must() {
     let driven = equation("x'' = -x - x'/5 + cos(3*t/2)");
     let period = TAU / 1.5;
-    let orbit = Orbit::driven(&driven, period, &[3.0, 0.0]).unwrap();
+    let orbit = Orbit::driven(&driven, period, &[3.0, 0.0], &Quiet).unwrap();
     let (real, imaginary) = (1.0 - 2.25, 0.2 * 1.5);
     let size = real * real + imaginary * imaginary;
     let terms = orbit.harmonics(0).terms;
@@ -254,7 +256,7 @@ fn a_shaken_pendulum_stands_upside_down() {
     let stability = |amplitude: &str| {
         let text = "theta'' + (1 - 900*a*cos(30*t))*sin(theta) = 0";
         let equation = equation(text).with(&[("a", amplitude.parse().unwrap())]).unwrap();
-        let orbit = Orbit::driven(&equation, TAU / 30.0, &[PI, 0.0]).unwrap();
+        let orbit = Orbit::driven(&equation, TAU / 30.0, &[PI, 0.0], &Quiet).unwrap();
         orbit.floquet().unwrap().stability
     };
     assert_eq!(stability("0.03"), Stability::Unstable);
@@ -269,7 +271,7 @@ fn a_search_finds_the_orbit_of_each_kind() {
         conserves_energy,
         held: None,
     };
-    let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search);
+    let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search, &Quiet);
     let (kind, orbit) = found("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
     assert_eq!(kind, OrbitKind::Released);
     // Γ(1/4)²/√π over the amplitude.
@@ -303,7 +305,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
         ("x' = y; y' = -x", [1.0, 0.0], TAU),
     ] {
         let search = OrbitSearch { start: start.to_vec(), period: None, conserves_energy: false, held: None };
-        let (kind, orbit) = Orbit::search(&equation(text), &search).unwrap();
+        let (kind, orbit) = Orbit::search(&equation(text), &search, &Quiet).unwrap();
         assert_eq!((kind, orbit.start()), (OrbitKind::Family, start.to_vec()), "{text}");
         let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
         assert!(off <= stated && stated < 1e-12, "{text} {start:?}: {off:e} {stated:e}");
@@ -313,7 +315,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
     let kepler = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
     let start = vec![0.5, 0.0, 0.0, 3_f64.sqrt()];
     let search = OrbitSearch { start: start.clone(), period: Some(6.28), conserves_energy: true, held: None };
-    let (kind, orbit) = Orbit::search(&equation(kepler), &search).unwrap();
+    let (kind, orbit) = Orbit::search(&equation(kepler), &search, &Quiet).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, start));
     let (off, stated) = ((orbit.period() - TAU).abs(), orbit.period_uncertainty());
     assert!(off <= stated && stated < 1e-12, "{off:e} {stated:e}");
@@ -323,7 +325,7 @@ fn an_orbit_of_a_family_goes_through_the_start_and_has_a_period_of_its_own() {
 #[test]
 fn a_weak_limit_cycle_is_no_family() {
     let search = OrbitSearch { start: vec![0.0, 2.0], period: None, conserves_energy: false, held: None };
-    let (kind, orbit) = Orbit::search(&equation("x'' = 1e-6*(1 - x^2)*x' - x"), &search).unwrap();
+    let (kind, orbit) = Orbit::search(&equation("x'' = 1e-6*(1 - x^2)*x' - x"), &search, &Quiet).unwrap();
     assert_eq!(kind, OrbitKind::LimitCycle);
     assert!((orbit.period() - TAU).abs() < 1e-11, "{}", orbit.period());
 }
@@ -336,7 +338,7 @@ fn a_search_without_a_period_says_what_is_missing() {
         conserves_energy,
         held: None,
     };
-    let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it).unwrap_err();
+    let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it, &Quiet).unwrap_err();
     assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), NoOrbit::NoPeriod);
     assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), NoOrbit::NoPeriod);
     assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), NoOrbit::Start { wanted: 2, .. }));
@@ -345,7 +347,7 @@ fn a_search_without_a_period_says_what_is_missing() {
 
 #[test]
 fn motions_without_a_period_are_refused_for_a_reason() {
-    let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place).unwrap_err();
+    let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place, &Quiet).unwrap_err();
     assert!(matches!(refusal("x'' = -x - x'/10", 1.0), NoOrbit::NotClosed { start: 1.0, .. }));
     assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), NoOrbit::NoReturn { why: Lost::Rest, .. }));
     assert!(matches!(refusal("x'' = -x + x^2", 2.0), NoOrbit::NoReturn { why: Lost::Stopped(_), .. }));
@@ -358,15 +360,15 @@ fn motions_without_a_period_are_refused_for_a_reason() {
     assert_eq!(refusal("x'' = -y; y'' = -x", 1.0), NoOrbit::SeveralCoordinates(2));
     assert!(matches!(refusal("x'' = -k*x", 1.0), NoOrbit::WithoutValue(_)));
     assert!(matches!(refusal("x'' = -x", f64::NAN), NoOrbit::Start { .. }));
-    let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start).unwrap_err();
+    let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err();
     assert!(matches!(cycle("x'' = -x - 3*x'", &[1.0, 0.0]), NoOrbit::NoCycle(_)));
     assert!(matches!(
         cycle("x'' = -x - x'/10", &[1.0, 0.0]),
         NoOrbit::NoCycle(_) | NoOrbit::NoConvergence { .. }
     ));
     assert!(matches!(cycle("x'' = -x + cos(t)", &[1.0, 0.0]), NoOrbit::DependsOnTime));
-    assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0]).is_err());
-    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0]).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x"), 1.0, &[1.0, 0.0], &Quiet).is_err());
+    assert!(Orbit::driven(&equation("x'' = -x + cos(t)"), TAU, &[1.0, 0.0], &Quiet).is_err());
 }
 
 /// The `f64` next to π is 1.2e-16 below the top.
@@ -397,7 +399,7 @@ fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
         assert_within(orbit.period(), period, orbit.period_uncertainty() + rounded, "beside the closed form");
         assert!(orbit.period_uncertainty() < 1e-9 * period, "{:e}", orbit.period_uncertainty());
     }
-    let refusal = Orbit::released(&equation(kinked), 0.5 - 1e-10).unwrap_err();
+    let refusal = Orbit::released(&equation(kinked), 0.5 - 1e-10, &Quiet).unwrap_err();
     let NoOrbit::Unsure { start, period, uncertainty } = refusal else { panic!("{refusal}") };
     assert!(start == 0.5 - 1e-10 && period > 25.0 && uncertainty > 1e-4 * period, "{period} {uncertainty}");
 }
@@ -456,7 +458,7 @@ fn a_force_that_cancels_has_its_period() {
 #[test]
 fn a_narrow_force_on_the_way_from_a_separatrix_is_felt() {
     let equation = "x'' = -sin(x) + 5*exp(-20000*(x - 2)^2)".parse().unwrap();
-    let orbit = Orbit::released(&equation, 3.1415926).unwrap();
+    let orbit = Orbit::released(&equation, 3.1415926, &Quiet).unwrap();
     let error = (orbit.period() - 43.979_586_543_068_46).abs();
     assert!(error <= orbit.period_uncertainty(), "{error:e} beside {:e}", orbit.period_uncertainty());
     assert!(orbit.period_uncertainty() < 1e-13 * orbit.period());
@@ -484,7 +486,7 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
             conserves_energy: true,
             held: Some(1),
         };
-        let (_, orbit) = Orbit::search(&spring, &search).unwrap();
+        let (_, orbit) = Orbit::search(&spring, &search, &Quiet).unwrap();
         assert_eq!(orbit.start()[1], angle);
         let off = (orbit.period() / period - 1.0).abs().max((orbit.start()[0] / start - 1.0).abs());
         assert!(off < 1e-12, "{off:e} at {degrees}");
@@ -492,7 +494,7 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         let sum: f64 = orbit.floquet().unwrap().multipliers.iter().map(|it| it.re).sum();
         assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
         // What is farthest from zero is r, which would choose another one of the family.
-        let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }).unwrap().1;
+        let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }, &Quiet).unwrap().1;
         assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
     }
 }
@@ -502,7 +504,7 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
 fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
     for strength in [1e-3, 1e-4, 1e-5] {
         let text = format!("x'' = {strength}*(1 - x^2)*x' - x");
-        let cycle = Orbit::limit_cycle(&equation(&text), &[0.5, 0.0]).unwrap();
+        let cycle = Orbit::limit_cycle(&equation(&text), &[0.5, 0.0], &Quiet).unwrap();
         let off = cycle.period() - TAU * (1.0 + strength * strength / 16.0);
         assert!(off.abs() < 1e-10, "{strength}: {off:e}");
         assert!((cycle.start()[0] - 2.0).abs() < 1e-5, "{strength}: {:?}", cycle.start());
@@ -511,10 +513,11 @@ fn weak_limit_cycles_are_found_from_a_start_that_drifts_to_them() {
 
 #[test]
 fn rest_is_only_told_of_motions_that_come_to_it() {
-    let lost = |text: &str, start: &[f64]| match Orbit::limit_cycle(&equation(text), start).unwrap_err() {
-        NoOrbit::NoCycle(why) => why,
-        other => panic!("{other}"),
-    };
+    let lost =
+        |text: &str, start: &[f64]| match Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err() {
+            NoOrbit::NoCycle(why) => why,
+            other => panic!("{other}"),
+        };
     assert!(matches!(lost("x'' = -x - x'/10", &[1.0, 0.0]), Lost::Rest));
     assert!(matches!(lost("x'' = 1 - x - 3*x'", &[0.5, 0.0]), Lost::Rest));
     // The slow part of a turn takes 1.6e6 times as long as the motion is followed.
@@ -527,7 +530,7 @@ fn rest_is_only_told_of_motions_that_come_to_it() {
 #[test]
 fn a_driven_orbit_about_an_unstable_rest_is_found_from_afar() {
     let kapitza = equation("theta'' + 0.05*theta' + (1 - 0.4*cos(2*t))*sin(theta) = 0");
-    let from = |start: [f64; 2]| Orbit::driven(&kapitza, TAU, &start).unwrap();
+    let from = |start: [f64; 2]| Orbit::driven(&kapitza, TAU, &start, &Quiet).unwrap();
     let [far, near] = [[1.0, 0.0], [1.0, 0.1]].map(from);
     let sizes = [&far, &near].map(|orbit| orbit.range(0).1);
     assert!(sizes[0] > 0.1 && (sizes[0] - sizes[1]).abs() < 1e-3 * sizes[0], "{sizes:?}");
@@ -542,17 +545,18 @@ fn a_motion_with_weak_damping_is_not_periodic() {
         "x'' = -sin(x) - 1e-7*x'",
         "x'' = -x - 1e-12*x'*abs(x')",
     ] {
-        let refusal = Orbit::released(&equation(text), 2.0).unwrap_err();
+        let refusal = Orbit::released(&equation(text), 2.0, &Quiet).unwrap_err();
         assert!(matches!(refusal, NoOrbit::NotClosed { .. }), "{text}: {refusal}");
         let search = OrbitSearch { start: vec![2.0, 0.0], period: None, conserves_energy: false, held: None };
-        let found = Orbit::search(&equation(text), &search).map(|(kind, orbit)| (kind, orbit.start()));
+        let found =
+            Orbit::search(&equation(text), &search, &Quiet).map(|(kind, orbit)| (kind, orbit.start()));
         assert!(found.is_err(), "{text}: {found:?}");
     }
     // Closed with a relative error of 3e-16: an orbit within the errors that are stated.
-    assert!(Orbit::released(&equation("x'' = -x - 1e-17*x'"), 2.0).is_ok());
+    assert!(Orbit::released(&equation("x'' = -x - 1e-17*x'"), 2.0, &Quiet).is_ok());
     // Van der Pol's cycle has the amplitude 2 + μ²/96 for small μ; the start is far inside it.
     let search = OrbitSearch { start: vec![0.5, 0.0], period: None, conserves_energy: false, held: None };
-    let (kind, cycle) = Orbit::search(&equation("x'' = -x - 1e-7*x'*(x^2 - 1)"), &search).unwrap();
+    let (kind, cycle) = Orbit::search(&equation("x'' = -x - 1e-7*x'*(x^2 - 1)"), &search, &Quiet).unwrap();
     assert_eq!(kind, OrbitKind::LimitCycle);
     assert!((cycle.start()[0] - 2.0).abs() <= cycle.start_errors()[0], "{:?}", cycle.start());
     assert!(cycle.start_errors()[0] < 1e-7, "{:?}", cycle.start_errors());
@@ -564,7 +568,7 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
     for (damping, frequency) in [(0.2, 1.5), (1e-3, 0.999), (1e-6, 1.01), (0.5, 0.1)] {
         let text = format!("x'' = -x - {damping:?}*x' + cos({frequency:?}*t)");
         let period = TAU / frequency;
-        let orbit = Orbit::driven(&equation(&text), period, &[0.1, 0.0]).unwrap();
+        let orbit = Orbit::driven(&equation(&text), period, &[0.1, 0.0], &Quiet).unwrap();
         let (real, imaginary) = (1.0 - frequency * frequency, damping * frequency);
         let size = real * real + imaginary * imaginary;
         let start = [real / size, frequency * imaginary / size];
@@ -603,7 +607,7 @@ fn errors_of_a_driven_orbit_hold_and_are_not_absurd() {
 #[test]
 fn a_weakly_damped_orbit_of_small_size_has_its_start() {
     let text = "x'' + 1e-9*x' + x + x^3 = 1e-6*cos(0.5*t)";
-    let orbit = Orbit::driven(&equation(text), 4.0 * PI, &[0.0, 0.0]).unwrap();
+    let orbit = Orbit::driven(&equation(text), 4.0 * PI, &[0.0, 0.0], &Quiet).unwrap();
     let a = 4e-6 / 3.0;
     let exact = [a - 0.8 * a * a * a, 0.5 * a * (0.5e-9 / 0.75)];
     for ((start, error), exact) in orbit.start().iter().zip(orbit.start_errors()).zip(exact) {
@@ -614,7 +618,7 @@ fn a_weakly_damped_orbit_of_small_size_has_its_start() {
 /// The amplitude of van der Pol's cycle for μ = 1 to 20 digits is that of M. Turbiner and others; it is where the first coordinate turns.
 #[test]
 fn extrema_are_those_of_the_motion() {
-    let cycle = Orbit::limit_cycle(&equation("x'' = (1 - x^2)*x' - x"), &[0.5, 0.0]).unwrap();
+    let cycle = Orbit::limit_cycle(&equation("x'' = (1 - x^2)*x' - x"), &[0.5, 0.0], &Quiet).unwrap();
     let (low, high) = cycle.range(0);
     assert!((high - 2.008_619_860_874_843_1).abs() <= cycle.state_errors()[0], "{high:?}");
     assert!((low + high).abs() <= 2.0 * cycle.state_errors()[0] && cycle.state_errors()[0] < 1e-13);
@@ -630,7 +634,7 @@ fn extrema_are_those_of_the_motion() {
 fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
     let belt = |start: &[f64]| {
         let text = "x'' = -x + sign(0.5 - x')*(0.4 + 0.6*exp(-4*abs(0.5 - x')))";
-        Orbit::limit_cycle(&equation(text), start).unwrap_err()
+        Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err()
     };
     for start in [[1.0, 0.0], [0.41, 0.0], [0.0, 0.5]] {
         let found = belt(&start);

@@ -2,6 +2,7 @@
 
 use libm::{atan, log, pow, sqrt, tgamma};
 use libration::expression::Expression;
+use libration::progress::Quiet;
 use libration::systems::Model;
 use libration::taylor::{
     Direction, Effort, Event, Moment, Solution, System, Trajectory, integrate, integrate_dense,
@@ -24,7 +25,7 @@ fn from(state: &[f64]) -> Moment {
 }
 
 fn solve(system: &System, start: &Moment, times: &[f64], tolerance: f64) -> Solution {
-    integrate(system, start, times, &Effort::to_tolerance(tolerance)).unwrap()
+    integrate(system, start, times, &Effort::to_tolerance(tolerance), &Quiet).unwrap()
 }
 
 /// B(1/a, 1/2)/a = ∫₀¹ dx/√(1 − xᵃ).
@@ -268,8 +269,8 @@ fn motions_in_lanes_and_motions_gone_on_with_have_the_same_bits() {
         .iter()
         .map(|start| Trajectory { start: start.clone(), parameters: vec![], times: &times })
         .collect();
-    for (start, together) in starts.iter().zip(integrate_many(&system, &trajectories, &effort)) {
-        assert_eq!(integrate(&system, start, &times, &effort), together);
+    for (start, together) in starts.iter().zip(integrate_many(&system, &trajectories, &effort, &Quiet)) {
+        assert_eq!(integrate(&system, start, &times, &effort, &Quiet), together);
         let mut marks = vec![];
         let begin = libration::taylor::Start::State(start.clone());
         let whole = integrate_from(&system, &begin, &times, &effort, |step| {

@@ -2,6 +2,7 @@
 
 use libm::{cos, exp, sin, sqrt};
 use libration::expression::{Equation, Expression};
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, Sensitivities, SensitivityError, System, integrate};
 use libration_testing::golden::Table;
 
@@ -15,7 +16,7 @@ fn value(number: f64) -> Expression {
 
 fn end(by: &Sensitivities, start: &[f64], time: f64) -> Moment {
     let system = System::new(by.equation()).unwrap();
-    integrate(&system, &by.start(start), &[time], &Effort::to_tolerance(1e-15)).unwrap().end
+    integrate(&system, &by.start(start), &[time], &Effort::to_tolerance(1e-15), &Quiet).unwrap().end
 }
 
 /// x″ = −k·x − c·x′: x = e^(−ct/2)·(x0·cos wt + (v0 + c·x0/2)·sin(wt)/w) with w² = k − c²/4.

@@ -1,8 +1,9 @@
 //! The named systems in time, against the forty digits of `damped.csv`.
 
 use libration::expression::Expression;
+use libration::progress::Quiet;
 use libration::systems::{Model, NamedSystem, NoSuchPendulum};
-use libration::taylor::{Contact, Effort, Event, Moment, integrate, integrate_watched};
+use libration::taylor::{Contact, Effort, Event, Moment, integrate, integrate_stepwise};
 use libration_testing::golden::{Row, Table};
 use libration_testing::ulp::Truth;
 use std::f64::consts::TAU;
@@ -46,7 +47,7 @@ fn end(row: Row) -> (Vec<f64>, Option<f64>) {
     let mut balance = energy.as_ref().map(|energy| energy.balance(&start));
     let effort = Effort::to_tolerance(1e-15);
     let solution =
-        integrate_watched(&model.system().unwrap(), &start, &[row.input("time")], &effort, |step| {
+        integrate_stepwise(&model.system().unwrap(), &start, &[row.input("time")], &effort, |step| {
             if let Some(balance) = &mut balance {
                 balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
             }
@@ -102,7 +103,7 @@ fn turning_points_are_those_of_the_table() {
         let system = system.with_events(&[Event::zero_of("theta'".parse().unwrap())]).unwrap();
         let end = samples.last().unwrap().input("time");
         let effort = Effort::to_tolerance(1e-15);
-        let solution = integrate(&system, &start(case), &[end], &effort).unwrap();
+        let solution = integrate(&system, &start(case), &[end], &effort, &Quiet).unwrap();
         let events: Vec<_> = solution.events.iter().filter(|event| event.contact != Contact::Start).collect();
         assert_eq!(events.len(), turnings.len(), "{}: {:?}", name(case), solution.events);
         for (event, row) in events.iter().zip(&turnings) {
@@ -147,7 +148,7 @@ fn a_driven_pendulum_comes_to_its_attractor() {
     let period = TAU / model.drive_frequency().unwrap();
     let start = Moment { time: 0.0, state: vec![0.7, 0.3] };
     let times = [50.0 * period];
-    let solution = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15));
+    let solution = integrate(&model.system().unwrap(), &start, &times, &Effort::to_tolerance(1e-15), &Quiet);
     let [angle, velocity] = solution.unwrap().end.state.try_into().unwrap();
     let turns = (angle / TAU).round();
     // The time of fifty periods is rounded to 3e-14, the angle to its own ulp.
@@ -171,7 +172,7 @@ fn balanced(equations: &str, state: &[f64], time: f64) -> (f64, f64) {
     let energy = model.energy().unwrap();
     let mut balance = energy.balance(&start);
     let outcome =
-        integrate_watched(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-12), |step| {
+        integrate_stepwise(&model.system().unwrap(), &start, &[time], &Effort::to_tolerance(1e-12), |step| {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
             ControlFlow::Continue(())
         });
@@ -260,8 +261,9 @@ fn the_energy_of_what_rests_does_not_drift() {
     for (key, start) in starts {
         let model = Model::by_key(key, &[], &[]).unwrap();
         let start = model.start(&start).unwrap();
-        let end =
-            integrate(&model.system().unwrap(), &start, &[10.0], &Effort::to_tolerance(1e-12)).unwrap().end;
+        let end = integrate(&model.system().unwrap(), &start, &[10.0], &Effort::to_tolerance(1e-12), &Quiet)
+            .unwrap()
+            .end;
         assert_eq!(model.energy().unwrap().drift(&start, &end), 0.0, "{key} {start:?}");
     }
 }

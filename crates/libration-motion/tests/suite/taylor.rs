@@ -1,9 +1,10 @@
 //! Integration in time against the exact pendulum, solutions in closed form, and damped pendulums in forty digits.
 
 use libration::pendulum::Pendulum;
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration::taylor::{
-    Cause, Effort, IntegrationError, Moment, Solution, System, integrate, integrate_watched,
+    Cause, Effort, IntegrationError, Moment, Solution, System, integrate, integrate_stepwise,
 };
 use libration_testing::golden::{Row, Table};
 use libration_testing::random::Random;
@@ -27,7 +28,7 @@ fn attempt(
     tolerance: f64,
 ) -> Result<Solution, IntegrationError> {
     let effort = Effort::to_tolerance(tolerance);
-    integrate(&system(equation), start, times, &effort)
+    integrate(&system(equation), start, times, &effort, &Quiet)
 }
 
 fn solve(equation: &str, state: &[f64], times: &[f64], tolerance: f64) -> Solution {
@@ -163,7 +164,7 @@ fn states_inside_a_step_are_as_good_as_its_end() {
 fn the_watch_sees_steps_without_gaps_and_may_stop_them() {
     let mut ends = vec![0.0];
     let effort = Effort::to_tolerance(1e-12);
-    let outcome = integrate_watched(&system(PENDULUM), &from(&[1.0, 0.0]), &[0.1, 50.0], &effort, |step| {
+    let outcome = integrate_stepwise(&system(PENDULUM), &from(&[1.0, 0.0]), &[0.1, 50.0], &effort, |step| {
         assert_eq!(step.start(), ends[ends.len() - 1]);
         ends.push(step.end());
         if ends.len() > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -222,7 +223,7 @@ fn a_series_that_seems_to_end_is_not_trusted() {
 #[test]
 fn the_number_of_steps_is_limited() {
     let effort = Effort { most_steps: 7, ..Effort::to_tolerance(1e-12) };
-    let outcome = integrate(&system(PENDULUM), &from(&[1.0, 0.0]), &[1e9], &effort);
+    let outcome = integrate(&system(PENDULUM), &from(&[1.0, 0.0]), &[1e9], &effort, &Quiet);
     let Err(IntegrationError::Stopped { cause: Cause::StepLimit, solution }) = outcome else {
         panic!("{outcome:?}")
     };
@@ -234,7 +235,7 @@ fn an_absolute_tolerance_spares_steps() {
     let steps = |absolute| {
         let effort = Effort { absolute, ..Effort::to_tolerance(1e-12) };
         let start = from(&[1e-9, 0.0]);
-        integrate(&system(PENDULUM), &start, &[100.0], &effort).unwrap().steps
+        integrate(&system(PENDULUM), &start, &[100.0], &effort, &Quiet).unwrap().steps
     };
     assert!(steps(1e-12) < steps(0.0));
 }
@@ -271,7 +272,7 @@ fn no_start_makes_it_panic_or_hang() {
             let mut number = || random.log_between(-150.0, 150.0) * random.between(-1.0, 1.0).signum();
             let start = Moment { time: number(), state: vec![number(), number()] };
             let effort = Effort { most_steps: 100, ..Effort::to_tolerance(1e-12) };
-            let outcome = integrate(&system, &start, &[number()], &effort);
+            let outcome = integrate(&system, &start, &[number()], &effort, &Quiet);
             let end = match &outcome {
                 Ok(solution) => &solution.end,
                 Err(IntegrationError::Stopped { solution, .. }) => &solution.end,

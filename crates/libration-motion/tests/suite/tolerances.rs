@@ -1,6 +1,7 @@
 //! A tolerance for each coordinate.
 
 use libm::{cos, sin};
+use libration::progress::Quiet;
 use libration::taylor::{
     Effort, Event, Solution, System, ToleranceError, Trajectory, ending_error, integrate, integrate_many,
 };
@@ -12,7 +13,7 @@ fn system(equations: &str, tolerances: &[(&str, f64)]) -> System {
 }
 
 fn solve(system: &System, start: &[(&str, f64)], times: &[f64]) -> Solution {
-    integrate(system, &system.start(start).unwrap(), times, &EFFORT).unwrap()
+    integrate(system, &system.start(start).unwrap(), times, &EFFORT, &Quiet).unwrap()
 }
 
 /// A slow oscillator and a fast one that it does not feel.
@@ -60,10 +61,10 @@ fn a_tolerance_below_that_of_the_effort_holds_too() {
     let fine = system(TWO, &[("x", 1e-16), ("y", 1e-16)]);
     let coarse = Effort::to_tolerance(1e-5);
     let start = fine.start(&[("x", 1.0), ("y", 1.0)]).unwrap();
-    let by = |effort: &Effort| integrate(&fine, &start, &[10.0], effort).unwrap();
+    let by = |effort: &Effort| integrate(&fine, &start, &[10.0], effort, &Quiet).unwrap();
     assert_eq!(by(&coarse), by(&Effort::to_tolerance(1e-16)));
     let only_fast = system(TWO, &[("y", 1e-16)]);
-    let found = errors(&integrate(&only_fast, &start, &[10.0], &coarse).unwrap());
+    let found = errors(&integrate(&only_fast, &start, &[10.0], &coarse, &Quiet).unwrap());
     assert!(found.iter().all(|error| *error < 1e-11), "{found:?}");
 }
 
@@ -74,8 +75,8 @@ fn motions_side_by_side_are_those_alone() {
     let start = |n: u32| system.start(&[("x", 0.3 * f64::from(n)), ("y", 1.0)]).unwrap();
     let trajectory = |n| Trajectory { start: start(n), parameters: vec![], times: &times };
     let trajectories: Vec<Trajectory<'_>> = (1..=11).map(trajectory).collect();
-    let alone: Vec<_> = trajectories.iter().map(|it| it.integrate(&system, &EFFORT)).collect();
-    assert_eq!(integrate_many(&system, &trajectories, &EFFORT), alone);
+    let alone: Vec<_> = trajectories.iter().map(|it| it.integrate(&system, &EFFORT, &Quiet)).collect();
+    assert_eq!(integrate_many(&system, &trajectories, &EFFORT, &Quiet), alone);
 }
 
 /// The value of x decides when the motion ends, and y has its own error there.
@@ -84,7 +85,7 @@ fn the_error_of_an_end_knows_the_tolerances() {
     let passage = Event { ends_at: Some(1), ..Event::zero_of("x - 10".parse().unwrap()) };
     let system = system("x' = 1; y'' = -900*y", &[("y", 1e-2)]).with_events(&[passage]).unwrap();
     let start = system.start(&[("y", 1.0)]).unwrap();
-    let end = integrate(&system, &start, &[100.0], &EFFORT).unwrap().end;
+    let end = integrate(&system, &start, &[100.0], &EFFORT, &Quiet).unwrap().end;
     let error = ending_error(&system, &start, 100.0, &EFFORT, &end).unwrap();
     let missed = (end.state[1] - cos(300.0)).abs();
     assert!(missed > 1e-9 && missed <= error.state[1], "{missed} {}", error.state[1]);

@@ -6,9 +6,10 @@
 //! ```
 //! # extern crate libration_pendulum as libration;
 //! use libration::period_formulas::{ErrorTable, catalogue};
+//! use libration::progress::Quiet;
 //!
 //! // Which published formula, the simplest of all, is right to a thousandth at 90°?
-//! let table = ErrorTable::new(catalogue());
+//! let table = ErrorTable::new(catalogue(), &Quiet)?;
 //! let simplest = table.simplest(&"90deg".parse()?, 1e-3);
 //! let best = simplest.first().ok_or("none is so good")?;
 //! assert!(best.fractional_error(&"90deg".parse()?).abs() < 1e-3);

@@ -4,10 +4,11 @@ use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
 use super::swing::SwingAmplitude;
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::roots::maximum_between;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::quantity::Angle;
 use libration_numbers::roots::{Tolerance, zero_between};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
 use std::convert::Infallible;
 
 /// Tolerance in ln(θ0/(π − θ0)), which moves θ0 by at most π/4 of it.
@@ -53,19 +54,19 @@ struct Curve {
 
 impl ErrorTable {
     /// The table of these formulas; about 20 ms each.
-    #[must_use]
-    pub fn new(formulas: &[PeriodFormula]) -> Self {
-        let Ok(table) = Self::filled(formulas, |_| Ok::<(), Infallible>(()));
-        table
-    }
-
-    /// [`new`](Self::new), asking `watch` after each of the amplitudes.
     ///
     /// # Errors
-    /// It was stopped.
-    pub fn new_watched(formulas: &[PeriodFormula], watch: &Watch<'_>) -> Result<Self, Interrupted> {
+    /// The call is cancelled.
+    pub fn new(formulas: &[PeriodFormula], progress: &dyn Progress) -> Result<Self, Interrupted> {
+        let watch = &Watch::new(progress);
         watch.begin(Stage::Whole, Some(grid::points().len()));
         Self::filled(formulas, |done| watch.reached(done))
+    }
+
+    /// The table of one or two formulas.
+    fn of_few(formulas: &[PeriodFormula]) -> Self {
+        let Ok(table) = Self::filled(formulas, |_| Ok::<(), Infallible>(()));
+        table
     }
 
     /// Fills the table; after each amplitude `go_on` gets their number and may stop.
@@ -140,14 +141,11 @@ impl ErrorTable {
     }
 
     /// The crossovers of all pairs.
+    ///
+    /// A cancelled call returns those found until then.
     #[must_use]
-    pub fn all_crossovers(&self) -> Vec<Crossover> {
-        self.all_crossovers_watched(&Watch::none())
-    }
-
-    /// The crossovers of all pairs; `watch` is checked after each pair. Where it stops those until then are given.
-    #[must_use]
-    pub fn all_crossovers_watched(&self, watch: &Watch<'_>) -> Vec<Crossover> {
+    pub fn all_crossovers(&self, progress: &dyn Progress) -> Vec<Crossover> {
+        let watch = &Watch::new(progress);
         let count = self.curves.len();
         watch.begin(Stage::Whole, Some(count * count.saturating_sub(1) / 2));
         let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
@@ -345,19 +343,19 @@ impl PeriodFormula {
     /// there, π when it never fails. To 1e-13 rad.
     #[must_use]
     pub fn holds_to(&self, tolerance: f64) -> f64 {
-        ErrorTable::new(std::slice::from_ref(self)).holds_to(0, tolerance)
+        ErrorTable::of_few(std::slice::from_ref(self)).holds_to(0, tolerance)
     }
 
     /// The intervals of amplitudes within (0, π), in radians, on which |fractional error| ≤ `tolerance`.
     #[must_use]
     pub fn holds_on(&self, tolerance: f64) -> Vec<(f64, f64)> {
-        ErrorTable::new(std::slice::from_ref(self)).holds_on(0, tolerance)
+        ErrorTable::of_few(std::slice::from_ref(self)).holds_on(0, tolerance)
     }
 
     /// Every amplitude within (0, π) at which the better of this and another formula changes, increasing.
     #[must_use]
     pub fn crossovers_with(&self, other: &Self) -> Vec<Crossover> {
-        ErrorTable::new(&[self.clone(), other.clone()]).crossovers(0, 1)
+        ErrorTable::of_few(&[self.clone(), other.clone()]).crossovers(0, 1)
     }
 }
 

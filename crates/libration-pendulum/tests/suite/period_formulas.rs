@@ -1,7 +1,7 @@
 //! The published formulas: their errors against mpmath, their crossovers, and identities of theta functions.
 #![expect(clippy::disallowed_methods, clippy::float_cmp, reason = "expectations, some of them exact")]
 
-use libration::watch::{Progress, Watch};
+use libration::progress::{Quiet, Status};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
@@ -27,7 +27,7 @@ fn relative(found: f64, expected: f64) -> f64 {
     if found == expected { 0.0 } else { ((found - expected) / expected).abs() }
 }
 
-static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| ErrorTable::new(catalogue()));
+static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| ErrorTable::new(catalogue(), &Quiet).unwrap());
 
 fn place(key: &str) -> usize {
     TABLE.formulas().position(|formula| formula.key() == key).unwrap()
@@ -251,7 +251,7 @@ fn simplest_formulas_come_first_and_keep_their_tolerance() {
 
 #[test]
 fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
-    for crossover in TABLE.all_crossovers() {
+    for crossover in TABLE.all_crossovers(&Quiet) {
         let (below, above) = (formula(&crossover.better_below), formula(&crossover.better_above));
         let gap = |amplitude: &Angle| {
             below.fractional_error(amplitude).abs() - above.fractional_error(amplitude).abs()
@@ -266,13 +266,13 @@ fn errors_are_equal_at_every_crossover_and_the_lead_changes() {
 #[test]
 fn a_search_can_be_stopped_and_keeps_what_it_has() {
     let pairs = Cell::new(0);
-    let ask = |progress: Progress| {
-        pairs.set(progress.done);
-        if progress.done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    let progress = |status: Status| {
+        pairs.set(status.done);
+        if status.done == 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let some = TABLE.all_crossovers_watched(&Watch::new(&ask));
+    let some = TABLE.all_crossovers(&progress);
     assert_eq!(pairs.get(), 40);
-    assert!(!some.is_empty() && TABLE.all_crossovers().starts_with(&some));
+    assert!(!some.is_empty() && TABLE.all_crossovers(&Quiet).starts_with(&some));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use super::enclosed::other_equilibrium;
 use super::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
-use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand_watched};
+use crate::perturbation::{Expansion, ExpansionError, Gauge, Remainder, expand};
 use libration_motion::oscillator::{Constant, Kind, Oscillator, OscillatorError, Remedy, centre_of};
 use libration_motion::{
     internals::orbit::ReleasePlace,
@@ -11,8 +11,9 @@ use libration_motion::{
 };
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression, NotSecondOrder, Symbol};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::quantity::Displacement;
-use libration_numbers::watch::Watch;
 
 /// The amplitude–frequency curve of one coordinate.
 ///
@@ -20,12 +21,13 @@ use libration_numbers::watch::Watch;
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::comparison::Backbone;
-/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
-/// let point = duffing.at(0.5);
+/// use libration::progress::Quiet;
+/// let duffing = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15, &Quiet)?;
+/// let point = duffing.at(0.5, &Quiet);
 /// let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
 /// assert!((orbit.frequency - series.frequency).abs() < 1e-6);
 /// // A force without a linear part has orbits, but no series.
-/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15)?.at(2.0).series.is_none());
+/// assert!(Backbone::new(&"x'' = -x^3".parse()?, None, 15, &Quiet)?.at(2.0, &Quiet).series.is_none());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -132,22 +134,15 @@ impl Backbone {
     /// The curve about the stable equilibrium nearest to zero, or about a place that is given, with the series up to an order.
     /// Where an equilibrium has no expansion there are only orbits; where none is found amplitudes count from zero.
     ///
-    /// # Errors
-    /// Several coordinates, the time in the acceleration, open parameters, or no stable equilibrium at the place.
-    pub fn new(equation: &Equation, about: Option<&Expression>, order: usize) -> Result<Self, NoBackbone> {
-        Self::new_watched(equation, about, order, &Watch::none())
-    }
-
-    /// Creates the same as [`new`](Self::new); `watch` is checked at each order of the series. If it cancels, there is no series
-    /// ([`ExpansionError::Interrupted`]), but orbits are still computed.
+    /// A cancelled call returns a backbone without series ([`ExpansionError::Interrupted`]), whose orbits can still be computed.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
-    pub fn new_watched(
+    /// Several coordinates, the time in the acceleration, open parameters, or no stable equilibrium at the place.
+    pub fn new(
         equation: &Equation,
         about: Option<&Expression>,
         order: usize,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoBackbone> {
         if equation.variables().len() != 1 {
             return Err(NoBackbone::SeveralCoordinates(equation.variables().len()));
@@ -173,7 +168,7 @@ impl Backbone {
             oscillator => oscillator,
         };
         let series = oscillator.map_err(NoSeries::from).and_then(|oscillator| {
-            let expansion = expand_watched(&oscillator, order, &Gauge::Fundamental, watch)?;
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental, progress)?;
             Ok(Series { oscillator, expansion })
         });
         Ok(Self { equation: equation.clone(), centre, series })
@@ -211,17 +206,12 @@ impl Backbone {
     }
 
     /// All frequencies at an amplitude, exactly this `f64`.
+    ///
+    /// The point has no orbit ([`NoOrbit::Interrupted`]) if the call is cancelled.
     #[must_use]
-    pub fn at(&self, amplitude: f64) -> BackbonePoint {
-        self.at_watched(amplitude, &Watch::none())
-    }
-
-    /// Computes the same as [`at`](Self::at); `watch` is checked at each step of the orbit. If it cancels, the point has no orbit
-    /// ([`NoOrbit::Interrupted`]).
-    #[must_use]
-    pub fn at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> BackbonePoint {
+    pub fn at(&self, amplitude: f64, progress: &dyn Progress) -> BackbonePoint {
         match Displacement::from_f64(amplitude) {
-            Some(displacement) => self.at_displacement_watched(&displacement, watch),
+            Some(displacement) => self.at_displacement(&displacement, progress),
             None => BackbonePoint {
                 amplitude,
                 orbit: Err(NoOrbit::Start { state: vec![amplitude], wanted: 1 }),
@@ -233,15 +223,9 @@ impl Backbone {
 
     /// All frequencies at an amplitude that is known to more digits than an `f64` has.
     #[must_use]
-    pub fn at_displacement(&self, displacement: &Displacement) -> BackbonePoint {
-        self.at_displacement_watched(displacement, &Watch::none())
-    }
-
-    /// Computes the same as [`at_displacement`](Self::at_displacement), and can be cancelled like [`at_watched`](Self::at_watched).
-    #[must_use]
-    pub fn at_displacement_watched(&self, displacement: &Displacement, watch: &Watch<'_>) -> BackbonePoint {
+    pub fn at_displacement(&self, displacement: &Displacement, progress: &dyn Progress) -> BackbonePoint {
         let amplitude = displacement.to_f64();
-        let orbit = self.orbit_at(displacement, watch);
+        let orbit = self.orbit_at(displacement, &Watch::new(progress));
         let (mut series, mut exact) = (None, None);
         if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
             series = own.frequency_at(amplitude, omega0);

@@ -6,8 +6,9 @@ use libration_kernels::elementary::count;
 use libration_motion::orbit::{Orbit, OrbitGuess};
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Expression;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::quantity::Displacement;
-use libration_numbers::watch::Watch;
 use std::f64::consts::TAU;
 
 /// The distance of a limit cycle from the orbit of the equation next to it.
@@ -38,13 +39,15 @@ impl SeriesComparison<'_> {
     ///
     /// # Errors
     /// A strength of zero, and no orbit to which Newton's method comes.
-    #[must_use]
-    pub fn cycle_distance_watched(
+    pub fn cycle_distance(
         &self,
         strength: &Displacement,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Option<Result<CycleDistance, NoExactValue>> {
-        self.expansion().variable.is_strength().then(|| self.distance_from_orbit(strength, watch))
+        self.expansion()
+            .variable
+            .is_strength()
+            .then(|| self.distance_from_orbit(strength, &Watch::new(progress)))
     }
 
     fn distance_from_orbit(
@@ -65,7 +68,7 @@ impl SeriesComparison<'_> {
         let [x, slope] = displacement(&waves, 0.0);
         let equilibrium = self.oscillator().equilibrium().to_f64();
         let guess = OrbitGuess { state: vec![equilibrium + x, slope * TAU / period], period };
-        let orbit = Orbit::near_watched(&equation, &guess, &[1], watch)?;
+        let orbit = Orbit::near(&equation, &guess, &[1], watch)?;
         let (low, high) = orbit.range(0);
         let uncertainty = orbit.state_errors().first().copied().unwrap_or(f64::NAN);
         Ok(CycleDistance {

@@ -11,8 +11,9 @@ use libration_motion::{
 };
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Expression;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::quantity::{Angle, Displacement};
-use libration_numbers::watch::Watch;
 use libration_pendulum::pendulum::{Amplitude, Pendulum};
 use std::f64::consts::TAU;
 
@@ -128,29 +129,18 @@ impl ExactMotion {
     ///
     /// # Errors
     /// There is no such motion, it is not found, or its period is infinite.
+    /// [`NoOrbit::Interrupted`] if the call is cancelled.
     pub fn new(
         oscillator: &Oscillator,
         expansion: &Expansion,
         amplitude: &Displacement,
-    ) -> Result<Self, NoExactValue> {
-        Self::new_watched(oscillator, expansion, amplitude, &Watch::none())
-    }
-
-    /// Computes the same as [`new`](Self::new); `watch` is checked at each step of the orbit.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), and [`NoOrbit::Interrupted`].
-    pub fn new_watched(
-        oscillator: &Oscillator,
-        expansion: &Expansion,
-        amplitude: &Displacement,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoExactValue> {
         let unit = libm::sqrt(expansion.unit_squared.to_f64());
         let near = expansion.x_max.first().map_or(0.0, Rational::to_f64) * unit;
         let method = match is_pendulum(oscillator) {
             true => Known::Pendulum(amplitude.clone()),
-            false => Known::Orbit(OrbitMotion::by_kind(oscillator, amplitude, near, watch)?),
+            false => Known::Orbit(OrbitMotion::by_kind(oscillator, amplitude, near, &Watch::new(progress))?),
         };
         Ok(Self { method, small_period: TAU / libm::sqrt(oscillator.omega0_squared().to_f64()), unit })
     }
@@ -222,7 +212,7 @@ pub(super) fn limit_cycle(
     let equation = oscillator.equation().with(&[(parameter, Expression::Number(fraction))]);
     let equilibrium = oscillator.equilibrium().to_f64();
     let start = [equilibrium + near, 0.0];
-    let orbit = Orbit::limit_cycle_watched(&equation.map_err(|_| refusal)?, &start, watch)?;
+    let orbit = Orbit::limit_cycle(&equation.map_err(|_| refusal)?, &start, watch)?;
     Ok(OrbitMotion { orbit, equilibrium, encloses: None, is_mirrored: false })
 }
 

@@ -13,8 +13,9 @@ use crate::perturbation::{FirstOrder, SlowFlowError};
 use libration_motion::orbit::NoOrbit;
 use libration_motion::oscillator::Oscillator;
 use libration_numbers::expression::{Equation, Symbol};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress};
 use libration_numbers::roots::{Tolerance, zero_between};
-use libration_numbers::watch::{Interrupted, Watch};
 use std::cell::Cell;
 
 /// A limit cycle for a small value of the parameter ε, to leading order.
@@ -92,30 +93,25 @@ impl LeadingLimitCycles {
     /// # Errors
     /// As [`slow_flow`](crate::perturbation::slow_flow) has them of the letters; a force that depends on the velocity without the small
     /// terms; no orbit.
+    /// [`NoLeadingLimitCycles::Interrupted`] if the call is cancelled.
     ///
     /// # Examples
     /// ```
     /// # extern crate libration_perturbation as libration;
     /// use libration::comparison::LeadingLimitCycles;
+    /// use libration::progress::Quiet;
     /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
-    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None)?;
+    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
     /// let [cycle] = &found.cycles[..] else { panic!() };
     /// assert!((cycle.amplitude - 1.9351).abs() < 1e-4 && cycle.exponent < 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(equation: &Equation, parameter: Option<&str>) -> Result<Self, NoLeadingLimitCycles> {
-        Self::new_watched(equation, parameter, &Watch::none())
-    }
-
-    /// Computes the same as [`new`](Self::new); `watch` is checked at each step of each orbit.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), and [`NoLeadingLimitCycles::Interrupted`].
-    pub fn new_watched(
+    pub fn new(
         equation: &Equation,
         parameter: Option<&str>,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoLeadingLimitCycles> {
+        let watch = &Watch::new(progress);
         let FirstOrder { parameter, unperturbed, force } = FirstOrder::new(equation, parameter)?;
         let oscillator = Oscillator::new(&unperturbed).map_err(|error| SlowFlowError::Oscillator {
             parameter: parameter.clone(),

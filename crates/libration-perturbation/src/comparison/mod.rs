@@ -5,10 +5,11 @@
 //! # extern crate libration_perturbation as libration;
 //! use libration::comparison::Backbone;
 //! use libration::elliptic::Modulus;
+//! use libration::progress::Quiet;
 //!
 //! // A spring that stiffens: how its frequency rises with the amplitude, by integration and by its series.
-//! let backbone = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15)?;
-//! let point = backbone.at(0.5);
+//! let backbone = Backbone::new(&"x'' + x + x^3 = 0".parse()?, None, 15, &Quiet)?;
+//! let point = backbone.at(0.5, &Quiet);
 //! let (orbit, series) = (point.orbit?, point.series.ok_or("no series")?);
 //! // In closed form it is π√(1 + A²)/2K(m) with m = A²/(2 + 2A²), here 1/10.
 //! let exact = std::f64::consts::FRAC_PI_2 * 1.25_f64.sqrt() / Modulus::from_parameter(0.1)?.first();

@@ -14,8 +14,8 @@ use libration_motion::oscillator::Oscillator;
 use libration_numbers::algebra::{Rational, Rationals};
 use libration_numbers::expression::Symbol;
 use libration_numbers::internals::series::truncated::reciprocal;
+use libration_numbers::progress::Progress;
 use libration_numbers::quantity::Displacement;
-use libration_numbers::watch::Watch;
 
 /// A quantity as a function of the largest displacement, or of the strength of a self-excitation.
 ///
@@ -25,10 +25,11 @@ use libration_numbers::watch::Watch;
 /// use libration::oscillator::NamedOscillator;
 /// use libration::comparison::{SeriesQuantity, SeriesComparison};
 /// use libration::perturbation::{Gauge, expand};
+/// use libration::progress::Quiet;
 /// let pendulum = NamedOscillator::by_key("pendulum")?.oscillator(&[])?;
-/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental)?;
+/// let expansion = expand(&pendulum, 31, &Gauge::Fundamental, &Quiet)?;
 /// let period = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period);
-/// let exact = period.exact_at(1.0)?;
+/// let exact = period.exact_at(1.0, &Quiet)?;
 /// let error = (period.evaluation_at(1.0).value() - exact.value).abs();
 /// assert!(error < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -171,17 +172,10 @@ impl<'a> SeriesComparison<'a> {
     ///
     /// # Errors
     /// There is no such motion, it is not found, or its period is infinite.
-    pub fn exact_at(&self, amplitude: f64) -> Result<ExactValue, NoExactValue> {
-        self.exact_at_watched(amplitude, &Watch::none())
-    }
-
-    /// Computes the same as [`exact_at`](Self::exact_at); `watch` is checked at each step of the orbit.
-    ///
-    /// # Errors
-    /// As [`exact_at`](Self::exact_at), and [`NoOrbit::Interrupted`](libration_motion::orbit::NoOrbit::Interrupted).
-    pub fn exact_at_watched(&self, amplitude: f64, watch: &Watch<'_>) -> Result<ExactValue, NoExactValue> {
+    /// [`NoOrbit::Interrupted`](libration_motion::orbit::NoOrbit::Interrupted) if the call is cancelled.
+    pub fn exact_at(&self, amplitude: f64, progress: &dyn Progress) -> Result<ExactValue, NoExactValue> {
         let displacement = Displacement::from_f64(amplitude).ok_or(NoExactValue::Amplitude(amplitude))?;
-        self.exact_from_watched(&displacement, watch)
+        self.exact_from(&displacement, progress)
     }
 
     /// The same at an amplitude, or a strength, that is known to more digits than an `f64` has.
@@ -191,20 +185,12 @@ impl<'a> SeriesComparison<'a> {
     ///
     /// # Errors
     /// As [`exact_at`](Self::exact_at).
-    pub fn exact_from(&self, amplitude: &Displacement) -> Result<ExactValue, NoExactValue> {
-        self.exact_from_watched(amplitude, &Watch::none())
-    }
-
-    /// Computes the same as [`exact_from`](Self::exact_from), and can be cancelled like [`exact_at_watched`](Self::exact_at_watched).
-    ///
-    /// # Errors
-    /// As [`exact_at_watched`](Self::exact_at_watched).
-    pub fn exact_from_watched(
+    pub fn exact_from(
         &self,
         amplitude: &Displacement,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<ExactValue, NoExactValue> {
-        ExactMotion::new_watched(self.oscillator, self.expansion, amplitude, watch)?.value(self.quantity)
+        ExactMotion::new(self.oscillator, self.expansion, amplitude, progress)?.value(self.quantity)
     }
 
     /// The value by elliptic functions; `None` for all but the pendulum.

@@ -4,11 +4,11 @@
 
 use std::f64::consts::PI;
 
-use crate::perturbation::{Gauge, SlowFlow, SlowFlowError, SlowSeries, slow_flow_watched};
+use crate::perturbation::{Gauge, SlowFlow, SlowFlowError, SlowSeries, slow_flow};
 use libration_motion::decay::{Decay, PowerLawTerm};
 use libration_numbers::algebra::{BigFloat, Rational};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
-use libration_numbers::watch::Watch;
+use libration_numbers::progress::Progress;
 
 /// Amplitude and phase of a damped pendulum by a slow flow.
 ///
@@ -18,13 +18,14 @@ use libration_numbers::watch::Watch;
 /// use libration::comparison::SlowDecay;
 /// use libration::decay::{Damping, Decay};
 /// use libration::pendulum::Pendulum;
+/// use libration::progress::Quiet;
 ///
 /// // Drag of a fast flow from half a radian: each turning point of the integration, and the slow flow at its time.
 /// let pendulum = Pendulum::from_angular_frequency(1.0)?;
 /// let decay = Decay::new(pendulum, Damping::of_degree(2.0, 0.05)?, "0.5rad".parse()?)?;
 /// let turns: Vec<_> = decay.swings().take(20).collect::<Result<_, _>>()?;
 /// let times: Vec<f64> = turns.iter().map(|turn| turn.time).collect();
-/// let slow = SlowDecay::new(&decay, 9, 3)?.at_times(&times);
+/// let slow = SlowDecay::new(&decay, 9, 3, &Quiet)?.at_times(&times);
 /// for (turn, slow) in turns.iter().zip(slow) {
 ///     assert!((turn.amplitude.radians() - slow.amplitude).abs() < 1e-5);
 /// }
@@ -69,22 +70,15 @@ impl SlowDecay {
     ///
     /// # Errors
     /// Powers of the velocity that are not whole; orders out of range.
-    pub fn new(decay: &Decay, order: usize, damping_order: usize) -> Result<Self, NoSlowDecay> {
-        Self::new_watched(decay, order, damping_order, &Watch::none())
-    }
-
-    /// Computes the same as [`new`](Self::new); `watch` is checked at each order.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), and [`SlowFlowError::Interrupted`].
-    pub fn new_watched(
+    /// [`SlowFlowError::Interrupted`] if the call is cancelled.
+    pub fn new(
         decay: &Decay,
         order: usize,
         damping_order: usize,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, NoSlowDecay> {
         let (equation, strength) = equation(decay.scaled_terms())?;
-        let flow = slow_flow_watched(&equation, Some(SMALL), order, damping_order, &Gauge::XMax, watch)?;
+        let flow = slow_flow(&equation, Some(SMALL), order, damping_order, &Gauge::XMax, progress)?;
         let rates = [&flow.amplitude_rate, &flow.phase_rate].map(|series| by_powers(series, strength));
         let (omega0, start) = (decay.pendulum().angular_frequency(), decay.start().radians());
         Ok(Self { flow, rates, omega0, start })

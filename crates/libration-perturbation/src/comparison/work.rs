@@ -6,8 +6,8 @@
 use super::enclosed::other_equilibrium;
 use libration_motion::orbit::{NoOrbit, Orbit};
 use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::quadrature::{Integral, gauss_kronrod};
-use libration_numbers::watch::Watch;
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
     internals::expression::{Jet, Tape},
@@ -71,7 +71,7 @@ impl<'a> WorkOverOrbits<'a> {
         if encloses([start, start]) {
             return Err(elsewhere(start));
         }
-        let orbit = Orbit::released_watched(self.equation, start, watch)?;
+        let orbit = Orbit::released(self.equation, start, watch)?;
         let period = orbit.period();
         let other = orbit.state_at(0.5 * period)[0];
         if other >= centre || encloses([other, start]) {

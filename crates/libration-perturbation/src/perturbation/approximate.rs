@@ -10,7 +10,8 @@ use super::selection::interpolated;
 use super::series_set::SeriesSet;
 
 use libration_numbers::internals::expression::{Jet, Tape};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Stage;
 use libration_numbers::{
     algebra::{BigFloat, Floats, Rational, Ring},
     internals::algebra::HarmonicSums,

@@ -13,8 +13,8 @@ use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
 use super::shape::Shape;
 use libration_numbers::internals::expression::Jet;
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::series::truncated::{composition, product};
-use libration_numbers::watch::Watch;
 use libration_numbers::{
     algebra::{Rational, Rationals, Ring},
     internals::algebra::{HarmonicSums, Quadratic, QuadraticField},

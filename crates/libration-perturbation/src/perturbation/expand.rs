@@ -14,7 +14,8 @@ use super::shape::{Shape, shape_of};
 use super::two_sided::{MAX_PI_ORDER, TwoSided, agree};
 use libration_motion::oscillator::{Kind, Oscillator, Remedy};
 use libration_numbers::algebra::{LaurentPolynomial, Rational, Rationals};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 use libration_numbers::{
     expression::{Expression, Symbol, WithoutValue},
     internals::expression::Tape,
@@ -45,8 +46,9 @@ const fn first_integral_order(kind: &Kind) -> usize {
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand};
+/// use libration::progress::Quiet;
 /// let pendulum = Oscillator::new(&"x'' = -sin(x)".parse()?)?;
-/// let expansion = expand(&pendulum, 5, &Gauge::Fundamental)?;
+/// let expansion = expand(&pendulum, 5, &Gauge::Fundamental, &Quiet)?;
 /// assert_eq!(expansion.frequency_ratio[4].to_string(), "1/1024");
 /// assert_eq!(expansion.of_amplitude.unwrap().period_ratio[4].to_string(), "11/3072");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -55,24 +57,18 @@ const fn first_integral_order(kind: &Kind) -> usize {
 /// # Errors
 /// An order out of range, a gauge that the oscillator does not have, a limit cycle whose amplitude is not
 /// determined, and [`ExpansionError::Contradiction`] should two roads disagree.
+/// [`ExpansionError::Interrupted`], with the orders that are certain, if the call is cancelled.
 ///
 /// # References
 /// A. H. Nayfeh, D. T. Mook, *Nonlinear Oscillations*, Wiley 1979, section 2.3.1; B. Black, V. Vel, Am. J. Phys. 91,
 /// 776 (2023), doi:10.1119/5.0130943, for the gauge.
-pub fn expand(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
-    expand_watched(oscillator, order, gauge, &Watch::none())
-}
-
-/// Expands as [`expand`] does, and checks `watch` at each order.
-///
-/// # Errors
-/// As [`expand`], or [`ExpansionError::Interrupted`] with the orders that are certain.
-pub fn expand_watched(
+pub fn expand(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Expansion, ExpansionError> {
+    let watch = &Watch::new(progress);
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order));
     }
@@ -93,8 +89,9 @@ pub fn expand_watched(
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::Oscillator;
 /// use libration::perturbation::{Gauge, expand_with_pi};
+/// use libration::progress::Quiet;
 /// let oscillator = Oscillator::new(&"x'' + x + x*abs(x) = 0".parse()?)?;
-/// let expansion = expand_with_pi(&oscillator, 3, &Gauge::XMax)?.ok_or("not two-sided")?;
+/// let expansion = expand_with_pi(&oscillator, 3, &Gauge::XMax, &Quiet)?.ok_or("not two-sided")?;
 /// assert_eq!(expansion.frequency_ratio[1].to_string(), "4/(3*pi)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -105,20 +102,9 @@ pub fn expand_with_pi(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
+    progress: &dyn Progress,
 ) -> Result<Option<Expansion<LaurentPolynomial>>, ExpansionError> {
-    expand_with_pi_watched(oscillator, order, gauge, &Watch::none())
-}
-
-/// Expands the same as [`expand_with_pi`]; `watch` is checked at each step of the check.
-///
-/// # Errors
-/// As [`expand`], or [`ExpansionError::Interrupted`].
-pub fn expand_with_pi_watched(
-    oscillator: &Oscillator,
-    order: usize,
-    gauge: &Gauge,
-    watch: &Watch<'_>,
-) -> Result<Option<Expansion<LaurentPolynomial>>, ExpansionError> {
+    let watch = &Watch::new(progress);
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order));
     }

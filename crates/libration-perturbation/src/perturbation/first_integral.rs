@@ -11,8 +11,8 @@
 //! mean of 2π/φ′. Which c a state has is the first integral.
 
 use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::series::truncated::reciprocal;
-use libration_numbers::watch::Watch;
 use libration_numbers::{
     algebra::Ring,
     internals::algebra::{HarmonicPair, HarmonicSums, Number, PhaseRing},

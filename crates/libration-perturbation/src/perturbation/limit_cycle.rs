@@ -11,8 +11,8 @@
 
 use super::lindstedt::Family;
 use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::series::truncated::next_square_root;
-use libration_numbers::watch::Watch;
 use libration_numbers::{
     algebra::Ring,
     internals::algebra::{HarmonicPair, Number, PhaseRing},

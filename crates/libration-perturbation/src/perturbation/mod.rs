@@ -10,10 +10,11 @@
 //! # extern crate libration_perturbation as libration;
 //! use libration::oscillator::Oscillator;
 //! use libration::perturbation::{Gauge, expand};
+//! use libration::progress::Quiet;
 //!
 //! // Van der Pol: amplitude and frequency of the limit cycle in powers of the excitation.
 //! let oscillator = Oscillator::new(&"x'' - mu*(1 - x^2)*x' + x = 0".parse()?)?;
-//! let expansion = expand(&oscillator, 4, &Gauge::Fundamental)?;
+//! let expansion = expand(&oscillator, 4, &Gauge::Fundamental, &Quiet)?;
 //! assert_eq!(expansion.frequency_ratio[2].to_string(), "-1/16");
 //! assert_eq!(expansion.frequency_ratio[4].to_string(), "17/3072");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -56,7 +57,7 @@ pub use evaluation::{
 };
 pub(crate) use evaluation::{PositiveSeries, stride};
 pub(crate) use expand::is_pendulum;
-pub use expand::{ExpansionError, MAX_ORDER, expand, expand_watched, expand_with_pi, expand_with_pi_watched};
+pub use expand::{ExpansionError, MAX_ORDER, expand, expand_with_pi};
 pub use expansion::{AmplitudeSeries, Certificate, Expansion, ExpansionVariable, HarmonicSeries, Precision};
 pub use gauge::{Gauge, NotAGauge};
 pub use open_gauge::{Condition, EpsilonPowers, OpenGauge, OpenGaugeError};
@@ -65,9 +66,7 @@ pub use restoring_force::restoring_force;
 pub(crate) use slow_flow::FirstOrder;
 pub use slow_flow::{
     MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, PhaseTerm, SlowFlow, SlowFlowError, SlowLimitCycle, SlowSeries,
-    WeakForce, slow_flow, slow_flow_watched,
+    WeakForce, slow_flow,
 };
-pub use symbolic::{
-    SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_symbolically_watched,
-};
+pub use symbolic::{SymbolicExpansion, SymbolicExpansionError, expand_symbolically};
 pub use truncated_system::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};

@@ -8,8 +8,8 @@ use super::lindstedt::{Centre, Family, family};
 use super::series_set::{SeriesSet, by_inverse, half_swing, substituted};
 use super::shape::Shape;
 use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::series::truncated::{powers, powers_of_inverse};
-use libration_numbers::watch::Watch;
 use libration_numbers::{
     algebra::{Rational, Ring},
     internals::algebra::{Number, PhaseRing},

@@ -8,7 +8,8 @@ use super::gauge::Gauge;
 use super::model::{Model, Motion};
 use super::series_set::SeriesSet;
 
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Stage;
 use libration_numbers::{
     algebra::{Rational, Ring},
     internals::algebra::{

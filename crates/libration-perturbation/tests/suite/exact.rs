@@ -8,8 +8,8 @@ use libration::comparison::{
 };
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Expansion, Gauge, expand};
+use libration::progress::Quiet;
 use libration::quantity::Displacement;
-use libration::watch::Watch;
 use libration_testing::golden::{Row, Table};
 use libration_testing::sweep;
 
@@ -21,18 +21,18 @@ struct Known {
 impl Known {
     fn new(key: &str) -> Self {
         let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-        let expansion = expand(&oscillator, 3, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&oscillator, 3, &Gauge::Fundamental, &Quiet).unwrap();
         Self { oscillator, expansion }
     }
 
     fn exact(&self, quantity: SeriesQuantity, amplitude: &str) -> Result<ExactValue, NoExactValue> {
         SeriesComparison::new(&self.oscillator, &self.expansion, quantity)
-            .exact_from(&displacement(amplitude))
+            .exact_from(&displacement(amplitude), &Quiet)
     }
 
     /// The motion of which [`exact`](Self::exact) takes one value.
     fn motion(&self, amplitude: &str) -> ExactMotion {
-        ExactMotion::new(&self.oscillator, &self.expansion, &displacement(amplitude)).unwrap()
+        ExactMotion::new(&self.oscillator, &self.expansion, &displacement(amplitude), &Quiet).unwrap()
     }
 }
 
@@ -130,28 +130,28 @@ mod sweeps {
 fn a_decimal_and_its_f64_are_two_amplitudes() {
     let known = Known::new("duffing_soft");
     let relation = SeriesComparison::new(&known.oscillator, &known.expansion, SeriesQuantity::Period);
-    let decimal = relation.exact_from(&displacement("0.999999999")).unwrap();
-    let double = relation.exact_at(0.999_999_999).unwrap();
+    let decimal = relation.exact_from(&displacement("0.999999999"), &Quiet).unwrap();
+    let double = relation.exact_at(0.999_999_999, &Quiet).unwrap();
     assert_holds(&decimal, 62.535_279_781_833_69 / TAU, 10.0, "the decimal");
     assert_holds(&double, 62.535_279_861_827_07 / TAU, 10.0, "its f64");
     assert_eq!(
-        relation.exact_at(f64::NAN).map_err(|it| it.to_string()).unwrap_err(),
+        relation.exact_at(f64::NAN, &Quiet).map_err(|it| it.to_string()).unwrap_err(),
         "the amplitude is NaN: give a finite number above zero"
     );
 }
 
 #[test]
 fn a_backbone_takes_the_decimal_too() {
-    let curve = Backbone::new(&"x'' = -x + x^3".parse().unwrap(), None, 3).unwrap();
+    let curve = Backbone::new(&"x'' = -x + x^3".parse().unwrap(), None, 3, &Quiet).unwrap();
     for (point, period) in [
-        (curve.at_displacement(&displacement("0.999999999")), 62.535_279_781_833_69),
-        (curve.at(0.999_999_999), 62.535_279_861_827_07),
+        (curve.at_displacement(&displacement("0.999999999"), &Quiet), 62.535_279_781_833_69),
+        (curve.at(0.999_999_999, &Quiet), 62.535_279_861_827_07),
     ] {
         let orbit = point.orbit.unwrap();
         assert!((orbit.frequency - TAU / period).abs() <= orbit.uncertainty + f64::EPSILON * orbit.frequency);
         assert!(orbit.uncertainty < 1e-15 && point.exact.is_none());
     }
-    assert!(curve.at(f64::INFINITY).orbit.is_err());
+    assert!(curve.at(f64::INFINITY, &Quiet).orbit.is_err());
 }
 
 /// The period of x″ + x + x² = 0 has a logarithm at 1/2, on whose cut, beyond it, approximants have their poles; that of x″ + x + x³ = 0 has
@@ -160,7 +160,7 @@ fn a_backbone_takes_the_decimal_too() {
 fn approximants_have_their_poles_beyond_the_separatrix() {
     let pole = |key: &str, degree: usize| {
         let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental, &Quiet).unwrap();
         SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period)
             .approximant(degree)
             .unwrap()
@@ -212,10 +212,10 @@ const VAN_DER_POL_TO_FIRST_ORDER: [(&str, f64); 3] =
 fn the_distance_of_a_limit_cycle_from_its_orbit_is_that_of_another_program() {
     let oscillator = NamedOscillator::by_key("van_der_pol").unwrap().oscillator(&[]).unwrap();
     let distance = |order: usize, strength: &str| {
-        let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&oscillator, order, &Gauge::Fundamental, &Quiet).unwrap();
         let comparison = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
         let strength = Displacement::from_number_text(strength).unwrap();
-        comparison.cycle_distance_watched(&strength, &Watch::none()).unwrap()
+        comparison.cycle_distance(&strength, &Quiet).unwrap()
     };
     for (strength, expected) in VAN_DER_POL_TO_FIRST_ORDER {
         let found = distance(1, strength).unwrap();

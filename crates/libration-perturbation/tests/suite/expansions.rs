@@ -3,10 +3,8 @@
 use libration::algebra::Rational;
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::period_formulas::period_in_amplitude;
-use libration::perturbation::{
-    Certificate, Expansion, ExpansionError, Gauge, Precision, expand, expand_watched,
-};
-use libration::watch::{Progress, Stage, Watch};
+use libration::perturbation::{Certificate, Expansion, ExpansionError, Gauge, Precision, expand};
+use libration::progress::{Quiet, Stage, Status};
 use libration_testing::golden::Table;
 use libration_testing::random::Random;
 use std::cell::RefCell;
@@ -114,7 +112,7 @@ fn compare(table: &str, expansion_of: impl Fn(&str, &str, usize) -> Expansion) {
 
 fn centre(force: &str, gauge: &str, order: usize) -> Expansion {
     let gauge: Gauge = gauge.replace(' ', ",").parse().unwrap();
-    expand(&oscillator(&format!("x'' + {force} = 0")), order, &gauge).unwrap()
+    expand(&oscillator(&format!("x'' + {force} = 0")), order, &gauge, &Quiet).unwrap()
 }
 
 #[test]
@@ -131,7 +129,7 @@ fn conservative_oscillators_agree_with_flint_in_every_gauge() {
 fn limit_cycles_agree_with_flint() {
     compare("expansions_limit_cycles.csv", |key, _, order| {
         let oscillator = NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-        expand(&oscillator, order, &Gauge::Fundamental).unwrap()
+        expand(&oscillator, order, &Gauge::Fundamental, &Quiet).unwrap()
     });
 }
 
@@ -140,7 +138,7 @@ fn physical_relations_are_the_same_in_every_gauge() {
     let mut random = Random::seeded(20);
     for equation in ["x'' + sin(x) = 0", "x'' + x + x^2 = 0", "x'' = -x*(1-x'^2)^(3/2)", "x'' = -2*x - x^3"] {
         let oscillator = oscillator(equation);
-        let natural = expand(&oscillator, 9, &Gauge::Fundamental).unwrap();
+        let natural = expand(&oscillator, 9, &Gauge::Fundamental, &Quiet).unwrap();
         let mut gauges = vec![Gauge::XMax, Gauge::HalfSwing];
         for _ in 0..4 {
             let mut number = || {
@@ -153,7 +151,7 @@ fn physical_relations_are_the_same_in_every_gauge() {
             gauges.push(Gauge::Coefficients(list));
         }
         for gauge in gauges {
-            let other = expand(&oscillator, 9, &gauge).unwrap();
+            let other = expand(&oscillator, 9, &gauge, &Quiet).unwrap();
             let (a, b) = (natural.of_amplitude.clone().unwrap(), other.of_amplitude.unwrap());
             assert_eq!(a.frequency_ratio, b.frequency_ratio, "{equation}, {gauge}");
             assert_eq!(a.period_ratio, b.period_ratio, "{equation}, {gauge}");
@@ -196,7 +194,7 @@ fn power(n: usize, length: usize) -> Series {
 #[test]
 fn the_pendulum_in_its_fundamental_is_a_quotient_of_chebyshev_polynomials() {
     let order = 41;
-    let expansion = expand(&pendulum(), order, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&pendulum(), order, &Gauge::Fundamental, &Quiet).unwrap();
     for n in (1..=order).step_by(2) {
         let inverse = reciprocal(&chebyshev_in_reciprocal(n, order + 1));
         let sign = if n % 4 == 1 { 4 } else { -4 };
@@ -215,7 +213,7 @@ fn the_pendulum_in_its_fundamental_is_a_quotient_of_chebyshev_polynomials() {
 #[test]
 fn the_period_obeys_legendre_and_euler() {
     let order = 61;
-    let of = expand(&pendulum(), order, &Gauge::Fundamental).unwrap().of_amplitude.unwrap();
+    let of = expand(&pendulum(), order, &Gauge::Fundamental, &Quiet).unwrap().of_amplitude.unwrap();
     let euler: Series = period_in_amplitude(order / 2);
     assert_eq!(of.period_ratio.iter().step_by(2).cloned().collect::<Vec<_>>(), euler);
     // sin θ R″ + cos θ R′ − ¼ sin θ R = 0.
@@ -261,7 +259,7 @@ fn theta(sign: i64, scale: usize, length: usize) -> Series {
 #[test]
 fn the_pendulum_in_its_nome_has_theta_functions() {
     let order = 41;
-    let expansion = expand(&pendulum(), order, &Gauge::Nome).unwrap();
+    let expansion = expand(&pendulum(), order, &Gauge::Nome, &Quiet).unwrap();
     let square = |a: Series| product(&a, &a);
     let (theta3, theta4) = (square(theta(1, 1, order)), square(theta(-1, 1, order)));
     assert_eq!(expansion.frequency_ratio, reciprocal(&theta3));
@@ -285,7 +283,7 @@ fn the_pendulum_in_its_nome_has_theta_functions() {
 #[test]
 fn certificates_say_what_was_checked() {
     let certificate = |equation: &str, order| {
-        expand(&oscillator(equation), order, &Gauge::Fundamental).unwrap().certificate
+        expand(&oscillator(equation), order, &Gauge::Fundamental, &Quiet).unwrap().certificate
     };
     assert_eq!(certificate("x'' + sin(x) = 0", 9), Certificate::PlainRationals);
     assert_eq!(certificate("x'' + sin(x) = 0", 31), Certificate::Potential);
@@ -298,7 +296,7 @@ fn certificates_say_what_was_checked() {
 /// Van der Pol's cycle with another frequency, stiffness and amplitude is the same in other units.
 #[test]
 fn a_limit_cycle_keeps_its_series_in_other_units() {
-    let series = |equation: &str| expand(&oscillator(equation), 6, &Gauge::Fundamental).unwrap();
+    let series = |equation: &str| expand(&oscillator(equation), 6, &Gauge::Fundamental, &Quiet).unwrap();
     let plain = series("x'' - mu*(1-x^2)*x' + x = 0");
     // x = 3y.
     let tripled = series("x'' - mu*(1-x^2/9)*x' + x = 0");
@@ -321,10 +319,11 @@ fn a_limit_cycle_keeps_its_series_in_other_units() {
 fn coefficients_in_digits_agree_with_exact_ones() {
     // About asin(3/5) the coefficients are fractions although sin and cos are not evaluated at zero; the equilibrium
     // is irrational, so that the engine uses floats.
-    let in_digits = expand(&oscillator("x'' = -sin(x) + 3/5"), 5, &Gauge::Fundamental).unwrap();
+    let in_digits = expand(&oscillator("x'' = -sin(x) + 3/5"), 5, &Gauge::Fundamental, &Quiet).unwrap();
     assert!(matches!(in_digits.precision, Precision::Digits(_)));
     // x = xₑ + u: u″ = −(4/5)·sin u − (3/5)·(cos u − 1).
-    let exact = expand(&oscillator("u'' = -4/5*sin(u) - 3/5*(cos(u) - 1)"), 5, &Gauge::Fundamental).unwrap();
+    let exact =
+        expand(&oscillator("u'' = -4/5*sin(u) - 3/5*(cos(u) - 1)"), 5, &Gauge::Fundamental, &Quiet).unwrap();
     assert_eq!(exact.precision, Precision::Exact);
     let pairs = in_digits.frequency_ratio.iter().zip(&exact.frequency_ratio);
     let harmonics = in_digits.harmonics.iter().zip(&exact.harmonics);
@@ -335,14 +334,15 @@ fn coefficients_in_digits_agree_with_exact_ones() {
 
 #[test]
 fn questions_without_an_answer_are_refused() {
-    let ask =
-        |equation: &str, gauge: Gauge| expand(&oscillator(equation), 5, &gauge).unwrap_err().to_string();
+    let ask = |equation: &str, gauge: Gauge| {
+        expand(&oscillator(equation), 5, &gauge, &Quiet).unwrap_err().to_string()
+    };
     assert!(ask("x'' = -x*(1-x'^2)^(3/2)", Gauge::Energy).contains("velocity"));
     assert!(ask("x'' = -x - x^3", Gauge::Nome).contains("pendulum"));
     assert!(ask("x'' = -x + mu*(1-x^2)*x'", Gauge::XMax).contains("limit cycle"));
     assert!(ask("x'' = -x - mu*(1-x^2)*x'", Gauge::Fundamental).contains("unstable"));
     assert!(ask("x'' = -x + mu*x'*cos(x)", Gauge::Fundamental).contains("polynomial"));
-    assert!(expand(&pendulum(), 0, &Gauge::Fundamental).is_err());
+    assert!(expand(&pendulum(), 0, &Gauge::Fundamental, &Quiet).is_err());
 }
 
 /// The largest displacement of Van der Pol's oscillator is 2 + μ²/96 − …, not that at Ωt = 0. At μ = 0.1 numerical
@@ -350,7 +350,8 @@ fn questions_without_an_answer_are_refused() {
 /// differ, 2.000141936865 and −2.007250105633.
 #[test]
 fn a_limit_cycle_turns_where_its_velocity_vanishes() {
-    let cycle = |equation: &str, order| expand(&oscillator(equation), order, &Gauge::Fundamental).unwrap();
+    let cycle =
+        |equation: &str, order| expand(&oscillator(equation), order, &Gauge::Fundamental, &Quiet).unwrap();
     let van_der_pol = cycle("x'' = -x + mu*(1-x^2)*x'", 4);
     assert_eq!(van_der_pol.x_max[..4], ["2", "0", "1/96", "0"].map(|text| text.parse().unwrap()));
     assert!(van_der_pol.x_max.iter().zip(&van_der_pol.x_min).all(|(max, min)| *max == -min.clone()));
@@ -365,13 +366,14 @@ fn a_limit_cycle_turns_where_its_velocity_vanishes() {
 #[test]
 fn the_smallest_attracting_limit_cycle_is_taken_rational_or_not() {
     let equation = "x'' = -x + mu*(18 - 152*x^2 + 104*x^4 - 64/5*x^6)*x'";
-    let expansion = expand(&oscillator(equation), 1, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&oscillator(equation), 1, &Gauge::Fundamental, &Quiet).unwrap();
     assert_eq!(expansion.precision, Precision::Digits(40));
-    let beside = expand(&oscillator("x'' = -(x - 1/2) + mu*(1-x^2)*x'"), 1, &Gauge::Fundamental).unwrap();
+    let beside =
+        expand(&oscillator("x'' = -(x - 1/2) + mu*(1-x^2)*x'"), 1, &Gauge::Fundamental, &Quiet).unwrap();
     assert_eq!((beside.precision, beside.equilibrium), (Precision::Digits(40), rational(1, 2)));
     let square = expansion.x_max[0].to_f64() * expansion.x_max[0].to_f64();
     assert!((square - 0.585_786_437_626_905).abs() < 1e-14, "{square}");
-    let repelling = expand(&oscillator("x'' = -x + mu*(x^2-sqrt(2))*x'"), 2, &Gauge::Fundamental);
+    let repelling = expand(&oscillator("x'' = -x + mu*(x^2-sqrt(2))*x'"), 2, &Gauge::Fundamental, &Quiet);
     assert!(repelling.unwrap_err().to_string().contains("no stable limit cycle"));
 }
 
@@ -379,8 +381,8 @@ fn the_smallest_attracting_limit_cycle_is_taken_rational_or_not() {
 #[test]
 fn digits_hold_for_small_coefficients_too() {
     let order = 61;
-    let exact = expand(&pendulum(), order, &Gauge::Fundamental).unwrap();
-    let digits = expand(&oscillator("x'' = -sqrt(2)*sin(x)"), order, &Gauge::Fundamental).unwrap();
+    let exact = expand(&pendulum(), order, &Gauge::Fundamental, &Quiet).unwrap();
+    let digits = expand(&oscillator("x'' = -sqrt(2)*sin(x)"), order, &Gauge::Fundamental, &Quiet).unwrap();
     assert_eq!(digits.precision, Precision::Digits(40));
     for (exact, digits) in exact.harmonics.iter().zip(&digits.harmonics) {
         assert_eq!(exact.k, digits.k);
@@ -396,10 +398,10 @@ fn certain_at(
     oscillator: &Oscillator,
     order: usize,
     gauge: &Gauge,
-    end: impl Fn(Progress) -> bool,
+    end: impl Fn(Status) -> bool,
 ) -> Option<Expansion> {
     let ask = |progress| if end(progress) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    match expand_watched(oscillator, order, gauge, &Watch::new(&ask)) {
+    match expand(oscillator, order, gauge, &ask) {
         Err(ExpansionError::Interrupted { known }) => known.map(|known| *known),
         other => panic!("not interrupted: {other:?}"),
     }
@@ -418,11 +420,11 @@ fn an_interrupted_expansion_gives_the_orders_that_are_certain() {
         let oscillator = oscillator(equation);
         let mut before = 0;
         for primes in [4, 7] {
-            let at = |progress: Progress| {
+            let at = |progress: Status| {
                 matches!(progress.stage, Stage::Prime { done } if done >= primes) && progress.done > order / 2
             };
             let known = certain_at(&oscillator, order, &gauge, at).unwrap();
-            let direct = expand(&oscillator, known.order, &gauge).unwrap();
+            let direct = expand(&oscillator, known.order, &gauge, &Quiet).unwrap();
             assert_eq!(known.certificate, Certificate::FreshPrimes);
             assert_eq!(Expansion { certificate: direct.certificate, ..known.clone() }, direct, "{equation}");
             assert!(
@@ -440,7 +442,7 @@ fn an_interrupted_expansion_gives_the_orders_that_are_certain() {
 fn an_interrupted_check_leaves_the_answer_unchecked() {
     for order in [9, 31] {
         let pendulum = oscillator("x'' = -sin(x)");
-        let checked = expand(&pendulum, order, &Gauge::Fundamental).unwrap();
+        let checked = expand(&pendulum, order, &Gauge::Fundamental, &Quiet).unwrap();
         let known = certain_at(&pendulum, order, &Gauge::Fundamental, |it| it.stage == Stage::Check).unwrap();
         assert!(checked.certificate.is_proof() && known.certificate == Certificate::FreshPrimes);
         assert_eq!(Expansion { certificate: checked.certificate, ..known }, checked);
@@ -452,23 +454,23 @@ fn digits_are_certain_to_the_order_that_two_precisions_have() {
     for (equation, order) in [("x'' = -x - sqrt(2)*x^2", 12), ("x'' = mu*(1 - sqrt(2)*x^2)*x' - x", 7)] {
         let oscillator = oscillator(equation);
         let precisions = RefCell::new(vec![]);
-        let ask = |Progress { stage, .. }| {
+        let ask = |Status { stage, .. }| {
             if !precisions.borrow().contains(&stage) {
                 precisions.borrow_mut().push(stage);
             }
             ControlFlow::Continue(())
         };
-        expand_watched(&oscillator, order, &Gauge::Fundamental, &Watch::new(&ask)).unwrap();
+        expand(&oscillator, order, &Gauge::Fundamental, &ask).unwrap();
         let precisions = precisions.into_inner();
         assert_eq!(precisions.len(), 2, "{precisions:?}");
         let during = |stage: Stage| {
-            let at = |progress: Progress| progress.stage == stage && progress.done == order - 2;
+            let at = |progress: Status| progress.stage == stage && progress.done == order - 2;
             certain_at(&oscillator, order, &Gauge::Fundamental, at)
         };
         assert_eq!(during(precisions[0]), None);
         let known = during(precisions[1]).unwrap();
         assert_eq!(known.order, order - 3, "{equation}");
-        let direct = expand(&oscillator, known.order, &Gauge::Fundamental).unwrap();
+        let direct = expand(&oscillator, known.order, &Gauge::Fundamental, &Quiet).unwrap();
         assert_eq!(known.frequency_ratio, direct.frequency_ratio, "{equation}");
         assert_eq!(known.harmonics, direct.harmonics, "{equation}");
     }
@@ -477,7 +479,8 @@ fn digits_are_certain_to_the_order_that_two_precisions_have() {
 #[test]
 fn a_series_is_in_the_strength_for_limit_cycles_only() {
     let named = |key: &str| NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap();
-    let in_strength = |key: &str| expand(&named(key), 3, &Gauge::Fundamental).unwrap().variable.is_strength();
+    let in_strength =
+        |key: &str| expand(&named(key), 3, &Gauge::Fundamental, &Quiet).unwrap().variable.is_strength();
     assert!(in_strength("van_der_pol") && in_strength("rayleigh"));
     assert!(!in_strength("pendulum") && !in_strength("quadratic"));
 }
@@ -492,7 +495,8 @@ fn forces_with_the_sign_of_the_velocity_are_not_expanded() {
         ["x'' + x + 0.1*x*sign(x') = 0", "x'' + x + 0.1*x*sign(x')^2 = 0", "x'' + x + 0.1*sign(x') = 0"]
     {
         let oscillator = Oscillator::new(&text.parse().unwrap());
-        let refused = oscillator.is_err() || expand(&oscillator.unwrap(), 4, &Gauge::Fundamental).is_err();
+        let refused =
+            oscillator.is_err() || expand(&oscillator.unwrap(), 4, &Gauge::Fundamental, &Quiet).is_err();
         assert!(refused, "{text}");
     }
     for text in [
@@ -504,7 +508,9 @@ fn forces_with_the_sign_of_the_velocity_are_not_expanded() {
         "x'' + w^2*x + c*x*abs(x') = 0",
     ] {
         let refused = match NumbersOrLetters::new(&text.parse().unwrap(), None) {
-            Ok(NumbersOrLetters::Letters(it)) => expand_symbolically(&it, 4, &Gauge::Fundamental).is_err(),
+            Ok(NumbersOrLetters::Letters(it)) => {
+                expand_symbolically(&it, 4, &Gauge::Fundamental, &Quiet).is_err()
+            }
             found => found.is_err(),
         };
         assert!(refused, "{text}");

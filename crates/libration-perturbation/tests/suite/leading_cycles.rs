@@ -2,11 +2,11 @@
 
 use libration::comparison::{LeadingLimitCycle, LeadingLimitCycles, NoLeadingLimitCycles};
 use libration::orbit::Orbit;
-use libration::watch::Watch;
+use libration::progress::{Quiet, Status};
 use std::f64::consts::PI;
 
 fn found(text: &str) -> LeadingLimitCycles {
-    LeadingLimitCycles::new(&text.parse().unwrap(), Some("e")).unwrap()
+    LeadingLimitCycles::new(&text.parse().unwrap(), Some("e"), &Quiet).unwrap()
 }
 
 /// Amplitude, period and exponent over ε of the limit cycle of the whole equation, each at ε = 0 by those at two values: of an equation in
@@ -16,7 +16,7 @@ fn by_integration(text: &str, sign: f64, start: f64) -> [f64; 3] {
         let equation = text.parse::<libration::expression::Equation>().unwrap();
         let value = format!("{}", sign * strength).parse().unwrap();
         let equation = equation.with(&[("e", value)]).unwrap();
-        let orbit = Orbit::limit_cycle(&equation, &[start, 0.0]).unwrap();
+        let orbit = Orbit::limit_cycle(&equation, &[start, 0.0], &Quiet).unwrap();
         // One multiplier is 1, the other that of a distance from the cycle.
         let multipliers = &orbit.floquet().unwrap().multipliers;
         let distance = multipliers.iter().map(|it| it.re).fold(f64::INFINITY, f64::min);
@@ -114,12 +114,11 @@ fn a_force_that_only_takes_has_none_and_says_so() {
 
 #[test]
 fn what_has_no_orbits_is_refused() {
-    let refused = |text: &str| LeadingLimitCycles::new(&text.parse().unwrap(), None).unwrap_err();
+    let refused = |text: &str| LeadingLimitCycles::new(&text.parse().unwrap(), None, &Quiet).unwrap_err();
     assert!(matches!(refused("x'' + x*x' + x = e*x'"), NoLeadingLimitCycles::VelocityDependent { .. }));
     assert!(matches!(refused("x'' - x = e*x'"), NoLeadingLimitCycles::SlowFlow(_)));
     assert!(matches!(refused("x'' + x = x'"), NoLeadingLimitCycles::SlowFlow(_)));
     let equation = "x'' + x = e*(1 - x^2)*x'".parse().unwrap();
-    let stopped =
-        LeadingLimitCycles::new_watched(&equation, None, &Watch::new(&|_| std::ops::ControlFlow::Break(())));
+    let stopped = LeadingLimitCycles::new(&equation, None, &|_: Status| std::ops::ControlFlow::Break(()));
     assert_eq!(stopped, Err(NoLeadingLimitCycles::Interrupted));
 }

@@ -6,6 +6,7 @@ use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::{Kind, Oscillator};
 use libration::perturbation::{Certificate, Expansion, Gauge, PhaseOrigin, Precision, expand};
+use libration::progress::Quiet;
 use libration::quadrature::double_exponential;
 use std::f64::consts::PI;
 
@@ -17,7 +18,7 @@ fn oscillator(text: &str) -> Oscillator {
 }
 
 fn expansion(text: &str, order: usize) -> Expansion {
-    expand(&oscillator(text), order, &Gauge::Fundamental).unwrap()
+    expand(&oscillator(text), order, &Gauge::Fundamental, &Quiet).unwrap()
 }
 
 fn value(series: &[Rational], at: f64) -> f64 {
@@ -101,13 +102,13 @@ fn frequency_and_harmonics_are_those_of_orbits() {
     ];
     for (text, amplitude) in cases {
         let oscillator = oscillator(text);
-        let expansion = expand(&oscillator, 31, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&oscillator, 31, &Gauge::Fundamental, &Quiet).unwrap();
         for quantity in [SeriesQuantity::Period, SeriesQuantity::Frequency]
             .into_iter()
             .chain((1..6).map(SeriesQuantity::Cosine))
         {
             let relation = SeriesComparison::new(&oscillator, &expansion, quantity);
-            let exact = relation.exact_at(amplitude).unwrap();
+            let exact = relation.exact_at(amplitude, &Quiet).unwrap();
             let error = (relation.evaluation_at(amplitude).value() - exact.value).abs();
             assert!(error < exact.uncertainty + 1e-13, "{text} {quantity}: {error:e}");
             assert!(exact.uncertainty < 2e-12, "{text} {quantity}: {:e}", exact.uncertainty);
@@ -130,9 +131,9 @@ fn an_irrational_frequency_has_harmonics_in_digits() {
 fn the_turning_points_are_opposite_in_every_gauge() {
     let oscillator = oscillator(LINEAR_DRAG);
     assert_eq!(*oscillator.kind(), Kind::Mirrored);
-    let natural = expand(&oscillator, 7, &Gauge::Fundamental).unwrap();
-    let x_max = expand(&oscillator, 7, &Gauge::XMax).unwrap();
-    let listed = expand(&oscillator, 7, &"A1=2,A2=1/3".parse().unwrap()).unwrap();
+    let natural = expand(&oscillator, 7, &Gauge::Fundamental, &Quiet).unwrap();
+    let x_max = expand(&oscillator, 7, &Gauge::XMax, &Quiet).unwrap();
+    let listed = expand(&oscillator, 7, &"A1=2,A2=1/3".parse().unwrap(), &Quiet).unwrap();
     for found in [&natural, &x_max, &listed] {
         let opposite: Vec<Rational> = found.x_min.iter().map(|c| -c.clone()).collect();
         assert_eq!(found.x_max, opposite);
@@ -144,9 +145,9 @@ fn the_turning_points_are_opposite_in_every_gauge() {
     }
     assert_eq!(x_max.x_max[1..], [1, 0, 0, 0, 0, 0, 0].map(Rational::from));
     assert_eq!(x_max.frequency_ratio, natural.of_amplitude.unwrap().frequency_ratio);
-    let half_swing = expand(&oscillator, 7, &Gauge::HalfSwing).unwrap();
+    let half_swing = expand(&oscillator, 7, &Gauge::HalfSwing, &Quiet).unwrap();
     assert_eq!(half_swing.harmonics, x_max.harmonics);
-    assert!(expand(&oscillator, 7, &Gauge::Energy).is_err());
+    assert!(expand(&oscillator, 7, &Gauge::Energy, &Quiet).is_err());
 }
 
 /// Next to the symmetry there is none: a motion that is not mirrored decays or grows.

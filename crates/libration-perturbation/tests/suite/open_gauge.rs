@@ -3,6 +3,7 @@
 use libration::algebra::{Rational, Variable};
 use libration::oscillator::Oscillator;
 use libration::perturbation::{EpsilonPowers, Expansion, Gauge, OpenGauge, expand, restoring_force};
+use libration::progress::Quiet;
 
 const ORDER: u32 = 8;
 
@@ -28,10 +29,10 @@ fn both_roads_agree_for_any_oscillator() {
     ] {
         let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
         let force = restoring_force(&oscillator, ORDER as usize).unwrap();
-        let open = OpenGauge::new(&force, ORDER, EpsilonPowers::All)
+        let open = OpenGauge::new(&force, ORDER, EpsilonPowers::All, &Quiet)
             .unwrap()
             .in_gauge(|n| gauge()[n as usize - 1].clone());
-        let expansion = expand(&oscillator, ORDER as usize, &Gauge::Coefficients(gauge())).unwrap();
+        let expansion = expand(&oscillator, ORDER as usize, &Gauge::Coefficients(gauge()), &Quiet).unwrap();
         for (variable, value) in &open {
             let order = variable.index().unwrap();
             let expected = if variable.letters() == "d" {

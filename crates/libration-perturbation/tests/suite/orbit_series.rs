@@ -4,6 +4,7 @@ use libration::expression::Equation;
 use libration::orbit::Orbit;
 use libration::oscillator::{Kind, NamedOscillator, catalogue};
 use libration::perturbation::{Gauge, SeriesEvaluation, expand};
+use libration::progress::Quiet;
 
 fn assert_within(value: f64, expected: f64, tolerance: f64, what: &str) {
     let error = (value - expected).abs();
@@ -19,13 +20,13 @@ fn the_catalogue_agrees_with_perturbation_theory() {
         if matches!(oscillator.kind(), Kind::LimitCycle { .. }) {
             continue;
         }
-        let expansion = expand(&oscillator, 16, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&oscillator, 16, &Gauge::Fundamental, &Quiet).unwrap();
         let series = &expansion.of_amplitude.as_ref().unwrap().frequency_ratio;
         let amplitude = 0.02;
         let ratio = SeriesEvaluation::new(series, amplitude).value();
         let omega0 = oscillator.omega0_squared().to_f64().sqrt();
         let place = oscillator.equilibrium().to_f64() + amplitude;
-        let orbit = Orbit::released(oscillator.equation(), place).unwrap();
+        let orbit = Orbit::released(oscillator.equation(), place, &Quiet).unwrap();
         let allowed = orbit.period_uncertainty() / orbit.period() + 1e-14;
         assert_within(orbit.frequency() / omega0, ratio, allowed * ratio, named.key);
         compared += 1;
@@ -36,10 +37,10 @@ fn the_catalogue_agrees_with_perturbation_theory() {
 #[test]
 fn van_der_pols_cycle_agrees_with_its_series() {
     let oscillator = NamedOscillator::by_key("van_der_pol").unwrap().oscillator(&[]).unwrap();
-    let series = expand(&oscillator, 24, &Gauge::Fundamental).unwrap().frequency_ratio;
+    let series = expand(&oscillator, 24, &Gauge::Fundamental, &Quiet).unwrap().frequency_ratio;
     for strength in ["0.01", "0.1", "0.2"] {
         let strength_value: f64 = strength.parse().unwrap();
-        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0]).unwrap();
+        let orbit = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
         let ratio = SeriesEvaluation::new(&series, strength_value).value();
         assert_within(orbit.frequency(), ratio, 3e-14, strength);
     }

@@ -3,6 +3,7 @@
 use libration::comparison::{ExactMotion, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Certainty, Gauge, PeriodMajorant, expand};
+use libration::progress::Quiet;
 use libration::quantity::Displacement;
 
 fn oscillator(equation: &str) -> Oscillator {
@@ -11,10 +12,10 @@ fn oscillator(equation: &str) -> Oscillator {
 
 /// Parts of the limit, and the motion at each, which no order of a series changes.
 fn motions<const N: usize>(oscillator: &Oscillator, limit: f64, shares: [f64; N]) -> [(f64, ExactMotion); N] {
-    let expansion = expand(oscillator, 3, &Gauge::Fundamental).unwrap();
+    let expansion = expand(oscillator, 3, &Gauge::Fundamental, &Quiet).unwrap();
     shares.map(|share| {
         let amplitude = Displacement::from_f64(share * limit).unwrap();
-        (share, ExactMotion::new(oscillator, &expansion, &amplitude).unwrap())
+        (share, ExactMotion::new(oscillator, &expansion, &amplitude, &Quiet).unwrap())
     })
 }
 
@@ -35,7 +36,7 @@ fn the_error_is_below_the_bound_up_to_the_limit() {
         let oscillator = oscillator(equation);
         let motions = motions(&oscillator, limit, [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999]);
         for order in [5, 15, 41] {
-            let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental, &Quiet).unwrap();
             let period = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
             for (share, motion) in &motions {
                 let amplitude = share * limit;
@@ -97,7 +98,7 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
         let oscillator = oscillator(equation);
         let motions = motions(&oscillator, limit, [1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999]);
         for order in [6, 15, 31] {
-            let expansion = expand(&oscillator, order, &Gauge::Fundamental).unwrap();
+            let expansion = expand(&oscillator, order, &Gauge::Fundamental, &Quiet).unwrap();
             for (quantity, shares) in
                 [(SeriesQuantity::Period, &motions[..]), (SeriesQuantity::Frequency, &motions[..5])]
             {
@@ -141,10 +142,11 @@ fn the_error_is_below_the_bound_for_any_polynomial_force() {
 #[test]
 fn the_bound_of_an_asymmetric_well_is_near_what_is_missing() {
     let oscillator = oscillator("x'' = -x + x^2");
-    let expansion = expand(&oscillator, 8, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&oscillator, 8, &Gauge::Fundamental, &Quiet).unwrap();
     let period = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
     for amplitude in [0.05, 0.2, 0.4] {
-        let missing = period.exact_at(amplitude).unwrap().value - period.evaluation_at(amplitude).value();
+        let missing =
+            period.exact_at(amplitude, &Quiet).unwrap().value - period.evaluation_at(amplitude).value();
         let bound = period.evaluation_at(amplitude).steps().last().unwrap().remainder.size;
         assert!(missing > 0.0 && bound < 7.0 * missing, "{amplitude}: {missing:e} {bound:e}");
     }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use libration::comparison::{ExactMotion, ExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::{NamedOscillator, Oscillator};
 use libration::perturbation::{Certainty, Expansion, Gauge, SeriesEvaluation, expand};
+use libration::progress::Quiet;
 use libration::quantity::Displacement;
 use libration_testing::sweep;
 
@@ -17,13 +18,13 @@ fn oscillator(equation: &str) -> Oscillator {
 }
 
 fn motion(oscillator: &Oscillator, expansion: &Expansion, amplitude: f64) -> ExactMotion {
-    ExactMotion::new(oscillator, expansion, &Displacement::from_f64(amplitude).unwrap()).unwrap()
+    ExactMotion::new(oscillator, expansion, &Displacement::from_f64(amplitude).unwrap(), &Quiet).unwrap()
 }
 
 #[test]
 fn harmonics_of_the_pendulum_have_coefficients_of_one_sign() {
     let pendulum = pendulum();
-    let expansion = expand(&pendulum, 81, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&pendulum, 81, &Gauge::Fundamental, &Quiet).unwrap();
     for k in [1, 3, 5, 7, 9, 21, 41] {
         let harmonic = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Cosine(k));
         let present: Vec<f64> = harmonic.series().iter().map(|c| c.to_f64()).filter(|c| *c != 0.0).collect();
@@ -42,11 +43,11 @@ fn harmonics_of_the_pendulum_have_coefficients_of_one_sign() {
 fn errors_of_the_pendulum_are_below_their_bounds() {
     let pendulum = pendulum();
     let hidden = oscillator("x'' = -2*sin(x/2)*cos(x/2)");
-    let other = expand(&hidden, 5, &Gauge::Fundamental).unwrap();
+    let other = expand(&hidden, 5, &Gauge::Fundamental, &Quiet).unwrap();
     let motions =
         [1e-3, 0.3, 1.0, 2.0, 3.0, 3.1].map(|amplitude| (amplitude, motion(&hidden, &other, amplitude)));
     for order in [5, 13, 31] {
-        let expansion = expand(&pendulum, order, &Gauge::Fundamental).unwrap();
+        let expansion = expand(&pendulum, order, &Gauge::Fundamental, &Quiet).unwrap();
         for quantity in [1, 3, 5].map(SeriesQuantity::Cosine).into_iter().chain([SeriesQuantity::Frequency]) {
             let series = SeriesComparison::new(&pendulum, &expansion, quantity);
             for (amplitude, motion) in &motions {
@@ -72,7 +73,7 @@ fn errors_of_the_pendulum_are_below_their_bounds() {
 #[test]
 fn bounds_of_harmonics_end_at_the_top() {
     let pendulum = pendulum();
-    let expansion = expand(&pendulum, 9, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&pendulum, 9, &Gauge::Fundamental, &Quiet).unwrap();
     let bound = |k: usize, amplitude: f64| {
         let harmonic = SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Cosine(k));
         harmonic.evaluation_at(amplitude).steps().last().unwrap().remainder
@@ -121,7 +122,7 @@ fn estimates_hold_in_99_of_100_checks_of_a_sweep() {
     let mut tally = Tally::default();
     for equation in sweep::part(ESTIMATED, 4) {
         let oscillator = oscillator(equation);
-        let whole = expand(&oscillator, 41, &Gauge::Fundamental).unwrap();
+        let whole = expand(&oscillator, 41, &Gauge::Fundamental, &Quiet).unwrap();
         let period = SeriesComparison::new(&oscillator, &whole, SeriesQuantity::Period);
         let Some(Radius::Estimated(convergence)) = period.radius() else { panic!("{equation}") };
         for share in sweep::part([0.1, 0.3, 0.5, 0.7, 0.9], 2) {

@@ -5,6 +5,7 @@ use libration::elliptic::Modulus;
 use libration::expression::Equation;
 use libration::orbit::Orbit;
 use libration::oscillator::PurePower;
+use libration::progress::Quiet;
 use std::f64::consts::{PI, SQRT_2};
 
 fn force(text: &str) -> Option<PurePower> {
@@ -58,7 +59,7 @@ fn the_law_and_its_harmonics_are_those_of_orbits() {
     ] {
         let law = law(text);
         for &amplitude in amplitudes {
-            let orbit = Orbit::released(&text.parse().unwrap(), amplitude).unwrap();
+            let orbit = Orbit::released(&text.parse().unwrap(), amplitude, &Quiet).unwrap();
             let frequency = law.frequency_at(amplitude).unwrap();
             let relative = law.frequency_factor_uncertainty() / law.frequency_factor()
                 + orbit.period_uncertainty() / orbit.period()

@@ -10,6 +10,7 @@ use libration::period_formulas::{frequency_in_amplitude, period_in_amplitude};
 use libration::perturbation::{
     Certainty, Convergence, Gauge, Pade, SeriesEvaluation, Singularity, expand, pendulum_period_remainder,
 };
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration_testing::golden::Table;
 
@@ -385,7 +386,7 @@ fn the_smallest_term_is_where_a_diverging_series_helps_no_more() {
 #[test]
 fn an_approximant_has_its_first_pole_in_the_amplitude() {
     let pendulum = NamedOscillator::by_key("pendulum").unwrap().oscillator(&[]).unwrap();
-    let expansion = expand(&pendulum, 7, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&pendulum, 7, &Gauge::Fundamental, &Quiet).unwrap();
     let approximant =
         SeriesComparison::new(&pendulum, &expansion, SeriesQuantity::Period).approximant(1).unwrap();
     // 1 + z/16 + 11z²/3072 + …: [1/1] has its pole at z = A² = (1/16)/(11/3072) = 192/11.

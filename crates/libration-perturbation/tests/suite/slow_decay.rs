@@ -3,6 +3,7 @@
 use libration::comparison::{NoSlowDecay, SlowDecay};
 use libration::decay::{Damping, Decay, PowerLawTerm, TurningPoint};
 use libration::pendulum::Pendulum;
+use libration::progress::Quiet;
 use std::f64::consts::PI;
 
 fn decay(omega0: f64, start: f64, terms: &[(f64, f64)]) -> Decay {
@@ -16,7 +17,7 @@ fn decay(omega0: f64, start: f64, terms: &[(f64, f64)]) -> Decay {
 fn errors(decay: &Decay, order: usize, damping_order: usize) -> [f64; 3] {
     let turns: Vec<TurningPoint> = decay.swings().take(21).collect::<Result<_, _>>().unwrap();
     let times: Vec<f64> = turns.iter().map(|turn| turn.time).collect();
-    let slow = SlowDecay::new(decay, order, damping_order).unwrap();
+    let slow = SlowDecay::new(decay, order, damping_order, &Quiet).unwrap();
     let mut largest = [0.0_f64; 3];
     for ((number, turn), at) in (0_u32..).zip(&turns).zip(slow.at_times(&times)) {
         largest[0] = largest[0].max((at.amplitude / turn.amplitude.radians() - 1.0).abs());
@@ -57,7 +58,7 @@ fn errors_fall_with_the_orders() {
 #[test]
 fn the_frequency_is_a_unit_of_time() {
     let [slow, fast] = [(1.0, 0.1), (5.0, 0.1)].map(|(omega0, c)| {
-        let slow = SlowDecay::new(&decay(omega0, 0.5, &[(2.0, c)]), 5, 2).unwrap();
+        let slow = SlowDecay::new(&decay(omega0, 0.5, &[(2.0, c)]), 5, 2, &Quiet).unwrap();
         slow.turning_points(9)[8]
     });
     assert!(
@@ -67,9 +68,9 @@ fn the_frequency_is_a_unit_of_time() {
 
 #[test]
 fn powers_that_are_not_whole_have_no_series_and_dry_friction_ends_it() {
-    let refused = SlowDecay::new(&decay(1.0, 0.5, &[(1.5, 0.1)]), 3, 1).unwrap_err();
+    let refused = SlowDecay::new(&decay(1.0, 0.5, &[(1.5, 0.1)]), 3, 1, &Quiet).unwrap_err();
     assert_eq!(refused, NoSlowDecay::Exponent(1.5));
-    let stopped = SlowDecay::new(&decay(1.0, 0.1, &[(0.0, 0.02)]), 3, 2).unwrap();
+    let stopped = SlowDecay::new(&decay(1.0, 0.1, &[(0.0, 0.02)]), 3, 2, &Quiet).unwrap();
     let points = stopped.turning_points(100);
     assert!((2..6).contains(&points.len()), "{points:?}");
     assert!(stopped.at_times(&[0.0, 1000.0])[1].amplitude.is_nan());

@@ -8,6 +8,7 @@ use libration::perturbation::{
     Expansion, Gauge, MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlow, SlowFlowError, SlowSeries, expand,
     slow_flow,
 };
+use libration::progress::Quiet;
 use libration::taylor::{Effort, System, integrate};
 use libration_testing::golden::Table;
 use std::f64::consts::{PI, TAU};
@@ -17,7 +18,7 @@ fn equation(text: &str) -> Equation {
 }
 
 fn flow(text: &str, order: usize, parameter_order: usize) -> SlowFlow {
-    slow_flow(&equation(text), None, order, parameter_order, &Gauge::XMax).unwrap()
+    slow_flow(&equation(text), None, order, parameter_order, &Gauge::XMax, &Quiet).unwrap()
 }
 
 fn texts(list: &[PiSum]) -> Vec<String> {
@@ -29,7 +30,7 @@ fn linear_damping_of_a_linear_spring_is_exact() {
     // √(1 − c²/4).
     let ratios = ["1", "0", "-1/8", "0", "-1/128", "0", "-1/1024"];
     for gauge in [Gauge::XMax, Gauge::Fundamental] {
-        let flow = slow_flow(&equation("x'' + c*x' + x = 0"), None, 3, 6, &gauge).unwrap();
+        let flow = slow_flow(&equation("x'' + c*x' + x = 0"), None, 3, 6, &gauge, &Quiet).unwrap();
         for (j, ratio) in ratios.iter().enumerate() {
             let rate = if j == 1 { "-1/2" } else { "0" };
             assert_eq!(texts(&flow.amplitude_rate[j]), ["0", rate, "0", "0"], "{gauge} c^{j}");
@@ -150,12 +151,12 @@ fn limit_cycles_are_where_the_amplitude_stays() {
     for key in ["van_der_pol", "rayleigh"] {
         let named = NamedOscillator::by_key(key).unwrap();
         let (equation, oscillator) = (named.equation_with(&[]).unwrap(), named.oscillator(&[]).unwrap());
-        let expansion: Expansion = expand(&oscillator, POWER, &Gauge::Fundamental).unwrap();
+        let expansion: Expansion = expand(&oscillator, POWER, &Gauge::Fundamental, &Quiet).unwrap();
         // A cubic excitation makes A′ a polynomial of degree 2j + 1 at μʲ.
         for (gauge, amplitude) in
             [(Gauge::XMax, &expansion.x_max), (Gauge::Fundamental, &expansion.harmonic(1).unwrap().cos)]
         {
-            let flow = slow_flow(&equation, None, 2 * POWER + 2, POWER, &gauge).unwrap();
+            let flow = slow_flow(&equation, None, 2 * POWER + 2, POWER, &gauge, &Quiet).unwrap();
             let frequency = along(&flow.phase_rate, amplitude);
             assert_eq!(frequency, expansion.frequency_ratio, "{key} {gauge}");
             assert!(along(&flow.amplitude_rate, amplitude).iter().all(Rational::is_zero), "{key} {gauge}");
@@ -181,7 +182,7 @@ fn limit_cycles_are_those_of_integration() {
         let errors = [0.08, 0.04].map(|strength| {
             let value: Expression = strength.to_string().parse().unwrap();
             let whole = equation(text).with(&[("k", value)]).unwrap();
-            let orbit = Orbit::limit_cycle(&whole, &[cycle.amplitude_at(strength), 0.0]).unwrap();
+            let orbit = Orbit::limit_cycle(&whole, &[cycle.amplitude_at(strength), 0.0], &Quiet).unwrap();
             let floquet = orbit.floquet().unwrap();
             let multiplier = floquet.multipliers.iter().map(|it| it.abs()).fold(1.0, f64::min);
             [
@@ -211,7 +212,7 @@ fn what_conserves_energy_has_no_slow_change() {
         let flow = flow(text, 6, 2);
         assert!(flow.amplitude_rate.iter().flatten().all(PiSum::is_zero), "{text}");
         let oscillator = Oscillator::new(&equation(undamped)).unwrap();
-        let of_amplitude = expand(&oscillator, 6, &Gauge::XMax).unwrap().frequency_ratio;
+        let of_amplitude = expand(&oscillator, 6, &Gauge::XMax, &Quiet).unwrap().frequency_ratio;
         let found: Vec<Rational> =
             flow.phase_rate[0].iter().map(|value| value.to_rational().unwrap()).collect();
         assert_eq!(found, of_amplitude);
@@ -241,8 +242,13 @@ fn turning_point(text: &str, c: f64, start: f64, near: f64) -> (f64, f64) {
     let system = System::new(&equation).unwrap();
     let moment = system.start(&[(equation.variables()[0].as_str(), start)]).unwrap();
     let state_at = |time: f64| {
-        let solution =
-            integrate(&system, &moment, &[time - 1e-4, time, time + 1e-4], &Effort::to_tolerance(1e-15));
+        let solution = integrate(
+            &system,
+            &moment,
+            &[time - 1e-4, time, time + 1e-4],
+            &Effort::to_tolerance(1e-15),
+            &Quiet,
+        );
         solution.unwrap().samples.into_iter().map(|sample| sample.state).collect::<Vec<_>>()
     };
     let mut time = near;
@@ -338,9 +344,14 @@ fn the_motion_has_the_displacement_of_the_integrated_one() {
         let with = equation(text).with(&[("c", "0.02".parse().unwrap())]).unwrap();
         let system = System::new(&with).unwrap();
         let times: Vec<f64> = (1..40).map(|i| 0.7 * f64::from(i)).collect();
-        let solution =
-            integrate(&system, &system.start(&[("x", start)]).unwrap(), &times, &Effort::to_tolerance(1e-14))
-                .unwrap();
+        let solution = integrate(
+            &system,
+            &system.start(&[("x", start)]).unwrap(),
+            &times,
+            &Effort::to_tolerance(1e-14),
+            &Quiet,
+        )
+        .unwrap();
         for (time, sample) in times.iter().zip(&solution.samples) {
             let [a, psi] =
                 followed(|a| [flow.amplitude_rate_at(a, c), flow.phase_rate_at(a, c)], start, *time);
@@ -353,7 +364,7 @@ fn the_motion_has_the_displacement_of_the_integrated_one() {
 #[test]
 fn what_has_no_slow_flow_says_why() {
     let refusal = |text: &str, small: Option<&str>, gauge: &Gauge| {
-        slow_flow(&equation(text), small, 3, 2, gauge).unwrap_err()
+        slow_flow(&equation(text), small, 3, 2, gauge, &Quiet).unwrap_err()
     };
     let x_max = &Gauge::XMax;
     for (text, small, expected) in [
@@ -377,6 +388,8 @@ fn what_has_no_slow_flow_says_why() {
     assert!(matches!(refusal("x'' + c*x' + x = 0", None, &Gauge::Nome), SlowFlowError::Gauge(_)));
     let orders = [(0, 1), (MAX_SLOW_ORDER + 1, 1), (1, 0), (1, MAX_PARAMETER_ORDER + 1)];
     for (order, parameter_order) in orders {
-        assert!(slow_flow(&equation("x'' + c*x' + x = 0"), None, order, parameter_order, x_max).is_err());
+        assert!(
+            slow_flow(&equation("x'' + c*x' + x = 0"), None, order, parameter_order, x_max, &Quiet).is_err()
+        );
     }
 }

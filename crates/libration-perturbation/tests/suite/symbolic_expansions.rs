@@ -5,9 +5,9 @@ use libration::expression::{Equation, Expression, Symbol};
 use libration::oscillator::{NoSymbolicExpansion, Oscillator, SymbolicOscillator, SymbolicOscillatorError};
 use libration::perturbation::{
     AmplitudeSeries, Certificate, Expansion, ExpansionError, Gauge, HarmonicSeries, SymbolicExpansion,
-    SymbolicExpansionError, expand, expand_symbolically, expand_symbolically_watched,
+    SymbolicExpansionError, expand, expand_symbolically,
 };
-use libration::watch::{Progress, Watch};
+use libration::progress::{Quiet, Status};
 use libration_testing::golden::Table;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -21,7 +21,7 @@ fn oscillator(text: &str) -> SymbolicOscillator {
 }
 
 fn expanded(text: &str, order: usize) -> SymbolicExpansion {
-    expand_symbolically(&oscillator(text), order, &Gauge::Fundamental).unwrap()
+    expand_symbolically(&oscillator(text), order, &Gauge::Fundamental, &Quiet).unwrap()
 }
 
 fn texts(series: &[LaurentPolynomial]) -> Vec<String> {
@@ -62,7 +62,7 @@ fn all<C: Clone>(expansion: &Expansion<C>) -> Vec<(String, Vec<C>)> {
 }
 
 fn assert_the_numbers_agree(text: &str, values: &[(&str, &str)], order: usize, gauge: &Gauge) {
-    let symbolic = expand_symbolically(&oscillator(text), order, gauge).unwrap();
+    let symbolic = expand_symbolically(&oscillator(text), order, gauge, &Quiet).unwrap();
     let given: Vec<_> = values.iter().map(|(name, value)| (*name, value.parse().unwrap())).collect();
     let with_values: Vec<_> = given
         .iter()
@@ -70,7 +70,7 @@ fn assert_the_numbers_agree(text: &str, values: &[(&str, &str)], order: usize, g
         .map(|(name, value): &(_, Expression)| (*name, value.clone()))
         .collect();
     let numbers = Oscillator::new(&equation(text).with(&with_values).unwrap()).unwrap();
-    let numbers = expand(&numbers, order, gauge).unwrap();
+    let numbers = expand(&numbers, order, gauge, &Quiet).unwrap();
     assert_eq!(value(&symbolic.series.omega0_squared, values), numbers.omega0_squared, "{text}");
     let (symbolic, numbers) = (all(&symbolic.series), all(&numbers));
     assert_eq!(symbolic.len(), numbers.len(), "{text}");
@@ -201,9 +201,9 @@ fn an_equilibrium_may_be_a_formula_of_the_letters() {
     let oscillator = SymbolicOscillator::about(&wells, &"sqrt(a/b)".parse().unwrap()).unwrap();
     assert_eq!(oscillator.equilibrium().to_string(), "sqrt(a)/sqrt(b)");
     assert_eq!(oscillator.omega0_squared().to_string(), "2*a");
-    let expansion = expand_symbolically(&oscillator, 5, &Gauge::XMax).unwrap();
+    let expansion = expand_symbolically(&oscillator, 5, &Gauge::XMax, &Quiet).unwrap();
     let numbers = wells.with(&[("a", "4".parse().unwrap()), ("b", "9".parse().unwrap())]).unwrap();
-    let numbers = expand(&Oscillator::new(&numbers).unwrap(), 5, &Gauge::XMax).unwrap();
+    let numbers = expand(&Oscillator::new(&numbers).unwrap(), 5, &Gauge::XMax, &Quiet).unwrap();
     let own = all(&expansion.series).into_iter().flat_map(|(_, series)| series);
     let own: Vec<Rational> = own.map(|it| value(&it, &[("a", "4"), ("b", "9")])).collect();
     assert_eq!(own, all(&numbers).into_iter().flat_map(|(_, series)| series).collect::<Vec<_>>());
@@ -238,7 +238,7 @@ fn what_letters_do_not_allow_is_refused_with_the_reason() {
         "x'' + a*x + x^b = 0",
     ] {
         let refusal = match SymbolicOscillator::new(&equation(text)) {
-            Ok(oscillator) => expand_symbolically(&oscillator, 3, &Gauge::Fundamental)
+            Ok(oscillator) => expand_symbolically(&oscillator, 3, &Gauge::Fundamental, &Quiet)
                 .map(|_| ())
                 .map_err(|it| it.to_string()),
             Err(refusal) => Err(refusal.to_string()),
@@ -246,9 +246,9 @@ fn what_letters_do_not_allow_is_refused_with_the_reason() {
         assert!(refusal.is_err(), "{text}");
     }
     assert!(refused("x'' + a*x = cos(t)").to_string().contains("depends on t"));
-    let unlike = expand_symbolically(&oscillator("x'' + w^2*x + a*x^3 = 0"), 3, &Gauge::Nome);
+    let unlike = expand_symbolically(&oscillator("x'' + w^2*x + a*x^3 = 0"), 3, &Gauge::Nome, &Quiet);
     assert_eq!(unlike, Err(SymbolicExpansionError::Expansion(ExpansionError::NomeOfOther)));
-    let reversible = expand_symbolically(&oscillator("x'' + x + a*x*x'^2 = 0"), 3, &Gauge::Energy);
+    let reversible = expand_symbolically(&oscillator("x'' + x + a*x*x'^2 = 0"), 3, &Gauge::Energy, &Quiet);
     assert_eq!(reversible, Err(SymbolicExpansionError::Expansion(ExpansionError::EnergyOfVelocity)));
 }
 
@@ -289,8 +289,8 @@ fn too_many_terms_end_in_a_refusal() {
     );
     assert_eq!(many.constants[1].1.to_string(), "k/(a + b)");
     let growing = oscillator("x'' + x + (a + b + c + d)^9*x^3 = 0");
-    assert!(expand_symbolically(&growing, 3, &Gauge::Fundamental).is_ok());
-    let refusal = expand_symbolically(&growing, 7, &Gauge::Fundamental).unwrap_err();
+    assert!(expand_symbolically(&growing, 3, &Gauge::Fundamental, &Quiet).is_ok());
+    let refusal = expand_symbolically(&growing, 7, &Gauge::Fundamental, &Quiet).unwrap_err();
     assert_eq!(refusal, SymbolicExpansionError::TooManyTerms);
 }
 
@@ -304,14 +304,14 @@ fn high_powers_of_letters_are_checked_too() {
 #[test]
 fn what_is_found_before_an_interruption_is_kept() {
     let oscillator = oscillator("x'' + w^2*x + a*x^2 + b*x^3 = 0");
-    let ask = |progress: Progress| {
-        if progress.done < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    let progress = |status: Status| {
+        if status.done < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    let stopped = expand_symbolically_watched(&oscillator, 9, &Gauge::Fundamental, &Watch::new(&ask));
+    let stopped = expand_symbolically(&oscillator, 9, &Gauge::Fundamental, &progress);
     let Err(SymbolicExpansionError::Interrupted { known: Some(known) }) = stopped else {
         panic!("not interrupted: {stopped:?}")
     };
-    let whole = expand_symbolically(&oscillator, known.series.order, &Gauge::Fundamental).unwrap();
+    let whole = expand_symbolically(&oscillator, known.series.order, &Gauge::Fundamental, &Quiet).unwrap();
     assert!((1..9).contains(&known.series.order));
     assert_eq!(all(&known.series), all(&whole.series));
     assert_eq!(known.series.certificate, Certificate::Unchecked);

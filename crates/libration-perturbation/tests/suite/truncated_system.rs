@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use libration::algebra::{Complex, Monomial, Polynomial, Rational, Variable};
 use libration::pendulum::{Motion, Pendulum};
 use libration::perturbation::{SolutionVerdict, TruncatedSolution, TruncatedSystem, TruncatedSystemError};
+use libration::progress::Quiet;
 use libration::quantity::Angle;
 use libration_testing::golden::{Row, Table};
 
@@ -27,7 +28,7 @@ fn system(harmonics: u32, degree: usize) -> TruncatedSystem {
 }
 
 fn accepted(harmonics: u32, degree: usize, amplitude: f64) -> TruncatedSolution {
-    let solutions = system(harmonics, degree).solutions(amplitude).unwrap();
+    let solutions = system(harmonics, degree).solutions(amplitude, &Quiet).unwrap();
     let accepted: Vec<_> =
         solutions.into_iter().filter(|it| it.verdict == SolutionVerdict::Accepted).collect();
     assert_eq!(accepted.len(), 1, "{harmonics} harmonics at {amplitude}");
@@ -65,7 +66,7 @@ fn all_solutions_are_those_of_elimination() {
     for ((harmonics, degree, amplitude), rows) in cases {
         let harmonics: u32 = harmonics.parse().unwrap();
         let system = system(harmonics, degree.parse().unwrap());
-        let solutions = system.solutions(amplitude.parse().unwrap()).unwrap();
+        let solutions = system.solutions(amplitude.parse().unwrap(), &Quiet).unwrap();
         assert_eq!(rows.len() as u64, system.number_of_solutions());
         assert_eq!(rows.len(), solutions.len());
         for row in rows {
@@ -80,7 +81,7 @@ fn all_solutions_are_those_of_elimination() {
 
 #[test]
 fn four_harmonics_have_four_hundred_solutions_in_conjugate_pairs() {
-    let solutions = system(4, 7).solutions(1.0).unwrap();
+    let solutions = system(4, 7).solutions(1.0, &Quiet).unwrap();
     assert_eq!(solutions.len(), 1 + 7 + 49 + 343);
     for solution in &solutions {
         let conjugate: Vec<_> = coordinates(solution).iter().map(|z| Complex::new(z.re, -z.im)).collect();
@@ -124,7 +125,7 @@ fn harmonics_of_the_accepted_solution_are_those_of_the_motion() {
 #[test]
 fn among_real_solutions_the_accepted_one_has_the_smallest_residual() {
     for amplitude in [0.1, 1.0, 2.0] {
-        let solutions = system(3, 5).solutions(amplitude).unwrap();
+        let solutions = system(3, 5).solutions(amplitude, &Quiet).unwrap();
         let smallest = solutions.iter().min_by(|a, b| a.residual.total_cmp(&b.residual)).unwrap();
         assert_eq!(smallest.verdict, SolutionVerdict::Accepted);
     }
@@ -133,14 +134,14 @@ fn among_real_solutions_the_accepted_one_has_the_smallest_residual() {
 /// The cubic sine turns round at √6 and pulls away beyond: no small oscillation continues to 170°.
 #[test]
 fn beyond_the_reach_of_the_cubic_force_nothing_is_accepted() {
-    let solutions = system(2, 3).solutions(170_f64.to_radians()).unwrap();
+    let solutions = system(2, 3).solutions(170_f64.to_radians(), &Quiet).unwrap();
     assert!(solutions.iter().all(|solution| solution.verdict != SolutionVerdict::Accepted));
     assert_eq!(solutions.len(), 4);
 }
 
 #[test]
 fn pure_overtones_are_recognised() {
-    let solutions = system(3, 5).solutions(0.5).unwrap();
+    let solutions = system(3, 5).solutions(0.5, &Quiet).unwrap();
     let overtones: Vec<_> = solutions.iter().filter(|it| it.verdict == SolutionVerdict::Overtone).collect();
     assert_eq!(overtones.len(), 2);
     for overtone in overtones {
@@ -155,7 +156,7 @@ fn pure_overtones_are_recognised() {
 #[test]
 fn the_conditions_vanish_at_the_solutions() {
     let system = system(3, 5);
-    for solution in system.solutions(1.25).unwrap() {
+    for solution in system.solutions(1.25, &Quiet).unwrap() {
         for condition in system.conditions() {
             let largest = coordinates(&solution).iter().map(|z| z.abs()).fold(1.0, f64::max);
             let size: f64 = condition.terms().map(|(_, factor)| factor.to_f64().abs()).sum();
@@ -191,8 +192,8 @@ fn the_conditions_are_the_published_ones() {
 fn other_units_of_x_change_nothing() {
     // x = y/1000.
     let scaled: Vec<Rational> = ["1", "0", "-1000000/6"].map(|text| text.parse().unwrap()).into();
-    let solutions = TruncatedSystem::new(&scaled, 2, 3).unwrap().solutions(1e-3).unwrap();
-    let plain = TruncatedSystem::new(&sine(3), 2, 3).unwrap().solutions(1.0).unwrap();
+    let solutions = TruncatedSystem::new(&scaled, 2, 3).unwrap().solutions(1e-3, &Quiet).unwrap();
+    let plain = TruncatedSystem::new(&sine(3), 2, 3).unwrap().solutions(1.0, &Quiet).unwrap();
     for (a, b) in solutions.iter().zip(&plain) {
         assert_eq!(a.verdict, b.verdict);
         assert!((a.frequency_ratio_squared - b.frequency_ratio_squared).abs() < 1e-12);
@@ -212,7 +213,7 @@ fn what_cannot_be_solved_is_refused() {
     assert_eq!(new(&["1", "1", "1"], 2, 3), Err(TruncatedSystemError::EvenTerm { power: 2 }));
     assert_eq!(new(&["0", "0", "1"], 2, 3), Err(TruncatedSystemError::NotRestoring));
     for amplitude in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = system(2, 3).solutions(amplitude).unwrap_err();
+        let error = system(2, 3).solutions(amplitude, &Quiet).unwrap_err();
         assert!(matches!(error, TruncatedSystemError::Amplitude { .. }));
     }
 }
@@ -220,7 +221,7 @@ fn what_cannot_be_solved_is_refused() {
 #[test]
 fn absurd_amplitudes_do_no_harm() {
     for amplitude in [1e-300, 1e-20, 1e6, 1e200, f64::MAX] {
-        let _ = system(2, 3).solutions(amplitude);
+        let _ = system(2, 3).solutions(amplitude, &Quiet);
     }
 }
 
@@ -231,7 +232,7 @@ fn residuals_are_the_root_mean_square_over_the_period() {
     for (powers, degree, amplitude) in [(3, 3, 1.0), (3, 3, 0.75), (5, 3, 1.0), (9, 5, 1.5), (30, 3, 2.0)] {
         let force = sine(powers);
         let system = TruncatedSystem::new(&force, 2, degree).unwrap();
-        for solution in system.solutions(amplitude).unwrap() {
+        for solution in system.solutions(amplitude, &Quiet).unwrap() {
             let square = |j: u32| {
                 let phase = std::f64::consts::TAU * f64::from(j) / 1000.0;
                 let (mut x, mut acceleration) = (Complex::default(), Complex::default());

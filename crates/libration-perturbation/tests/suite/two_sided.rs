@@ -5,6 +5,7 @@ use libration::comparison::{ExactMotion, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::Oscillator;
 use libration::perturbation::{Certificate, Expansion, Gauge, Precision, expand, expand_with_pi};
+use libration::progress::Quiet;
 use libration::quadrature::double_exponential;
 use libration::quantity::Displacement;
 use libration_testing::sweep;
@@ -15,7 +16,7 @@ fn oscillator(text: &str) -> Oscillator {
 }
 
 fn with_pi(text: &str, order: usize, gauge: &Gauge) -> Expansion<LaurentPolynomial> {
-    expand_with_pi(&oscillator(text), order, gauge).unwrap().unwrap_or_else(|| panic!("{text}"))
+    expand_with_pi(&oscillator(text), order, gauge, &Quiet).unwrap().unwrap_or_else(|| panic!("{text}"))
 }
 
 fn number(coefficient: &LaurentPolynomial) -> f64 {
@@ -113,8 +114,8 @@ fn harmonics_are_those_of_orbits_in_a_sweep() {
     ];
     for (text, amplitude) in sweep::part(cases, 3) {
         let oscillator = oscillator(text);
-        let exact = expand_with_pi(&oscillator, 8, &Gauge::Fundamental).unwrap().unwrap();
-        let digits = expand(&oscillator, 8, &Gauge::Fundamental).unwrap();
+        let exact = expand_with_pi(&oscillator, 8, &Gauge::Fundamental, &Quiet).unwrap().unwrap();
+        let digits = expand(&oscillator, 8, &Gauge::Fundamental, &Quiet).unwrap();
         assert_eq!(
             (digits.precision, digits.certificate),
             (Precision::Digits(40), Certificate::TwoPrecisions)
@@ -122,7 +123,8 @@ fn harmonics_are_those_of_orbits_in_a_sweep() {
         let (exact, in_digits) = (exact.of_amplitude.unwrap(), digits.of_amplitude.clone().unwrap());
         assert_eq!(exact.harmonics.len(), in_digits.harmonics.len());
         let orbit =
-            ExactMotion::new(&oscillator, &digits, &Displacement::from_f64(amplitude).unwrap()).unwrap();
+            ExactMotion::new(&oscillator, &digits, &Displacement::from_f64(amplitude).unwrap(), &Quiet)
+                .unwrap();
         for ((k, series), (_, other)) in exact.harmonics.iter().zip(&in_digits.harmonics) {
             for (a, b) in series.iter().zip(other) {
                 // Powers of π with opposite signs cancel up to three digits.
@@ -154,19 +156,19 @@ fn every_gauge_gives_the_same_of_the_amplitude_in_a_sweep() {
                 |it: &Expansion<LaurentPolynomial>| it.of_half_swing.clone().map(|of| of.frequency_ratio);
             assert_eq!(half(&natural), half(&other), "{text} {gauge}");
         }
-        assert!(expand_with_pi(&oscillator(text), 4, &Gauge::Nome).is_err());
+        assert!(expand_with_pi(&oscillator(text), 4, &Gauge::Nome, &Quiet).is_err());
     }
 }
 
 #[test]
 fn what_is_no_series_with_pi_is_given_in_digits_or_not_at_all() {
     let gauge = Gauge::Fundamental;
-    assert_eq!(expand_with_pi(&oscillator("x'' + x + x^3 = 0"), 4, &gauge).unwrap(), None);
+    assert_eq!(expand_with_pi(&oscillator("x'' + x + x^3 = 0"), 4, &gauge, &Quiet).unwrap(), None);
     let two_sided = oscillator("x'' + x + x*abs(x) = 0");
-    assert_eq!(expand_with_pi(&two_sided, 16, &gauge).unwrap(), None);
-    assert!(expand_with_pi(&two_sided, 0, &gauge).is_err());
+    assert_eq!(expand_with_pi(&two_sided, 16, &gauge, &Quiet).unwrap(), None);
+    assert!(expand_with_pi(&two_sided, 0, &gauge, &Quiet).is_err());
     let irrational = oscillator("x'' + x + sqrt(2)*x*abs(x) = 0");
-    assert_eq!(expand_with_pi(&irrational, 3, &gauge).unwrap(), None);
-    let found = expand(&irrational, 2, &gauge).unwrap().frequency_ratio[1].to_f64();
+    assert_eq!(expand_with_pi(&irrational, 3, &gauge, &Quiet).unwrap(), None);
+    let found = expand(&irrational, 2, &gauge, &Quiet).unwrap().frequency_ratio[1].to_f64();
     assert!((found - 4.0 * 2.0_f64.sqrt() / (3.0 * PI)).abs() < 1e-15);
 }

@@ -4,13 +4,14 @@ use crate::arguments::{self, OscillatorOptions, PendulumOptions};
 use crate::output::file;
 use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
+use libration::internals::progress::Watch;
 use libration::pendulum::Amplitude;
 use libration::perturbation::{Gauge, SlowFlowError};
+use libration::progress::{Progress, Status};
 use libration::quantity::Displacement;
-use libration::watch::{Progress, Watch};
 use libration_derivation::{
-    Derivation, DerivationError, HIGHEST_DAMPING_ORDER, HIGHEST_ORDER, Released, Swing, averaging_watched,
-    limit_cycle_watched, perturbation_watched,
+    Derivation, DerivationError, HIGHEST_DAMPING_ORDER, HIGHEST_ORDER, Released, Swing, averaging,
+    limit_cycle, perturbation,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -175,7 +176,7 @@ impl Derive {
             self.amplitude.clone().map(|amplitude| Released { amplitude, angular_frequency: frequency });
         let gauge = options.gauge.clone().unwrap_or_default();
         let order = options.order.unwrap_or(DEFAULT_ORDER);
-        watched(|watch| perturbation_watched(&chosen.oscillator, order, &gauge, released.as_ref(), watch))
+        cancellable(|progress| perturbation(&chosen.oscillator, order, &gauge, released.as_ref(), progress))
     }
 
     fn averaging(&self) -> Result<(Derivation, bool), QueryError> {
@@ -187,7 +188,7 @@ impl Derive {
         let asked = asked.asked_of_system(small).unwrap_or_else(|| asked.asked())?;
         let order = options.order.unwrap_or(DEFAULT_ORDER);
         let damping_order = options.damping_order.unwrap_or(DEFAULT_DAMPING_ORDER);
-        watched(|watch| averaging_watched(&asked.equation, small, order, damping_order, watch))
+        cancellable(|progress| averaging(&asked.equation, small, order, damping_order, progress))
     }
 
     fn limit_cycle(&self) -> Result<(Derivation, bool), QueryError> {
@@ -197,7 +198,7 @@ impl Derive {
         let asked = OscillatorOptions::new(name, &options.set, None).asked()?;
         let order = options.order.unwrap_or(DEFAULT_CYCLE_ORDER);
         let small = options.small.as_deref();
-        watched(|watch| limit_cycle_watched(&asked.equation, small, order, watch))
+        cancellable(|progress| limit_cycle(&asked.equation, small, order, progress))
     }
 
     fn refuse_amplitude(&self, reason: &str) -> Result<(), QueryError> {
@@ -206,19 +207,19 @@ impl Derive {
     }
 }
 
-/// A derivation and whether it came to its end, which it does not where it is told to stop.
-fn watched(
-    derive: impl Fn(&Watch<'_>) -> Result<Derivation, DerivationError> + Sync,
+/// A derivation; `true` with it if it is complete, `false` if it is cancelled.
+fn cancellable(
+    derive: impl Fn(&dyn Progress) -> Result<Derivation, DerivationError> + Sync,
 ) -> Result<(Derivation, bool), QueryError> {
     interrupt::listen()?;
     let done = AtomicUsize::new(0);
     let how_far = || format!("{} parts of the derivation are done", done.load(Ordering::Relaxed));
     parallel::with_progress(how_far, || {
-        let ask = |progress: Progress| {
-            done.store(progress.done, Ordering::Relaxed);
-            parallel::go_on(&how_far)
+        let progress = |status: Status| {
+            done.store(status.done, Ordering::Relaxed);
+            parallel::update(&how_far)
         };
-        let watch = Watch::new(&ask);
+        let watch = Watch::new(&progress);
         let known = derive(&watch);
         known.map(|known| (known, !watch.is_stopped())).map_err(failure)
     })

@@ -4,6 +4,7 @@ use super::chart::{Axis, Look, Panel, Picture, Series, Units};
 use super::range::around;
 use super::style;
 use libration::comparison::{Backbone, BackbonePoint};
+use libration::progress::Quiet;
 
 /// The setting of the picture.
 pub(crate) struct BackboneSetting {
@@ -22,7 +23,7 @@ pub(crate) fn backbone(curve: &Backbone, points: &[BackbonePoint], setting: &Bac
     let unit = if setting.is_angle { 1_f64.to_degrees() } else { 1.0 };
     let largest = points.iter().map(|point| point.amplitude).fold(0.0, f64::max);
     let sampled: Vec<BackbonePoint> =
-        (1..=SAMPLES).map(|step| curve.at(largest * f64::from(step) / f64::from(SAMPLES))).collect();
+        (1..=SAMPLES).map(|step| curve.at(largest * f64::from(step) / f64::from(SAMPLES), &Quiet)).collect();
     let orbit = |point: &BackbonePoint| Some((point.orbit.as_ref().ok()?.frequency, unit * point.amplitude));
     let start = curve.omega0().map(|omega0| (omega0, 0.0));
     let orbits: Vec<(f64, f64)> = start.into_iter().chain(sampled.iter().filter_map(orbit)).collect();

@@ -4,6 +4,7 @@ use super::chart::{Axis, Panel, Picture, Series, Units};
 use super::cusps::sizes;
 use super::style;
 use crate::parallel;
+use libration::progress::Status;
 
 const SAMPLES: u32 = 720;
 
@@ -26,8 +27,8 @@ pub(crate) struct Frame {
 /// are done.
 pub(crate) fn errors(curves: Vec<Curve>, frame: Frame) -> Picture {
     let numbered: Vec<(usize, Curve)> = curves.into_iter().enumerate().collect();
-    let series = parallel::map_until_asked(&numbered, "curves", |(number, curve), watch| {
-        let asked = amplitudes(frame).take_while(|_| watch.go_on().is_ok());
+    let series = parallel::map_unless_cancelled(&numbered, "curves", |(number, curve), progress| {
+        let asked = amplitudes(frame).take_while(|_| progress.update(Status::default()).is_continue());
         let signed: Vec<_> = asked.map(|x| (x, (curve.error)(x))).collect();
         Series::line(&curve.label, style::curve(*number), sizes(&signed))
     });

@@ -42,8 +42,8 @@ impl Drop for ProgressLine {
     }
 }
 
-/// The items one by one until a cancellation, with a line of progress.
-pub(crate) fn watched<T>(
+/// The items one by one until the run is cancelled, with a line of progress.
+pub(crate) fn counted<T>(
     items: impl Iterator<Item = T>,
     all: usize,
     what: &'static str,
@@ -53,5 +53,5 @@ pub(crate) fn watched<T>(
         progress.show(|| format!("{place} of {all} {what}"));
         item
     });
-    counted.take_while(|_| !interrupt::asked())
+    counted.take_while(|_| !interrupt::is_cancelled())
 }

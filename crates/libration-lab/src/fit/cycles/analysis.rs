@@ -16,8 +16,9 @@ use super::{Cycle, Cycles, CyclesError, CyclesOptions, CyclesWarning, HalfSwing}
 use crate::fit::Uncertain;
 use crate::measurement::{Observable, Trace};
 use crate::statistics::median;
+use libration::internals::progress::Watch;
+use libration::progress::{Interrupted, Progress};
 use libration::roots::{Tolerance, bisect};
-use libration::watch::{Interrupted, Watch};
 
 /// Fewest rows in a period, two in each quarter, with which passages and extremes can be placed.
 const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
@@ -26,19 +27,13 @@ const FEWEST_ROWS_PER_PERIOD: f64 = 8.0;
 ///
 /// # Errors
 /// See [`CyclesError`]: too few rows or cycles, nothing that swings to and fro.
-pub fn cycles(trace: &Trace, options: &CyclesOptions) -> Result<Cycles, CyclesError> {
-    cycles_watched(trace, options, &Watch::none())
-}
-
-/// Computes [`cycles`], with a check of `watch` at each passage and extreme, and at each step of the fits.
-///
-/// # Errors
-/// Fails as [`cycles`] does, and with [`CyclesError::Interrupted`] where it was stopped.
-pub fn cycles_watched(
+/// [`CyclesError::Interrupted`] if the call is cancelled.
+pub fn cycles(
     trace: &Trace,
     options: &CyclesOptions,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Cycles, CyclesError> {
+    let watch = &Watch::new(progress);
     let found = of_pivot_with_errors(trace, options, watch);
     if watch.is_stopped() { Err(Interrupted.into()) } else { found }
 }

@@ -17,9 +17,10 @@ use super::swings::swings;
 use crate::fit::damped_pendulum::{equation, symbol};
 use crate::measurement::{Observable, Trace};
 use crate::statistics::mean;
+use libration::internals::progress::Watch;
 use libration::pendulum::period_ratio;
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, Solution, System, Trajectory, integrate_many};
-use libration::watch::Watch;
 
 /// Simulated swings, from the largest to the smallest amplitude.
 const NODES: u32 = 12;
@@ -111,7 +112,7 @@ impl Apparatus {
             times,
         });
         let trajectories: Vec<Trajectory<'_>> = released.collect();
-        integrate_many(&system, &trajectories, &Effort::to_tolerance(TOLERANCE))
+        integrate_many(&system, &trajectories, &Effort::to_tolerance(TOLERANCE), &Quiet)
             .into_iter()
             .collect::<Result<_, _>>()
             .ok()

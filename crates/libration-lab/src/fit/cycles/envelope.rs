@@ -14,8 +14,8 @@ use super::{CyclesError, HalfSwing};
 use crate::fit::Uncertain;
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::{akaike, count};
+use libration::internals::progress::Watch;
 use libration::quantity::with_uncertainty;
-use libration::watch::Watch;
 
 /// Laws whose `AICc` differ by less than this are not separated by the data, as [`Comparison::INDISTINGUISHABLE`] has it of motions.
 ///

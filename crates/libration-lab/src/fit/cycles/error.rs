@@ -1,6 +1,6 @@
 //! Reasons why a trace has no cycles to measure.
 
-use libration::watch::Interrupted;
+use libration::progress::Interrupted;
 
 /// Reasons why a trace has no cycles to measure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

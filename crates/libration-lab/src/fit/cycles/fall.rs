@@ -9,7 +9,7 @@ use super::decay_rates::DecayRates;
 use crate::fit::trace::{DampingKind, DampingModel};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
 use crate::statistics::{Design, median, robust_deviation, weighted_least_squares};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 /// χ² is smooth to rounding errors; the derivatives by differences only slow the search down.
 const EFFORT: Effort = Effort { tolerance: 1e-10, patience: 30 };

@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::row::Row;
 use crate::statistics::{count, least_squares};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 /// Ratios of the variances that are tried: none, and 10^(k/8) from 1e-3 to 1e4.
 const RATIOS: std::ops::RangeInclusive<i32> = -24..=32;

@@ -10,9 +10,9 @@ use super::window::Window;
 use crate::measurement::{Observable, Trace};
 use crate::parallel;
 use crate::statistics::{median, robust_deviation};
+use libration::internals::progress::Watch;
 use libration::pendulum::period_ratio;
 use libration::roots::{Tolerance, bisect};
-use libration::watch::Watch;
 use std::f64::consts::FRAC_PI_2;
 
 /// Rounds of measuring; each reduces the error of the first guess by far more than a factor of ten. With 8 nothing changed in 24

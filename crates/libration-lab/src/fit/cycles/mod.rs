@@ -53,10 +53,10 @@ mod unit;
 
 mod warning;
 
-pub use analysis::{cycles, cycles_watched};
+pub use analysis::cycles;
 pub use envelope::{Coefficient, Envelope, EnvelopeFit, SEPARATED};
 pub use error::CyclesError;
-pub use several::{beta_of_traces, beta_of_traces_watched};
+pub use several::beta_of_traces;
 pub use unit::{BeyondATurn, beyond_a_turn, mistaken_unit};
 pub use warning::CyclesWarning;
 

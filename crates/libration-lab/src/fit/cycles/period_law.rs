@@ -6,7 +6,7 @@ use super::generalised::{Explanation, Generalised, Scatter, fit};
 use super::row::{Row, Share, Side, Source};
 use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::{mean, median, robust_deviation};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 /// Rounds in which the weights are renewed; the error falls by a factor of (σ of T0)/T0 or so each time: with 3 and 10 nothing changed.
 const ROUNDS: usize = 5;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::fall::Fall;
 use super::{Cycles, Envelope, HalfSwing};
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 /// Adds the difference from the results with the pivot moved by one standard deviation.
 pub(super) fn add(found: &mut Cycles, moved: Cycles, watch: &Watch<'_>) {

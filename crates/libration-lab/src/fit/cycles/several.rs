@@ -3,7 +3,8 @@
 use super::row::Row;
 use super::{Beta, Cycles, CyclesError, period_law};
 use crate::measurement::{FittedPivot, Trace};
-use libration::watch::{Interrupted, Watch};
+use libration::internals::progress::Watch;
+use libration::progress::{Interrupted, Progress};
 
 /// Fits β and T0 to the cycles of all traces together, or to those of the only trace. `cycles` are those of the traces,
 /// one by one.
@@ -14,19 +15,13 @@ use libration::watch::{Interrupted, Watch};
 /// # Errors
 /// Fails with the error of the first trace where none has cycles; otherwise as for a trace alone: fewer than three cycles, amplitudes that are
 /// all the same or whose noise is too large compared with their change.
-pub fn beta_of_traces(traces: &[Trace], cycles: &[Result<Cycles, CyclesError>]) -> Result<Beta, CyclesError> {
-    beta_of_traces_watched(traces, cycles, &Watch::none())
-}
-
-/// Computes [`beta_of_traces`], with a check of `watch` at each step of the fit.
-///
-/// # Errors
-/// Fails as [`beta_of_traces`] does, and with [`CyclesError::Interrupted`] where it was stopped.
-pub fn beta_of_traces_watched(
+/// [`CyclesError::Interrupted`] if the call is cancelled.
+pub fn beta_of_traces(
     traces: &[Trace],
     cycles: &[Result<Cycles, CyclesError>],
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Beta, CyclesError> {
+    let watch = &Watch::new(progress);
     let found = of_all_cycles(traces, cycles, watch);
     if watch.is_stopped() { Err(Interrupted.into()) } else { found }
 }

@@ -10,9 +10,9 @@ use crate::fit::typical_amplitude::typical_amplitude;
 use crate::fit::{Beta, Law, Uncertain};
 use crate::statistics::count;
 use crate::statistics::median;
+use libration::internals::progress::Watch;
 use libration::quantity::Quantity;
 use libration::roots::{Tolerance, bisect};
-use libration::watch::Watch;
 
 /// Results of the periods with their amplitudes.
 pub(super) struct BySpeeds {

@@ -10,37 +10,33 @@ use super::{GateCycle, GateOptions, GatesError, GatesFit, T0Source, warning};
 use crate::fit::contradiction::Estimate;
 use crate::fit::{Beta, Contradiction, Law, Uncertain};
 use crate::statistics::count;
+use libration::internals::progress::Watch;
+use libration::progress::{Interrupted, Progress};
 use libration::quantity::Quantity;
-use libration::watch::{Interrupted, Watch};
 
 /// Fits periods and T0 to the times of a gate; the states of the gate, blocked or not, are given where they are known.
 ///
 /// # Errors
 /// See [`GatesError`]: too few passages, or none of a pendulum.
+/// [`GatesError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
+/// use libration::progress::Quiet;
 /// use libration_lab::fit::gates::{GateOptions, gates};
 /// // A period of 2 s, and a gate off the centre.
 /// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
-/// let found = gates(&times, None, &GateOptions::default())?;
+/// let found = gates(&times, None, &GateOptions::default(), &Quiet)?;
 /// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```
-pub fn gates(times: &[f64], blocked: Option<&[bool]>, options: &GateOptions) -> Result<GatesFit, GatesError> {
-    gates_watched(times, blocked, options, &Watch::none())
-}
-
-/// Computes [`gates`], with a check of `watch` at each passage whose amplitude is sought.
-///
-/// # Errors
-/// Fails as [`gates`] does, and with [`GatesError::Interrupted`] where it was stopped.
-pub fn gates_watched(
+pub fn gates(
     times: &[f64],
     blocked: Option<&[bool]>,
     options: &GateOptions,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<GatesFit, GatesError> {
+    let watch = &Watch::new(progress);
     options.check()?;
     let found = passages(times, blocked, options.signals)?;
     let seen = found.passages.len();

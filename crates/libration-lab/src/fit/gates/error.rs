@@ -1,6 +1,6 @@
 //! Reasons why times of a photogate do not determine a period.
 
-use libration::watch::Interrupted;
+use libration::progress::Interrupted;
 
 /// Reasons why times of a photogate do not determine a period.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -28,7 +28,7 @@ pub(crate) mod width;
 
 mod gravity;
 
-pub use analysis::{gates, gates_watched};
+pub use analysis::gates;
 pub use error::GatesError;
 pub use gravity::{FlagShape, GateGeometry, GateGeometryError};
 pub use warning::GatesWarning;

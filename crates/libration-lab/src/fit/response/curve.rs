@@ -7,8 +7,8 @@ use crate::fit::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchPoint, Jump, NoBranch, Response, ResponseOptions};
 use libration::orbit::Stability;
+use libration::progress::{Progress, Quiet};
 use libration::taylor::{Moment, System, Trajectory};
-use libration::watch::Watch;
 use std::f64::consts::{PI, TAU};
 
 /// A response on the curve of a fit.
@@ -50,11 +50,11 @@ impl ResponseFit {
     /// Computes the responses with the period of the drive from one frequency to another, in rad/s.
     ///
     /// # Errors
-    /// Fails as [`Response::over_watched`] does.
-    pub fn curve(&self, range: [f64; 2], watch: &Watch<'_>) -> Result<FittedCurve, NoBranch> {
+    /// Fails as [`Response::over`] does.
+    pub fn curve(&self, range: [f64; 2], progress: &dyn Progress) -> Result<FittedCurve, NoBranch> {
         let equation = self.model.with_frequency_open(&self.parameters());
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
-        let response = Response::over_watched(&equation, "w", range, &options, watch)?;
+        let response = Response::over(&equation, "w", range, &options, progress)?;
         let branches = response.branches.iter().map(|branch| {
             let special = branch.special.iter().map(|it| (it.before, &it.point));
             let mut points: Vec<(usize, &BranchPoint)> = special.collect();
@@ -90,8 +90,10 @@ impl ResponseFit {
         let state = vec![point.state[0], 0.0, 0.0, point.state[1] / point.parameter];
         let values = scaled(coefficients, point.parameter).chain([drive / square, 0.0]).collect();
         let start = Moment { time: 0.0, state };
-        let end =
-            Trajectory { start, parameters: values, times: &[TAU] }.integrate(&system, &EFFORT).ok()?.end;
+        let end = Trajectory { start, parameters: values, times: &[TAU] }
+            .integrate(&system, &EFFORT, &Quiet)
+            .ok()?
+            .end;
         Some(Complex::new(end.state[1], end.state[2]).scaled(1.0 / PI))
     }
 

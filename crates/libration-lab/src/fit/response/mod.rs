@@ -9,7 +9,7 @@
 //!
 //! ```
 //! use libration_lab::fit::response::{ResponseColumns, ResponseModel, ResponseTable, MeasuredAmplitude, response};
-//! use libration::watch::Watch;
+//! use libration::progress::Quiet;
 //!
 //! // A linear oscillator with ω0 = 2, c = 0.1 and A = 0.5, without errors.
 //! let frequencies: Vec<f64> = (0..21).map(|row| 1.5 + 0.05 * f64::from(row)).collect();
@@ -17,7 +17,7 @@
 //! let amplitudes: Vec<f64> = frequencies.iter().map(amplitude).collect();
 //! let columns = ResponseColumns { frequencies: &frequencies, amplitudes: &amplitudes, ..Default::default() };
 //! let table = ResponseTable::new(&columns)?;
-//! let fit = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Watch::none())?;
+//! let fit = response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet)?;
 //! assert!((fit.best().natural_frequency.value - 2.0).abs() < 1e-9);
 //! assert!((fit.best().damping.value - 0.1).abs() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -52,7 +52,8 @@ pub use table::{AmplitudeErrors, ResponseColumns, ResponseTable};
 pub use warning::ResponseWarning;
 
 use crate::parallel;
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Progress;
 use required_drive::{AllHarmonics, OneHarmonic};
 use search::{Found, Search};
 
@@ -106,8 +107,9 @@ pub fn response(
     table: &ResponseTable,
     models: &[ResponseModel],
     measured: MeasuredAmplitude,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<ResponsesFit, ResponseFitError> {
+    let watch = &Watch::new(progress);
     let found = parallel::map(models, watch, |model, watch| fitted(table, *model, measured, watch));
     watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
     let (mut fits, mut left_out) = (vec![], vec![]);

@@ -8,6 +8,7 @@ use libration::algebra::Complex;
 use super::MeasuredAmplitude;
 use super::model::ResponseModel;
 use libration::orbit::Stability;
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, Trajectory, integrate_many, with_sensitivities};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::RefCell;
@@ -181,7 +182,8 @@ impl AllHarmonics {
                 Trajectory { start, parameters: parameters.collect(), times: &HALF }
             })
             .collect();
-        let solutions = ways.chunks(LANES).flat_map(|ways| integrate_many(&self.system, ways, &EFFORT));
+        let solutions =
+            ways.chunks(LANES).flat_map(|ways| integrate_many(&self.system, ways, &EFFORT, &Quiet));
         solutions.map(|solution| Some(End { state: solution.ok()?.end.state, copies })).collect()
     }
 

@@ -14,7 +14,7 @@ use super::table::{ResponseTable, Row};
 use crate::statistics::levenberg_marquardt::{Effort, Linearised, NoResiduals, minimum};
 use crate::statistics::{Design, ROUNDING};
 use libration::algebra::Complex;
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 use nalgebra::{DMatrix, DVector};
 
 /// Largest negligible change of a parameter, relative to its uncertainty.

@@ -1,7 +1,7 @@
 //! Reasons why a trace has no measurable harmonics.
 
 use crate::fit::cycles::{BeyondATurn, CyclesError};
-use libration::watch::Interrupted;
+use libration::progress::Interrupted;
 
 /// Reasons why a trace has no measurable harmonics.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

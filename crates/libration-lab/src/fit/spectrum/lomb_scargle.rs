@@ -5,7 +5,9 @@
 //! doi:10.1051/0004-6361:200811296.
 
 use crate::statistics::count;
-use libration::watch::{Interrupted, Watch};
+use libration::internals::progress::Watch;
+use libration::progress::Interrupted;
+use libration::progress::Progress;
 
 /// A point of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,17 +34,17 @@ const BLOCK: usize = 256;
 /// About 1e-12 for a thousand points: phases are accumulated from point to point.
 ///
 /// # Errors
-/// Fails with [`Interrupted`] where `watch` was stopped, which is checked after every 256 rows.
+/// [`Interrupted`] if the call is cancelled; the progress is updated after every 256 rows.
 ///
 /// # Examples
 /// ```
-/// use libration::watch::Watch;
+/// use libration::progress::Quiet;
 /// use libration_lab::fit::spectrum::lomb_scargle;
 /// let times: Vec<f64> = (0..40).map(|row| 0.1 * f64::from(row) + 0.01 * f64::from(row * row % 7)).collect();
 /// let values: Vec<f64> = times.iter().map(|t| 5.0 + 0.3 * (std::f64::consts::TAU * 1.5 * t).sin()).collect();
-/// let spectrum = lomb_scargle(&times, &values, None, 0.5, 6, &Watch::none())?;
+/// let spectrum = lomb_scargle(&times, &values, None, 0.5, 6, &Quiet)?;
 /// assert!((spectrum[2].amplitude - 0.3).abs() < 1e-12 && (spectrum[2].power - 1.0).abs() < 1e-12);
-/// # Ok::<(), libration::watch::Interrupted>(())
+/// # Ok::<(), libration::progress::Interrupted>(())
 /// ```
 pub fn lomb_scargle(
     times: &[f64],
@@ -50,8 +52,9 @@ pub fn lomb_scargle(
     weights: Option<&[f64]>,
     step: f64,
     points: usize,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Vec<SpectrumPoint>, Interrupted> {
+    let watch = &Watch::new(progress);
     let rows = times.len().min(values.len()).min(weights.map_or(usize::MAX, <[f64]>::len));
     let weight = |row: usize| weights.map_or(1.0, |weights| weights[row]);
     let total: f64 = (0..rows).map(weight).sum();

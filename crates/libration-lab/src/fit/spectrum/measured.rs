@@ -11,10 +11,11 @@ use super::window_fit::{WindowFit, cosine_column, sine_column};
 use super::windows::Windows;
 use super::{Harmonic, SpectrumError, SpectrumPoint, SpectrumRemark, SpectrumWindow};
 use crate::fit::Uncertain;
-use crate::fit::cycles::{CyclesOptions, beyond_a_turn, cycles_watched};
+use crate::fit::cycles::{CyclesOptions, beyond_a_turn, cycles};
 use crate::measurement::{Observable, Trace};
 use crate::statistics::count;
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Progress;
 
 /// Options for the measurement of harmonics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,35 +67,30 @@ pub struct Spectrum {
 ///
 /// # Errors
 /// Fails with a [`SpectrumError`]: no swings, too few of them, none that can be used.
+/// [`SpectrumError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
 /// use libration::pendulum::Pendulum;
+/// use libration::progress::Quiet;
 /// use libration_lab::fit::spectrum::{SpectrumOptions, spectrum};
 /// use libration_lab::measurement::{Observable, Trace};
 /// let motion = Pendulum::new(0.56, 9.81)?.released_from("80deg".parse()?)?;
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
-/// let found = spectrum(&trace, &SpectrumOptions::default())?;
+/// let found = spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
 /// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
 /// let third = found.harmonics[3];
 /// assert!((third.in_phase.value - third.theory).abs() < 1e-6 && third.theory < -0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn spectrum(trace: &Trace, options: &SpectrumOptions) -> Result<Spectrum, SpectrumError> {
-    spectrum_watched(trace, options, &Watch::none())
-}
-
-/// Computes [`spectrum`], with a check of `watch` as the cycles are found, and at each window.
-///
-/// # Errors
-/// Fails as [`spectrum`] does, and with [`SpectrumError::Interrupted`] where it was stopped.
-pub fn spectrum_watched(
+pub fn spectrum(
     trace: &Trace,
     options: &SpectrumOptions,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Spectrum, SpectrumError> {
+    let watch = &Watch::new(progress);
     if options.swings < FEWEST_SWINGS {
         return Err(SpectrumError::ShortWindows(options.swings));
     }
@@ -104,7 +100,7 @@ pub fn spectrum_watched(
     if let Some(beyond) = beyond_a_turn(trace) {
         return Err(beyond.into());
     }
-    let cycles = cycles_watched(trace, &CyclesOptions::default(), watch)?;
+    let cycles = cycles(trace, &CyclesOptions::default(), watch)?;
     let windows = Windows::new(trace, &cycles, options.swings);
     if windows.swings < count(FEWEST_SWINGS) {
         return Err(SpectrumError::TooShort { swings: windows.swings, needed: FEWEST_SWINGS });

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use super::lomb_scargle::{SpectrumPoint, lomb_scargle};
 use crate::measurement::Trace;
 use crate::statistics::{count, median};
-use libration::watch::{Interrupted, Watch};
+use libration::internals::progress::Watch;
+use libration::progress::Interrupted;
 
 /// More swings make lines no narrower where the frequency drifts, and would take long.
 const MOST_SWINGS: f64 = 60.0;

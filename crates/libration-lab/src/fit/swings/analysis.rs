@@ -1,6 +1,7 @@
 //! Analysis of recordings of swings.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Progress;
 
 use super::FittedPendulum;
 use super::fitted::{SwingsFit, small_angle_period};
@@ -9,7 +10,7 @@ use super::pendulum::pendulum_of;
 use super::{doubts, improvements};
 use crate::fit::Uncertain;
 use crate::fit::budget::BudgetError;
-use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces_watched, cycles_watched};
+use crate::fit::cycles::{CyclesError, CyclesOptions, beta_of_traces, cycles};
 use crate::fit::trace::{TraceFitError, compare, fit_traces};
 use crate::measurement::Trace;
 
@@ -25,16 +26,16 @@ pub enum SwingsError {
     Gravity(#[from] BudgetError),
 }
 
-/// Analyses traces of the same pendulum. `watch` is checked before each evaluation of the motion, and at each
-/// step to the cycles, and may cancel the analysis.
+/// Analyses traces of the same pendulum.
 ///
 /// # Errors
-/// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus.
+/// Fails where no motion could be fitted, and where gravity cannot be computed with this apparatus; on cancellation.
 pub fn swings(
     traces: &[Trace],
     options: &SwingsOptions<'_>,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<SwingsFit, SwingsError> {
+    let watch = &Watch::new(progress);
     let (fit, comparison) = match options.damping {
         Some(damping) => (fit_traces(traces, damping, &options.trace, watch)?, None),
         None => {
@@ -42,12 +43,12 @@ pub fn swings(
             (comparison.best().clone(), Some(comparison))
         }
     };
-    let cycles = traces.iter().map(|trace| match cycles_watched(trace, &CyclesOptions::default(), watch) {
+    let cycles = traces.iter().map(|trace| match cycles(trace, &CyclesOptions::default(), watch) {
         Err(CyclesError::Interrupted(_)) => Err(TraceFitError::Interrupted),
         cycles => Ok(cycles),
     });
     let cycles = cycles.collect::<Result<Vec<_>, TraceFitError>>()?;
-    let beta = beta_of_traces_watched(traces, &cycles, watch);
+    let beta = beta_of_traces(traces, &cycles, watch);
     if watch.is_stopped() {
         return Err(TraceFitError::Interrupted.into());
     }

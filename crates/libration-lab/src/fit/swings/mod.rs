@@ -6,14 +6,14 @@
 //! use libration::pendulum::Pendulum;
 //! use libration_lab::fit::swings::{Advice, FittedPendulum, SwingsOptions, swings};
 //! use libration_lab::measurement::{Observable, Trace};
-//! use libration::watch::Watch;
+//! use libration::progress::Quiet;
 //!
 //! let motion = Pendulum::from_angular_frequency(4.0)?.released_from("40deg".parse()?)?;
 //! let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 //! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
-//! let found = swings(&[trace], &undamped, &Watch::none())?;
+//! let found = swings(&[trace], &undamped, &Quiet)?;
 //! let FittedPendulum::Length(length) = found.pendulum else { return Err("no length was given".into()) };
 //! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
 //! assert!(found.advice.contains(&Advice::GiveLength));

@@ -79,14 +79,14 @@ impl TraceFit {
     /// use libration::pendulum::Pendulum;
     /// use libration_lab::fit::trace::{TraceOptions, fit_traces};
     /// use libration_lab::measurement::{Observable, Trace};
-    /// use libration::watch::Watch;
+    /// use libration::progress::Quiet;
     ///
     /// // Ten seconds of a swing that falls from 0.2 rad by exp(−0.01 t), by the law of small amplitudes.
     /// let angle = |time: f64| 0.2 * (-0.01 * time).exp() * (3.0 * time).cos();
     /// let times: Vec<f64> = (0..400).map(|row| 0.025 * f64::from(row)).collect();
     /// let angles = times.iter().map(|&time| angle(time)).collect();
     /// let trace = Trace::new("small", Observable::Angle, times, angles, None)?;
-    /// let go_on = &Watch::none();
+    /// let go_on = &Quiet;
     /// let fit = fit_traces(&[trace], "linear".parse()?, &TraceOptions::default(), go_on)?;
     /// let continued = fit.decay(0)?;
     /// let after_a_minute = continued.decay.envelope(EnvelopeLaw::Averaged).amplitude_at(60.0 - continued.start);

@@ -1,7 +1,7 @@
 //! The best parameters of a model.
 
+use libration::internals::progress::Watch;
 use libration::taylor::Effort;
-use libration::watch::Watch;
 
 use super::TraceFitError;
 use super::autocorrelation::Autocorrelation;
@@ -97,7 +97,7 @@ impl Minimum {
     }
 }
 
-/// Descends from the start of a search. `watch` is checked before each evaluation of the motion.
+/// Descends from the start of a search.
 pub fn descent(
     model: &Model,
     series: &[Series<'_>],

@@ -65,12 +65,11 @@ pub use fitted::{FittedTrace, Parameter, TraceFit};
 pub use options::TraceOptions;
 
 use crate::measurement::Trace;
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Progress;
 use problem::Problem;
 
 /// Fits a model with these kinds of damping to traces of the same pendulum, which share ω0, damping and scale.
-///
-/// `watch` is checked before each evaluation of the motion and may stop the fit.
 ///
 /// # Errors
 /// Fails for too few rows, a trace that is not that of a pendulum, parameters that the data do not determine, and a cancellation.
@@ -80,14 +79,14 @@ use problem::Problem;
 /// use libration_lab::fit::trace::{DampingKind, DampingModel, TraceOptions, fit_traces};
 /// use libration_lab::measurement::{Observable, Trace};
 /// use libration::pendulum::Pendulum;
-/// use libration::watch::Watch;
+/// use libration::progress::Quiet;
 ///
 /// let motion = Pendulum::from_angular_frequency(3.0)?.released_from("100deg".parse()?)?;
 /// let times: Vec<f64> = (0..300).map(|row| 0.02 * f64::from(row)).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 /// let linear = DampingModel::only(DampingKind::Linear);
-/// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Watch::none())?;
+/// let fit = fit_traces(&[trace], linear, &TraceOptions::default(), &Quiet)?;
 /// assert!((fit.parameters[0].estimate.value - 3.0).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -95,8 +94,9 @@ pub fn fit_traces(
     traces: &[Trace],
     damping: DampingModel,
     options: &TraceOptions,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<TraceFit, TraceFitError> {
+    let watch = &Watch::new(progress);
     let problem = Problem::new(traces, damping, *options)?;
     let end = search::from_scratch(&problem, None, watch)?;
     let patience = search::patience(&end);

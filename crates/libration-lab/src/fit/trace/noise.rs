@@ -12,7 +12,8 @@
 //! the spectrum of the noise is smooth about the frequency of the swing; only the uncertainties are computed for the correlated noise. White noise
 //! is one end of the same scale.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Quiet;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::response::Response;
@@ -57,8 +58,9 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     };
     let times = times(traces);
     let noises = times.len() * WHITE_PARTS.len();
-    let tried =
-        parallel::map(&times, &Watch::none(), |&time, _| rows.tried(time, &WHITE_PARTS, response, degrees));
+    let tried = parallel::map(&times, &Watch::new(&Quiet), |&time, _| {
+        rows.tried(time, &WHITE_PARTS, response, degrees)
+    });
     let beforehand = -libm::log(count(noises.max(1)));
     let others = tried.into_iter().flatten().flatten();
     let others = others.map(|tried| Tried { likelihood: tried.likelihood + beforehand, ..tried });

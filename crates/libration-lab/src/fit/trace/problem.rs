@@ -1,6 +1,6 @@
 //! Traces, the model that is fitted to them, and the options of the fit.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 use super::data::Data;
 use super::minimum::{Care, Descent, Minimum, Start, descent, linearised, promised};

@@ -2,7 +2,7 @@
 //! has grown by the amount of the level (D. M. Bates and D. G. Watts, *Nonlinear Regression Analysis and Its
 //! Applications*, Wiley 1988, doi:10.1002/9780470316757, chapter 6).
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 use super::minimum::Minimum;
 use super::problem::Problem;

@@ -1,6 +1,6 @@
 //! Search for the minimum without a guess: from the first swings on, with growing parts of the traces.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 use std::f64::consts::TAU;
 
 use super::TraceFitError;

@@ -13,9 +13,10 @@ use super::{DampingKind, DampingModel};
 use crate::fit::damped_pendulum::{equation, symbol};
 use crate::measurement::Observable;
 use libration::expression::{Expression, Symbol};
+use libration::progress::Quiet;
 use libration::taylor::{
     Contact, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution, Step, System,
-    Trajectory, integrate_many_watched, with_sensitivities,
+    Trajectory, integrate_many_stepwise, with_sensitivities,
 };
 
 /// Pendulums with these kinds of damping.
@@ -94,8 +95,8 @@ impl Swing {
         };
         match &trajectories[..] {
             // One motion alone would cost as much as eight in lanes.
-            [one] => vec![one.integrate_watched(&self.system, effort, |step| take(0, step))],
-            many => integrate_many_watched(&self.system, many, effort, take),
+            [one] => vec![one.integrate_stepwise(&self.system, effort, |step| take(0, step))],
+            many => integrate_many_stepwise(&self.system, many, effort, take),
         }
     }
 
@@ -308,7 +309,7 @@ pub(super) fn turning_point(
     let parameters = [omega0 * omega0].iter().chain(coefficients).copied().collect();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let trajectory = Trajectory { start, parameters, times: &[longest] };
-    let solution = trajectory.integrate(&until_it_turns(system), &EXACT).ok()?;
+    let solution = trajectory.integrate(&until_it_turns(system), &EXACT, &Quiet).ok()?;
     solution.events.iter().find(|event| is_turn(event)).map(|turn| [turn.time, turn.state[0]])
 }
 

@@ -1,6 +1,6 @@
 //! Parameters with uncertainties, from the minimum.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
 
 use nalgebra::DMatrix;
 

@@ -6,7 +6,8 @@
 
 use std::f64::consts::PI;
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Quiet;
 use nalgebra::{DMatrix, DVector};
 
 use crate::measurement::{Observable, Trace};
@@ -82,7 +83,7 @@ fn best_estimate(times: &[f64], angles: &[f64]) -> Option<Estimate> {
     let halves =
         std::iter::successors(first, |half| Some(1.25 * half)).take_while(|half| *half <= 0.5 * span);
     let halves: Vec<f64> = halves.collect();
-    let estimates = parallel::map(&halves, &Watch::none(), |&half, _| estimate(&samples, &gaps, half));
+    let estimates = parallel::map(&halves, &Watch::new(&Quiet), |&half, _| estimate(&samples, &gaps, half));
     let estimates = estimates.into_iter().flatten();
     estimates.min_by(|a, b| a.misfit.total_cmp(&b.misfit))
 }

@@ -8,6 +8,7 @@ use libration_testing::sweep::{self, Limits};
 use super::{SWING, changed, found, linear, of_length, trace};
 use crate::random::Random;
 use crate::synthetic_trace::{Synthetic, normal};
+use libration::progress::Quiet;
 
 /// A pendulum whose length changes: ω0² rises by the square of `ratio` within 40 s.
 fn drifting(ratio: f64) -> Trace {
@@ -16,7 +17,7 @@ fn drifting(ratio: f64) -> Trace {
     let system = System::new(&equation.parse().unwrap()).unwrap();
     let times: Vec<f64> = (0..2000).map(|row| 0.02 * f64::from(row)).collect();
     let start = Moment { time: 0.0, state: vec![0.4, 0.0] };
-    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12)).unwrap();
+    let solution = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12), &Quiet).unwrap();
     let mut random = Random::seeded(4);
     let values = solution.samples.iter().map(|sample| sample.state[0] + 0.002 * normal(&mut random));
     Trace::new("drifting", Observable::Angle, times, values.collect(), None).unwrap()

@@ -1,6 +1,7 @@
 //! A small deviation from a motion, carried along by the linearised equations.
 
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, StateLayout, System, integrate};
+use libration_numbers::progress::Quiet;
 
 /// A motion with a small deviation from it, whose size is set back to one at the beginning of each interval.
 ///
@@ -46,7 +47,7 @@ impl<'a> Deviation<'a> {
             time: self.moment.time,
             state: merged(self.layout, &self.moment.state, &self.deviation),
         };
-        let solution = integrate(self.system, &start, &[end], &self.effort);
+        let solution = integrate(self.system, &start, &[end], &self.effort, &Quiet);
         let both = solution.map_err(cause)?.end.state;
         let [state, deviation] = split(self.layout, &both);
         self.deviation = deviation;

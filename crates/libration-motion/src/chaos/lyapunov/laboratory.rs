@@ -5,9 +5,10 @@ use super::super::structure::{angles, cyclic, theorem};
 use super::deviation::{Deviation, unequal_part};
 use super::verdict::Evidence;
 use super::{Doubt, LyapunovError, LyapunovVerdict, Regularity, Schedule};
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched, with_tangents};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_stepwise, with_tangents};
 use libration_numbers::expression::Equation;
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Stage;
 
 /// The equations, the schedule and the units that all motions of one measurement share.
 pub(super) struct Laboratory<'a> {
@@ -52,7 +53,7 @@ impl<'a> Laboratory<'a> {
         self.follow(self.settled.clone(), watch)
     }
 
-    /// Follows a motion through the schedule, or until `watch` stops it.
+    /// Follows a motion through the schedule, or until it is cancelled.
     fn follow(&self, settled: Moment, watch: &Watch<'_>) -> Result<Evidence, LyapunovError> {
         let mut evidence = Evidence::new(self.schedule.interval, settled.state.len());
         let mut deviation =
@@ -97,7 +98,7 @@ impl<'a> Laboratory<'a> {
         watch.begin(Stage::Motion { number: neighbour }, Some(self.schedule.intervals));
         let times = [start.time + self.schedule.transient];
         let settled =
-            integrate_watched(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
+            integrate_stepwise(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
                 watch.flow()
             });
         match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, watch)) {
@@ -152,7 +153,7 @@ fn survey(
     extent.include(&start.state);
     let settled = start.time + schedule.transient;
     let end = settled.max(start.time + 10.0 * schedule.interval);
-    let mut solution = integrate_watched(system, start, &[settled, end], effort, |step| {
+    let mut solution = integrate_stepwise(system, start, &[settled, end], effort, |step| {
         extent.include(&step.state_at(step.end()));
         watch.flow()
     })?;

@@ -23,7 +23,8 @@ use super::structure::has_jumps;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment};
 use laboratory::Laboratory;
 use libration_numbers::expression::{Equation, WithoutValue};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 
 pub use schedule::Schedule;
 pub use verdict::{Doubt, LyapunovVerdict, Regularity};
@@ -69,6 +70,9 @@ pub enum LyapunovError {
 /// A deviation is carried along by the linearised equations. Its size is measured in units of how far the motion goes in each
 /// number of the state, so that units do not matter.
 ///
+/// `progress` has the number of intervals measured of [`Stage::Motion`](libration_numbers::progress::Stage::Motion) 0, the given motion, and of 1
+/// and 2, its neighbours. A cancelled call returns the estimates until then, with the verdict [`Doubt::Stopped`].
+///
 /// # The verdict
 /// `Chaotic` is said only if the equations leave it open, and if of the motion and of two that begin a millionth of its
 /// extent next to it: the deviation grows by e¹⁰⁰ or more, on the motion itself in each of ten blocks of the time; the
@@ -81,17 +85,19 @@ pub enum LyapunovError {
 /// # Errors
 /// A parameter without a value, accelerations with sign(…), a start that does not fit, times that measure nothing, or a motion
 /// that stops before one interval is measured.
+/// [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] if the call is cancelled before an interval is measured.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::chaos::{Schedule, LyapunovVerdict, lyapunov_exponent};
+/// use libration::progress::Quiet;
 /// use libration::taylor::{Effort, Moment};
 /// let pendulum = "theta'' + theta'/2 + sin(theta) = 1.5*cos(2t/3)".parse()?;
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-12);
 /// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
-/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort)?;
+/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort, &Quiet)?;
 /// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -103,23 +109,9 @@ pub fn lyapunov_exponent(
     start: &Moment,
     schedule: &Schedule,
     effort: &Effort,
+    progress: &dyn Progress,
 ) -> Result<LyapunovExponent, LyapunovError> {
-    lyapunov_exponent_watched(equation, start, schedule, effort, &Watch::none())
-}
-
-/// The exponent as [`lyapunov_exponent`] gives it; `watch` is called at each step of the transient and after each interval, with the number of
-/// intervals measured of [`Stage::Motion`](libration_numbers::watch::Stage::Motion) 0, the given motion, and of 1 and 2, its neighbours. Where it
-/// cancels, the estimates until then are given, with the verdict [`Doubt::Stopped`].
-///
-/// # Errors
-/// As [`lyapunov_exponent`]; [`LyapunovError::Nothing`] or [`IntegrationError::Stopped`] where it stops before an interval is measured.
-pub fn lyapunov_exponent_watched(
-    equation: &Equation,
-    start: &Moment,
-    schedule: &Schedule,
-    effort: &Effort,
-    watch: &Watch<'_>,
-) -> Result<LyapunovExponent, LyapunovError> {
+    let watch = &Watch::new(progress);
     if !schedule.is_possible() {
         return Err(LyapunovError::Schedule(*schedule));
     }

@@ -7,7 +7,7 @@ use super::super::drive::drive_period;
 use super::super::extent::Extent;
 use super::super::structure::angles;
 use super::LyapunovError;
-use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_watched};
+use crate::taylor::{Cause, Effort, IntegrationError, Moment, System, integrate_stepwise};
 use libration_numbers::expression::Equation;
 
 /// The duration for which a motion is followed, and the intervals at which the growth of a deviation is measured.
@@ -53,7 +53,7 @@ fn period_of_motion(equation: &Equation, start: &Moment, effort: &Effort) -> Res
     let mut extent = Extent::new(start.state.len());
     let mut speeds = Extent::new(system.coordinates());
     let end = start.time + LONG;
-    let outcome = integrate_watched(&system, start, &[end], &effort, |step| {
+    let outcome = integrate_stepwise(&system, start, &[end], &effort, |step| {
         extent.include(&step.state_at(step.end()));
         speeds.include(&step.speeds_at(step.end()));
         ControlFlow::Continue(())

@@ -3,11 +3,10 @@
 
 use super::integrable::{Case, cases};
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, Theorem,
-    lyapunov_exponent_watched,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, Theorem, lyapunov_exponent,
 };
+use libration::progress::{Progress, Quiet, Status};
 use libration::taylor::{Cause, Effort, Moment};
-use libration::watch::{Progress, Watch};
 use libration_testing::golden::Table;
 use std::ops::ControlFlow;
 
@@ -15,7 +14,7 @@ fn attempt(
     equation: &str,
     start: &[f64],
     intervals: usize,
-    watch: &Watch<'_>,
+    watch: &dyn Progress,
 ) -> Result<LyapunovExponent, LyapunovError> {
     attempt_to(1e-13, equation, start, intervals, watch)
 }
@@ -25,24 +24,24 @@ fn attempt_to(
     equation: &str,
     start: &[f64],
     intervals: usize,
-    watch: &Watch<'_>,
+    watch: &dyn Progress,
 ) -> Result<LyapunovExponent, LyapunovError> {
     let equation = equation.parse().unwrap();
     let start = Moment { time: 0.0, state: start.to_vec() };
     let effort = Effort::to_tolerance(tolerance);
     let schedule = Schedule::natural(&equation, &start, intervals, &effort)?;
-    lyapunov_exponent_watched(&equation, &start, &schedule, &effort, watch)
+    lyapunov_exponent(&equation, &start, &schedule, &effort, watch)
 }
 
 fn measure(equation: &str, start: &[f64], intervals: usize) -> LyapunovExponent {
-    attempt(equation, start, intervals, &Watch::none()).unwrap()
+    attempt(equation, start, intervals, &Quiet).unwrap()
 }
 
 /// Numbers of motions that are regular, and that are undecided or escape over a barrier; none may be chaotic.
 fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for Case { equation, start } in cases {
-        let found = attempt_to(tolerance, equation, start, intervals, &Watch::none());
+        let found = attempt_to(tolerance, equation, start, intervals, &Quiet);
         match found.map(|found| found.verdict) {
             Ok(LyapunovVerdict::Regular(_)) => counts[0] += 1,
             Ok(LyapunovVerdict::Undecided(_)) | Err(LyapunovError::Integration(_)) => counts[1] += 1,
@@ -170,12 +169,10 @@ fn units_do_not_matter() {
 
 #[test]
 fn an_interruption_keeps_the_estimate() {
-    let stop = |progress: Progress| {
+    let stop = |progress: Status| {
         if progress.done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found =
-        attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, &Watch::new(&stop))
-            .unwrap();
+    let found = attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, &stop).unwrap();
     assert_eq!(found.verdict, LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
     let (time, last) = *found.convergence.last().unwrap();
     assert!((time / (1.5 * std::f64::consts::PI) - 50.0).abs() < 1e-9 && last == found.exponent);

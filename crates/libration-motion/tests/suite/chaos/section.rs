@@ -2,10 +2,10 @@
 
 use libration::chaos::{
     Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding,
-    bifurcation_diagram, bifurcation_diagram_watched, drive_period, folded, section, section_watched,
+    bifurcation_diagram, drive_period, folded, section,
 };
+use libration::progress::{Quiet, Status};
 use libration::taylor::{Cause, Direction, Effort, Moment};
-use libration::watch::{Progress, Watch};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -25,7 +25,7 @@ fn points_of(
 ) -> PoincareSection {
     let (equation, effort) = (equation.parse().unwrap(), Effort::to_tolerance(1e-12));
     let points = Points { skipped, recorded };
-    section(&equation, &from(state), cut, points, &effort).unwrap()
+    section(&equation, &from(state), cut, points, &effort, &Quiet).unwrap()
 }
 
 fn diagram(
@@ -38,7 +38,7 @@ fn diagram(
     let equation = equation.parse().unwrap();
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let effort = Effort::to_tolerance(1e-12);
-    bifurcation_diagram(&family, values, &from(state), how, &effort).unwrap()
+    bifurcation_diagram(&family, values, &from(state), how, &effort, &Quiet).unwrap()
 }
 
 #[test]
@@ -199,14 +199,12 @@ fn interruptions_keep_what_is_done() {
     let points = Points { skipped: 5, recorded: 20 };
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let stop = |limit: usize| {
-        move |it: Progress| if it.done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        move |it: Status| if it.done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let (start, effort) = (from(&[0.2, 0.0]), Effort::to_tolerance(1e-10));
     let values = [1.0, 1.1, 1.2, 1.3];
     let kept = |how| -> Vec<f64> {
-        let columns =
-            bifurcation_diagram_watched(&family, &values, &start, how, &effort, &Watch::new(&stop(2)))
-                .unwrap();
+        let columns = bifurcation_diagram(&family, &values, &start, how, &effort, &stop(2)).unwrap();
         assert!(columns.iter().all(|column| column.section.points.len() == 20));
         columns.iter().map(|column| column.value).collect()
     };
@@ -214,7 +212,7 @@ fn interruptions_keep_what_is_done() {
     // Side by side others than the first two may be done first.
     assert_eq!(kept(Continuation::SameStart).len(), 2);
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
-    let found = section_watched(&equation, &start, &FLASH, points, &effort, &Watch::new(&stop(7))).unwrap();
+    let found = section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
     assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
     assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
 }
@@ -259,13 +257,12 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
     let (effort, points) = (Effort::to_tolerance(1e-9), Points { skipped: 5, recorded: 20 });
     let surface = Section::Crossing { formula: "x".parse().unwrap(), direction: Direction::Rising };
     for cut in [FLASH, surface] {
-        let reports: RefCell<Vec<Progress>> = RefCell::default();
-        let ask = |progress: Progress| {
-            reports.borrow_mut().push(progress);
-            if progress.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let reports: RefCell<Vec<Status>> = RefCell::default();
+        let progress = |status: Status| {
+            reports.borrow_mut().push(status);
+            if status.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found =
-            section_watched(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &Watch::new(&ask)).unwrap();
+        let found = section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
         assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         let reports = reports.into_inner();
         assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|it| it.of == Some(20)));
@@ -280,9 +277,15 @@ fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
     let points = Points { skipped: 0, recorded: 3 };
     let family = Family { equation: &equation, parameter: "A", section: &section, points };
     let effort = Effort::to_tolerance(1e-12);
-    let columns =
-        bifurcation_diagram(&family, &[1.0, 1.3], &from(&[1.0, 0.0]), Continuation::LastState, &effort)
-            .unwrap();
+    let columns = bifurcation_diagram(
+        &family,
+        &[1.0, 1.3],
+        &from(&[1.0, 0.0]),
+        Continuation::LastState,
+        &effort,
+        &Quiet,
+    )
+    .unwrap();
     let [before, after] = [0, 1].map(|column: usize| &columns[column].section.points);
     // The first flash of the new drive is where the last of the old one was.
     assert_eq!(after[0].state, before[2].state);

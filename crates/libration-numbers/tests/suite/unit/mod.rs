@@ -3,11 +3,11 @@
 mod algebra;
 mod expression;
 mod linear;
+mod progress;
 mod quadrature;
 mod quantity;
 mod roots;
 mod series;
-mod watch;
 
 use libration_testing::sources::tests_in;
 use std::path::{Path, PathBuf};

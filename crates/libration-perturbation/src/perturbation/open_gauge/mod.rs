@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use expansion::{Ansatz, Expansion, coefficient, frequency_correction};
 use libration_numbers::algebra::{Polynomial, Rational, Variable};
-use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Progress, Stage};
 
 /// The powers of ε in the ansatz.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,9 +40,10 @@ pub struct Condition {
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{OpenGauge, EpsilonPowers};
+/// use libration::progress::Quiet;
 /// // sin θ up to the fifth power.
 /// let sine = ["1", "0", "-1/6", "0", "1/120"].map(|text| text.parse().unwrap());
-/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity)?;
+/// let pendulum = OpenGauge::new(&sine, 5, EpsilonPowers::OneParity, &Quiet)?;
 /// assert_eq!(pendulum.solution()[&"d4".into()].to_string(), "-A1*A3/8 + A1^4/1024");
 /// assert_eq!(pendulum.free_constants().len(), 3);
 /// # Ok::<(), libration::perturbation::OpenGaugeError>(())
@@ -67,23 +69,12 @@ impl OpenGauge {
     /// # Errors
     /// When the order is not between 1 and [`MAX_ORDER`](Self::MAX_ORDER), g₁ is not positive, or the force has
     /// an even term while the ansatz has one parity.
+    /// [`OpenGaugeError::Interrupted`] if the call is cancelled.
     pub fn new(
         restoring_force: &[Rational],
         order: u32,
         powers: EpsilonPowers,
-    ) -> Result<Self, OpenGaugeError> {
-        Self::new_watched(restoring_force, order, powers, &Watch::none())
-    }
-
-    /// Computes the same as [`new`](Self::new); `watch` is checked at each order.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new), and [`OpenGaugeError::Interrupted`].
-    pub fn new_watched(
-        restoring_force: &[Rational],
-        order: u32,
-        powers: EpsilonPowers,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Self, OpenGaugeError> {
         if !(1..=Self::MAX_ORDER).contains(&order) {
             return Err(OpenGaugeError::Order { order });
@@ -95,7 +86,7 @@ impl OpenGauge {
         }
         let ansatz = Ansatz::new(order, powers, even.is_some());
         let force = force.into_iter().take(order as usize).collect::<Vec<_>>();
-        let (conditions, solution) = solve(&ansatz, &force, watch)?;
+        let (conditions, solution) = solve(&ansatz, &force, &Watch::new(progress))?;
         Ok(Self { ansatz, force, conditions, solution })
     }
 
@@ -175,7 +166,7 @@ pub enum OpenGaugeError {
         /// Its exponent.
         power: u32,
     },
-    /// The watch said so.
+    /// Cancelled by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
 }

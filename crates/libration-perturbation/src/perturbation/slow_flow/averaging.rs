@@ -15,8 +15,8 @@
 
 use super::phase_functions::{Coefficient, PhaseFunctions, Response};
 use libration_numbers::internals::expression::{Jet, Tape};
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::series::PowerSeries;
-use libration_numbers::watch::Watch;
 use libration_numbers::{algebra::Ring, internals::algebra::HarmonicPair};
 
 /// The definition of A.

@@ -53,8 +53,9 @@ impl SlowFlow {
     /// ```
     /// # extern crate libration_perturbation as libration;
     /// use libration::perturbation::{Gauge, slow_flow};
+    /// use libration::progress::Quiet;
     /// let equation = "x'' + x = e1*((1 - x^2)*x' - x^3)".parse()?;
-    /// let [cycle] = &slow_flow(&equation, None, 7, 3, &Gauge::Fundamental)?.limit_cycles()[..] else { panic!() };
+    /// let [cycle] = &slow_flow(&equation, None, 7, 3, &Gauge::Fundamental, &Quiet)?.limit_cycles()[..] else { panic!() };
     /// // A = 2, and 3A²/8 of the force x³; the exponent of the cycle is −ε, as without it.
     /// assert!((cycle.amplitude[0] - 2.0).abs() < 1e-14);
     /// assert!((cycle.frequency[1] - 1.5).abs() < 1e-14);

@@ -22,10 +22,11 @@
 //! ```
 //! # extern crate libration_perturbation as libration;
 //! use libration::perturbation::{Gauge, slow_flow};
+//! use libration::progress::Quiet;
 //!
 //! // The drag of a fast flow on a pendulum.
 //! let equation = "theta'' + c*theta'*abs(theta') + sin(theta) = 0".parse()?;
-//! let flow = slow_flow(&equation, None, 4, 2, &Gauge::XMax)?;
+//! let flow = slow_flow(&equation, None, 4, 2, &Gauge::XMax, &Quiet)?;
 //! assert_eq!(flow.amplitude_rate[1][2].to_string(), "-4/(3*pi)");
 //! assert_eq!(flow.phase_rate[0][2].to_string(), "-1/16");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -48,7 +49,8 @@ mod weak_force;
 use super::gauge::Gauge;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
 pub(super) use half_swing::HalfSwings;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::{
     algebra::{PiSum, Rational, Rationals, Surd},
     internals::algebra::{HarmonicSums, PiPolynomial, PiPowers, Quadratic, QuadraticField},
@@ -152,13 +154,15 @@ fn value(series: &SlowSeries, amplitude: f64, parameter: f64) -> f64 {
 /// # Errors
 /// Orders out of range; letters without values; no oscillator at zero, or one whose equilibrium or ω0² is not a fraction; a force without
 /// series.
+/// [`SlowFlowError::Interrupted`] if the call is cancelled.
 ///
 /// # Examples
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{Gauge, slow_flow};
+/// use libration::progress::Quiet;
 /// // Viscous damping of a linear spring: A′ = −cA/2 and ψ′ = √(1 − c²/4), exactly.
-/// let flow = slow_flow(&"x'' + c*x' + x = 0".parse()?, None, 1, 4, &Gauge::XMax)?;
+/// let flow = slow_flow(&"x'' + c*x' + x = 0".parse()?, None, 1, 4, &Gauge::XMax, &Quiet)?;
 /// assert_eq!(flow.amplitude_rate[1][1].to_string(), "-1/2");
 /// assert_eq!(flow.phase_rate[2][0].to_string(), "-1/8");
 /// assert_eq!(flow.phase_rate[4][0].to_string(), "-1/128");
@@ -173,21 +177,7 @@ pub fn slow_flow(
     order: usize,
     parameter_order: usize,
     gauge: &Gauge,
-) -> Result<SlowFlow, SlowFlowError> {
-    slow_flow_watched(equation, parameter, order, parameter_order, gauge, &Watch::none())
-}
-
-/// Computes the same as [`slow_flow`]; `watch` is checked at each order.
-///
-/// # Errors
-/// As [`slow_flow`], or [`SlowFlowError::Interrupted`].
-pub fn slow_flow_watched(
-    equation: &Equation,
-    parameter: Option<&str>,
-    order: usize,
-    parameter_order: usize,
-    gauge: &Gauge,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<SlowFlow, SlowFlowError> {
     if !(1..=MAX_SLOW_ORDER).contains(&order) {
         return Err(SlowFlowError::Order(order));
@@ -196,7 +186,7 @@ pub fn slow_flow_watched(
         return Err(SlowFlowError::ParameterOrder(parameter_order));
     }
     let force = WeakForce::new(equation, parameter)?;
-    Question::new(&force, [order, parameter_order], gauge)?.answer(watch)
+    Question::new(&force, [order, parameter_order], gauge)?.answer(&Watch::new(progress))
 }
 
 /// An oscillator under a weak force, and the slow flow requested.

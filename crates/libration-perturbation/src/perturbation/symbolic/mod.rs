@@ -18,7 +18,8 @@ use super::shape::{Shape, shape_of};
 use frequency::{Frequency, Point};
 use libration_motion::oscillator::{Kind, SymbolicOscillator};
 use libration_numbers::expression::{Expression, Function, Symbol};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Progress, Stage};
 use libration_numbers::{
     algebra::{LaurentPolynomial, LaurentPolynomials, Rational, Ring},
     internals::algebra::HarmonicSums,
@@ -59,37 +60,27 @@ impl SymbolicExpansion {
 /// # extern crate libration_perturbation as libration;
 /// use libration::oscillator::SymbolicOscillator;
 /// use libration::perturbation::{Gauge, expand_symbolically};
+/// use libration::progress::Quiet;
 /// let oscillator = SymbolicOscillator::new(&"x'' + w^2*x + a*x^2 + b*x^3 = 0".parse()?)?;
-/// let expansion = expand_symbolically(&oscillator, 3, &Gauge::Fundamental)?;
+/// let expansion = expand_symbolically(&oscillator, 3, &Gauge::Fundamental, &Quiet)?;
 /// assert_eq!(expansion.series.frequency_ratio[2].to_string(), "3*b/(8*w^2) - 5*a^2/(12*w^4)");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// An order out of range, a gauge that the oscillator does not have, and coefficients with more than ten thousand terms.
+/// [`SymbolicExpansionError::Interrupted`], with the orders that were found, if the call is cancelled.
 pub fn expand_symbolically(
     oscillator: &SymbolicOscillator,
     order: usize,
     gauge: &Gauge,
-) -> Result<SymbolicExpansion, SymbolicExpansionError> {
-    expand_symbolically_watched(oscillator, order, gauge, &Watch::none())
-}
-
-/// Expands as [`expand_symbolically`] does, and checks `watch` at each order.
-///
-/// # Errors
-/// As [`expand_symbolically`], or [`SymbolicExpansionError::Interrupted`] with the orders that were found.
-pub fn expand_symbolically_watched(
-    oscillator: &SymbolicOscillator,
-    order: usize,
-    gauge: &Gauge,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<SymbolicExpansion, SymbolicExpansionError> {
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(ExpansionError::Order(order).into());
     }
     check_gauge(gauge, oscillator)?;
-    Question { oscillator, order, gauge, frequency: Frequency::new(oscillator) }.answer(watch)
+    Question { oscillator, order, gauge, frequency: Frequency::new(oscillator) }.answer(&Watch::new(progress))
 }
 
 fn check_gauge(gauge: &Gauge, oscillator: &SymbolicOscillator) -> Result<(), ExpansionError> {

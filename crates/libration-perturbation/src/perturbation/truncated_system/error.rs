@@ -1,7 +1,7 @@
 //! Errors of truncated systems.
 
 use super::TruncatedSystem;
-use libration_numbers::watch::Interrupted;
+use libration_numbers::progress::Interrupted;
 
 /// The reason why a truncated system cannot be set up or solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

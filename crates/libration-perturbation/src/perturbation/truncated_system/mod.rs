@@ -16,7 +16,8 @@ use super::cosines::{COSINES, Cosines, cosines};
 use super::open_gauge::over_linear_term;
 use collocation::Collocation;
 pub use error::TruncatedSystemError;
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::Progress;
 use libration_numbers::{
     algebra::{Complex, Polynomial, Rational, Ring, Variable},
     internals::algebra::PhaseRing,
@@ -31,13 +32,14 @@ pub use verdict::SolutionVerdict;
 /// ```
 /// # extern crate libration_perturbation as libration;
 /// use libration::perturbation::{TruncatedSystem, SolutionVerdict};
+/// use libration::progress::Quiet;
 /// let sine = ["1", "0", "-1/6"].map(|text| text.parse().unwrap());
 /// let system = TruncatedSystem::new(&sine, 2, 3)?;
 /// let [first, third] = &system.conditions()[..] else { panic!() };
 /// assert_eq!(first.to_string(), "-8 + a1^2 + a1*a3 + 2*a3^2 + 8*Delta^2");
 /// assert_eq!(third.to_string(), "-24*a3 + a1^3 + 6*a1^2*a3 + 3*a3^3 + 216*a3*Delta^2");
 ///
-/// let solutions = system.solutions(1.0)?;
+/// let solutions = system.solutions(1.0, &Quiet)?;
 /// assert_eq!(solutions.len(), 4);
 /// assert_eq!(solutions[0].verdict, SolutionVerdict::Accepted);
 /// assert!((solutions[0].frequency_ratio_squared.re - 0.87425).abs() < 1e-5);
@@ -130,25 +132,18 @@ impl TruncatedSystem {
     /// # Errors
     /// When the amplitude is not positive and finite, or solutions are missing after all attempts, as happens
     /// where some coincide.
-    pub fn solutions(&self, amplitude: f64) -> Result<Vec<TruncatedSolution>, TruncatedSystemError> {
-        self.solutions_watched(amplitude, &Watch::none())
-    }
-
-    /// Computes the same as [`solutions`](Self::solutions); `watch` is checked for each of them.
-    ///
-    /// # Errors
-    /// As [`solutions`](Self::solutions), and [`TruncatedSystemError::Interrupted`].
-    pub fn solutions_watched(
+    /// [`TruncatedSystemError::Interrupted`] if the call is cancelled.
+    pub fn solutions(
         &self,
         amplitude: f64,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<Vec<TruncatedSolution>, TruncatedSystemError> {
         if !(amplitude > 0.0 && amplitude < f64::INFINITY) {
             return Err(TruncatedSystemError::Amplitude { amplitude });
         }
         let equations = Collocation::new(self.harmonics, &self.force[..self.degree]);
         let expected = usize::try_from(self.number_of_solutions()).unwrap_or(usize::MAX);
-        let roots = tracking::all_roots(&equations, amplitude, expected, watch)?;
+        let roots = tracking::all_roots(&equations, amplitude, expected, &Watch::new(progress))?;
         if roots.len() < expected {
             return Err(TruncatedSystemError::Missing { found: roots.len(), expected });
         }

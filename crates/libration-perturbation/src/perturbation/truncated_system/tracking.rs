@@ -15,7 +15,8 @@ use super::newton::{Linearization, newton, refine, target};
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
 use libration_numbers::internals::linear::solve_complex;
-use libration_numbers::watch::{Interrupted, Stage, Watch};
+use libration_numbers::internals::progress::Watch;
+use libration_numbers::progress::{Interrupted, Stage};
 
 /// a₁, a₃, … and Δ².
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::Side;
 use super::phase::turned;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
-use libration_numbers::watch::Watch;
+use libration_numbers::internals::progress::Watch;
 
 /// The coefficients of (1/π)∫ X·cos kθ dθ for each k, by powers of ρ; half of it for k = 0. `None` when cancelled.
 pub(super) fn integrals(

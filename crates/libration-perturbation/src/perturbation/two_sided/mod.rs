@@ -22,8 +22,9 @@ use super::lindstedt::{Family, Wave};
 use super::series_set::{SeriesSet, composed, half_swing};
 use super::shape::{Shape, shape_of};
 use libration_motion::oscillator::Oscillator;
+use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::series::truncated::{powers, powers_of_inverse, reciprocal};
-use libration_numbers::watch::{Stage, Watch};
+use libration_numbers::progress::Stage;
 use libration_numbers::{
     algebra::{BigFloat, Floats, LaurentPolynomial, LaurentPolynomials, Rational, Rationals, Ring},
     internals::algebra::{HarmonicPair, PiPolynomial, PiPowers},

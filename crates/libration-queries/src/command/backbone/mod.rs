@@ -122,8 +122,8 @@ impl Backbone {
         }
         interrupt::listen()?;
         let (curve, asked_for) = (self.curve(&asked)?, amplitudes.len());
-        let points = parallel::map_until_asked(&amplitudes, "amplitudes", |amplitude, watch| {
-            curve.at_displacement_watched(amplitude, watch)
+        let points = parallel::map_unless_cancelled(&amplitudes, "amplitudes", |amplitude, progress| {
+            curve.at_displacement(amplitude, progress)
         });
         if points.is_empty() {
             return Err(early());
@@ -134,8 +134,8 @@ impl Backbone {
     /// The series has to be complete before the first amplitude.
     fn curve(&self, asked: &Asked) -> Result<Curve, QueryError> {
         let order = self.order;
-        let curve = parallel::until_asked(&format!("the series to order {order}"), |watch| {
-            Curve::new_watched(&asked.equation, asked.about.as_ref(), order, watch)
+        let curve = parallel::unless_cancelled(&format!("the series to order {order}"), |progress| {
+            Curve::new(&asked.equation, asked.about.as_ref(), order, progress)
         });
         curve
             .ok_or_else(early)?

@@ -11,11 +11,11 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram_watched,
+    Continuation, DiagramColumn, DiagramError, Family, Points, Section, angles, bifurcation_diagram,
 };
+use libration::progress::Status;
 use libration::systems::Model;
 use libration::taylor::Moment;
-use libration::watch::{Progress, Watch};
 use std::cell::Cell;
 use std::io::Write;
 use std::path::PathBuf;
@@ -143,12 +143,12 @@ impl Bifurcation {
         let how_far = || format!("{} of {all} values", done.load(Ordering::Relaxed));
         let work = |piece: &Piece| {
             let before = Cell::new(0);
-            let ask = |now: Progress| {
-                done.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
-                parallel::go_on(&how_far)
+            let progress = |status: Status| {
+                done.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
+                parallel::update(&how_far)
             };
             let (values, continuation) = (&piece.values, piece.continuation);
-            bifurcation_diagram_watched(&family, values, start, continuation, &effort, &Watch::new(&ask))
+            bifurcation_diagram(&family, values, start, continuation, &effort, &progress)
         };
         interrupt::listen()?;
         let columns = parallel::with_progress(how_far, || parallel::map(&pieces, work));

@@ -72,7 +72,7 @@ impl Report {
             let [averaged, small] = [averaged, small].map(|envelope| envelope.amplitude_at(point.time));
             progress.show(|| format!("{} cycles, t = {:.6} s", in_cycles(turns.len()), point.time));
             turns.push(Turn { point, averaged, small, slow: None });
-            interrupted = interrupt::asked();
+            interrupted = interrupt::is_cancelled();
         }
         let report = Self { turns, ending: swings.ending(), interrupted, slow_turns: vec![] };
         report

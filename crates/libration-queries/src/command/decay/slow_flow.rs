@@ -1,13 +1,13 @@
 //! The slow flow compared with a decay: options and output.
 
+use crate::interrupt::Cancellation;
 use crate::output::field::{Field, Fields};
 use crate::output::number::short;
+use crate::parallel;
 use crate::query_error::{QueryError, option};
-use crate::{interrupt, parallel};
 use libration::comparison::{NoSlowDecay, SlowDecay};
 use libration::decay::Decay;
 use libration::perturbation::SlowFlowError;
-use libration::watch::Watch;
 
 /// The slow flow at a turning point of the integrated motion.
 #[derive(Clone, Copy, Debug)]
@@ -35,11 +35,9 @@ pub(super) struct Compared<'a> {
 }
 
 pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Result<SlowDecay, QueryError> {
-    let ask = |_| interrupt::go_on();
     let how_far = || format!("slow flow to order {order}");
-    let found = parallel::with_progress(how_far, || {
-        SlowDecay::new_watched(decay, order, damping_order, &Watch::new(&ask))
-    });
+    let found =
+        parallel::with_progress(how_far, || SlowDecay::new(decay, order, damping_order, &Cancellation));
     found.map_err(|error| match error {
         NoSlowDecay::SlowFlow(SlowFlowError::Interrupted) => {
             QueryError::cancelled("interrupted before the slow flow was known")

@@ -5,18 +5,15 @@ use crate::arguments::Chosen;
 use crate::query_error::QueryError;
 use libration::algebra::LaurentPolynomial;
 use libration::oscillator::SymbolicOscillator;
-use libration::perturbation::{
-    Gauge, SymbolicExpansion, SymbolicExpansionError, expand_symbolically_watched,
-};
+use libration::perturbation::{Gauge, SymbolicExpansion, SymbolicExpansionError, expand_symbolically};
 
 pub(super) fn answer(
     chosen: Chosen<SymbolicOscillator>,
     order: usize,
     gauge: &Gauge,
 ) -> Result<Answer<LaurentPolynomial>, QueryError> {
-    let expansion = with_orders_shown(order, |watch| {
-        expand_symbolically_watched(&chosen.oscillator, order, gauge, watch)
-    });
+    let expansion =
+        with_orders_shown(order, |progress| expand_symbolically(&chosen.oscillator, order, gauge, progress));
     match expansion {
         Ok(expansion) => Ok(in_words(chosen, expansion, None)),
         Err(SymbolicExpansionError::Interrupted { known: Some(known) }) => {

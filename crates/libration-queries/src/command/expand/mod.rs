@@ -16,7 +16,7 @@ use crate::output::description::Answers;
 use crate::output::number::short;
 use crate::output::series::{Coefficient, certainty, radius_certainty};
 use crate::output::{Form, FormOptions};
-use crate::parallel::until_asked;
+use crate::parallel::unless_cancelled;
 use crate::query_error::{QueryError, option};
 use crate::{call, interrupt, parallel};
 use code::Language;
@@ -25,10 +25,10 @@ use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::Equation;
 use libration::oscillator::{Kind, Oscillator};
 use libration::perturbation::{
-    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand_watched, expand_with_pi_watched,
+    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand, expand_with_pi,
 };
+use libration::progress::{Progress, Stage, Status};
 use libration::quantity::is_angle_name;
-use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
 use std::sync::Mutex;
 use subject::{About, Subject};
@@ -259,8 +259,8 @@ impl Expand {
         let order = self.order.unwrap_or(usual);
         let oscillator = chosen.oscillator.clone();
         if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
-            let exact = with_orders_shown(order, |watch| {
-                expand_with_pi_watched(&oscillator, order, &self.gauge(), watch)
+            let exact = with_orders_shown(order, |progress| {
+                expand_with_pi(&oscillator, order, &self.gauge(), progress)
             });
             if let Some(expansion) = exact.map_err(refusal)? {
                 let equation = oscillator.equation();
@@ -373,7 +373,7 @@ fn refusal(error: ExpansionError) -> QueryError {
 /// The range of convergence of the period's series, as far as it is known.
 fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
     let relation = SeriesComparison::new(oscillator, expansion, SeriesQuantity::Period);
-    let radius = until_asked("the radius of convergence", |_| relation.radius()).flatten();
+    let radius = unless_cancelled("the radius of convergence", |_| relation.radius()).flatten();
     let variable = if expansion.variable.is_strength() { "strengths" } else { "amplitudes" };
     match radius {
         None => {
@@ -393,24 +393,24 @@ fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
 }
 
 fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
-    with_orders_shown(order, |watch| expand_watched(oscillator, order, gauge, watch))
+    with_orders_shown(order, |progress| expand(oscillator, order, gauge, progress))
 }
 
 /// The result of a computation, with a line of progress while it takes long, until Ctrl-C is pressed.
-fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&Watch<'_>) -> T + Send) -> T {
+fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&dyn Progress) -> T + Send) -> T {
     let latest = Mutex::new(None);
     let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
     let how_far = || format!("order {order}: {}", how_far());
-    let ask = |progress| {
+    let progress = |status: Status| {
         if let Ok(mut latest) = latest.lock() {
-            *latest = Some(progress);
+            *latest = Some(status);
         }
-        parallel::go_on(&how_far)
+        parallel::update(&how_far)
     };
-    parallel::with_progress(how_far, || compute(&Watch::new(&ask)))
+    parallel::with_progress(how_far, || compute(&progress))
 }
 
-fn in_words(Progress { stage, done: order, .. }: Progress) -> String {
+fn in_words(Status { stage, done: order, .. }: Status) -> String {
     match stage {
         Stage::Prime { done } => format!("{done} primes done, order {order} modulo the next"),
         Stage::Fractions { primes } => format!("fractions from {primes} primes"),

@@ -10,9 +10,9 @@ use crate::query_error::{Parameter, QueryError, option};
 use crate::{interrupt, parallel};
 use libration::comparison::{ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity};
 use libration::oscillator::Oscillator;
-use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand_watched};
+use libration::perturbation::{Expansion, Gauge, MAX_ORDER, SeriesEvaluation, expand};
+use libration::progress::{Progress, Status};
 use libration::quantity::Displacement;
-use libration::watch::Watch;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The error of a perturbation series against the amplitude, with its radius of convergence, or against the number of terms
@@ -91,8 +91,8 @@ impl Series {
 
     fn expansion(&self, chosen: &Chosen) -> Result<Expansion, QueryError> {
         let order = self.order;
-        let expansion = parallel::until_asked(&format!("the series to order {order}"), |watch| {
-            expand_watched(&chosen.oscillator, order, &Gauge::Fundamental, watch)
+        let expansion = parallel::unless_cancelled(&format!("the series to order {order}"), |progress| {
+            expand(&chosen.oscillator, order, &Gauge::Fundamental, progress)
         });
         expansion
             .ok_or_else(early)?
@@ -113,7 +113,7 @@ impl Series {
             None => BEYOND * radius.map_or(UNKNOWN_RADIUS, |radius| radius.value()),
         };
         let sampled = subject.sampled(to);
-        if sampled.is_empty() && interrupt::asked() {
+        if sampled.is_empty() && interrupt::is_cancelled() {
             return Err(early());
         }
         if sampled.is_empty() {
@@ -177,23 +177,22 @@ impl Subject {
 
     fn exact_at(&self, amplitude: &Displacement) -> Option<Result<ExactValue, NoExactValue>> {
         let relation = self.relation();
-        parallel::until_asked("the exact values", |watch| relation.exact_from_watched(amplitude, watch))
+        parallel::unless_cancelled("the exact values", |progress| relation.exact_from(amplitude, progress))
     }
 
     /// Even steps from zero up to where motions end, or go around another equilibrium too.
     fn sampled(&self, to: f64) -> Vec<Sample> {
         let (relation, done) = (self.relation(), AtomicUsize::new(0));
         let how_far = || format!("{} of at most {SAMPLES} amplitudes", done.load(Ordering::Relaxed));
-        let watch = || {
-            let ask = |_| parallel::go_on(&how_far);
-            let watch = Watch::new(&ask);
+        let sample = || {
+            let progress = |_: Status| parallel::update(&how_far);
             let amplitudes = (1..=SAMPLES).map(|step| to * f64::from(step) / f64::from(SAMPLES));
             let counted = amplitudes.inspect(|_| {
                 done.fetch_add(1, Ordering::Relaxed);
             });
-            counted.map_while(|amplitude| Sample::at(&relation, amplitude, &watch)).collect()
+            counted.map_while(|amplitude| Sample::at(&relation, amplitude, &progress)).collect()
         };
-        parallel::with_progress(how_far, watch)
+        parallel::with_progress(how_far, sample)
     }
 }
 
@@ -286,9 +285,8 @@ struct Sample {
 }
 
 impl Sample {
-    fn at(relation: &SeriesComparison<'_>, amplitude: f64, watch: &Watch<'_>) -> Option<Self> {
-        let exact =
-            relation.exact_at_watched(amplitude, watch).ok().filter(|exact| exact.encloses.is_none())?;
+    fn at(relation: &SeriesComparison<'_>, amplitude: f64, progress: &dyn Progress) -> Option<Self> {
+        let exact = relation.exact_at(amplitude, progress).ok().filter(|exact| exact.encloses.is_none())?;
         Some(Self { amplitude, exact, evaluation: relation.evaluation_at(amplitude) })
     }
 }

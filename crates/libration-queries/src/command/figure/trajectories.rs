@@ -15,7 +15,7 @@ use crate::query_error::{Parameter, QueryError, option};
 use libration::spectrum::{NoSpectrum, Spectrum};
 use libration::systems::Model;
 use libration::taylor::{
-    Cause, DenseSolution, Effort, IntegrationError, Moment, Step, System, integrate_watched,
+    Cause, DenseSolution, Effort, IntegrationError, Moment, Step, System, integrate_stepwise,
 };
 
 /// Motions of any system in one picture: against time, in the plane of two state variables, or their spectra
@@ -199,9 +199,9 @@ impl Run {
         effort: &Effort,
         mut see: impl FnMut(&Step<'_>),
     ) -> Result<(), QueryError> {
-        let integrated = integrate_watched(&self.system, &self.start, &[until], effort, |step| {
+        let integrated = integrate_stepwise(&self.system, &self.start, &[until], effort, |step| {
             see(step);
-            interrupt::go_on()
+            interrupt::check()
         });
         match integrated {
             Ok(_) => Ok(()),

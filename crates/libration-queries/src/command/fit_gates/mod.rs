@@ -7,15 +7,14 @@ use crate::arguments::{
     ApparatusOptions, DampingOptions, RecordingOptions, finding_with_option, one_amplitude,
 };
 use crate::figure;
-use crate::interrupt;
+use crate::interrupt::{self, Cancellation};
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use fields::Answer;
 use libration::quantity::{Angle, Quantity};
-use libration::watch::{Progress, Watch};
 use libration_lab::fit::Budget;
 use libration_lab::fit::gates::{
-    FlagShape, GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates_watched,
+    FlagShape, GateGeometry, GateOptions, GateSignals, GatesError, GatesFit, gates,
 };
 use std::io::Write;
 use std::path::PathBuf;
@@ -88,8 +87,7 @@ impl FitGates {
         let geometry = self.geometry()?;
         let options = self.options(geometry.as_ref())?;
         interrupt::listen()?;
-        let ask = |_: Progress| interrupt::go_on();
-        let fit = gates_watched(&read.times, read.blocked.as_deref(), &options, &Watch::new(&ask));
+        let fit = gates(&read.times, read.blocked.as_deref(), &options, &Cancellation);
         let fit = fit.map_err(|error| failure(&name, &error))?;
         let budget = self.budget(&fit, geometry.as_ref())?;
         let drawn = match &self.figure {

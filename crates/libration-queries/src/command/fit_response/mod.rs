@@ -10,7 +10,7 @@ use crate::query_error::QueryError;
 use crate::{interrupt, parallel};
 use fields::Answer;
 use input::{Input, ResponseFile};
-use libration::watch::{Progress, Watch};
+use libration::progress::{Progress, Status};
 use libration_lab::fit::response::{
     FittedCurve, MeasuredAmplitude, ResponseFit, ResponseFitError, ResponseModel, ResponsesFit, response,
 };
@@ -86,15 +86,14 @@ impl FitResponse {
     }
 
     fn fitted(&self, file: &ResponseFile) -> Result<(ResponsesFit, FittedCurve), QueryError> {
-        let ask = |_: Progress| parallel::go_on(&how_far);
-        let watch = Watch::new(&ask);
+        let progress = |_: Status| parallel::update(&how_far);
         let measured = match self.measured {
             Measured::Peak => MeasuredAmplitude::Peak,
             Measured::Fundamental => MeasuredAmplitude::Fundamental,
         };
-        let fit = response(&file.measured.table, &self.models(file), measured, &watch);
+        let fit = response(&file.measured.table, &self.models(file), measured, &progress);
         let fit = fit.map_err(|error| self.failure(&error))?;
-        let curve = self.curve(fit.best(), file, &watch)?;
+        let curve = self.curve(fit.best(), file, &progress)?;
         Ok((fit, curve))
     }
 
@@ -115,14 +114,14 @@ impl FitResponse {
         &self,
         fit: &ResponseFit,
         file: &ResponseFile,
-        watch: &Watch<'_>,
+        progress: &dyn Progress,
     ) -> Result<FittedCurve, QueryError> {
         const BEYOND: f64 = 0.06;
         let [low, high] = file.measured.table.frequency_range();
         let margin = BEYOND * (high - low).max(0.1 * high);
         let range = [(low - margin).max(0.5 * low), high + margin];
-        let curve = fit.curve(range, watch);
-        match interrupt::go_on().is_break() {
+        let curve = fit.curve(range, progress);
+        match interrupt::check().is_break() {
             true => Err(self.failure(&ResponseFitError::Interrupted)),
             false => Ok(curve.unwrap_or_default()),
         }

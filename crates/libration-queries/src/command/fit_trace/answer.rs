@@ -7,7 +7,7 @@ use crate::arguments::ApparatusOptions;
 use crate::interrupt;
 use crate::output::progress::ProgressLine;
 use crate::query_error::QueryError;
-use libration::watch::Watch;
+use libration::progress::Status;
 use libration_lab::fit::swings::{SwingsError, SwingsFit, SwingsOptions, swings};
 use libration_lab::fit::trace::{TraceFitError, TraceOptions};
 use std::cell::{Cell, RefCell};
@@ -28,10 +28,10 @@ impl<'a> Answer<'a> {
     ) -> Result<Self, QueryError> {
         interrupt::listen()?;
         let (line, motions) = (RefCell::new(ProgressLine::new()), Cell::new(0_u64));
-        let ask = |_| {
+        let progress = |_: Status| {
             motions.set(motions.get() + 1);
             line.borrow_mut().show(|| format!("fitting: {} motions integrated", motions.get()));
-            interrupt::go_on()
+            interrupt::check()
         };
         let options = SwingsOptions {
             damping: match model {
@@ -44,7 +44,7 @@ impl<'a> Answer<'a> {
             clock: apparatus.clock(),
             correlations: apparatus.correlations(),
         };
-        let swings = swings(&measured.traces, &options, &Watch::new(&ask));
+        let swings = swings(&measured.traces, &options, &progress);
         Ok(Self { measured, swings: swings.map_err(|error| failure(measured, error))? })
     }
 

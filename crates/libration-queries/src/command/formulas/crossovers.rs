@@ -10,7 +10,7 @@ use crate::output::table::Table;
 use crate::output::{Form, csv, number};
 use crate::query_error::{QueryError, option};
 use libration::period_formulas::{Crossover, PeriodFormula};
-use libration::watch::{Progress, Watch};
+use libration::progress::Status;
 use std::cell::RefCell;
 use std::io::Write;
 
@@ -23,11 +23,11 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     }
     let table = error_table(formulas)?;
     let line = RefCell::new(ProgressLine::new());
-    let ask = |Progress { done, of, .. }: Progress| {
+    let progress = |Status { done, of, .. }: Status| {
         line.borrow_mut().show(|| format!("{done} of {} pairs of formulas", of.unwrap_or(done)));
-        interrupt::go_on()
+        interrupt::check()
     };
-    let mut crossovers = table.all_crossovers_watched(&Watch::new(&ask));
+    let mut crossovers = table.all_crossovers(&progress);
     drop(line);
     crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
     let fields = of_crossover();

@@ -7,11 +7,11 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::QueryError;
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
-    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Schedule, lyapunov_exponent_watched,
+    Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Schedule, lyapunov_exponent,
 };
+use libration::progress::{Stage, Status};
 use libration::systems::Model;
 use libration::taylor::{Cause, Effort, IntegrationError, Moment};
-use libration::watch::{Progress, Stage, Watch};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -126,19 +126,19 @@ fn measured(
 ) -> Result<LyapunovExponent, LyapunovError> {
     let latest = Mutex::new(None);
     let how_far = || {
-        let latest: Option<Progress> = latest.lock().ok().and_then(|latest| *latest);
+        let latest: Option<Status> = latest.lock().ok().and_then(|latest| *latest);
         let beside = latest.is_some_and(|it| it.stage != Stage::Motion { number: 0 });
         let which = if beside { " of a neighbouring motion" } else { "" };
         format!("{} of {} intervals{which}", latest.map_or(0, |it| it.done), schedule.intervals)
     };
-    let ask = |progress| {
+    let progress = |status: Status| {
         if let Ok(mut latest) = latest.lock() {
-            *latest = Some(progress);
+            *latest = Some(status);
         }
-        parallel::go_on(&how_far)
+        parallel::update(&how_far)
     };
     parallel::with_progress(how_far, || {
-        lyapunov_exponent_watched(model.equation(), start, schedule, effort, &Watch::new(&ask))
+        lyapunov_exponent(model.equation(), start, schedule, effort, &progress)
     })
 }
 

@@ -9,8 +9,7 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::melnikov::{
-    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold,
-    thresholds_watched,
+    DriveResonance, Melnikov, NoMelnikov, NoTangency, PerturbedPendulum, Tangency, Threshold, thresholds,
 };
 use libration::systems::Model;
 use std::io::Write;
@@ -107,10 +106,11 @@ impl MelnikovQuestion {
         let pendulum = PerturbedPendulum::new(&equation).map_err(failure)?;
         let largest = u32::try_from(self.orders).unwrap_or(u32::MAX);
         let resonances =
-            parallel::until_asked("the resonances", |watch| pendulum.resonances_watched(largest, watch));
+            parallel::unless_cancelled("the resonances", |progress| pendulum.resonances(largest, progress));
         let resonances = resonances.and_then(Result::ok).ok_or_else(|| interrupted("resonances"))?;
-        let separatrices =
-            parallel::until_asked("the Melnikov functions", |watch| Melnikov::both_watched(&pendulum, watch));
+        let separatrices = parallel::unless_cancelled("the Melnikov functions", |progress| {
+            Melnikov::both(&pendulum, progress)
+        });
         let separatrices =
             separatrices.and_then(Result::ok).ok_or_else(|| interrupted("Melnikov functions"))?;
         Ok(Answer { model, at, pendulum, separatrices, thresholds, resonances })
@@ -131,17 +131,18 @@ impl Answer {
 }
 
 fn crossings(model: &Model, over: &ParameterSpan) -> Result<Vec<Crossing>, QueryError> {
-    let thresholds = parallel::until_asked_counted("the thresholds", "steps", |watch| {
-        thresholds_watched(model.equation(), &over.name, over.range, watch)
+    let thresholds = parallel::unless_cancelled_counted("the thresholds", "steps", |progress| {
+        thresholds(model.equation(), &over.name, over.range, progress)
     });
     let thresholds = thresholds.ok_or_else(|| interrupted("thresholds"))?.map_err(failure)?;
-    let crossings = parallel::until_asked_counted("the tangencies", "steps of integration", |watch| {
-        let crossing = |threshold: Threshold| Crossing {
-            tangency: threshold.tangency_watched(model.equation(), &over.name, watch),
-            threshold,
-        };
-        thresholds.into_iter().map(crossing).collect()
-    });
+    let crossings =
+        parallel::unless_cancelled_counted("the tangencies", "steps of integration", |progress| {
+            let crossing = |threshold: Threshold| Crossing {
+                tangency: threshold.tangency(model.equation(), &over.name, progress),
+                threshold,
+            };
+            thresholds.into_iter().map(crossing).collect()
+        });
     crossings.ok_or_else(|| interrupted("tangencies"))
 }
 

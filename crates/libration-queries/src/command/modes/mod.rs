@@ -58,8 +58,8 @@ impl Modes {
         let model = self.system.model()?;
         let guess = self.equilibrium.guess(&model)?;
         interrupt::listen()?;
-        let modes = parallel::until_asked("the modes", |watch| {
-            NormalModes::about_watched(model.equation(), &guess, watch)
+        let modes = parallel::unless_cancelled("the modes", |progress| {
+            NormalModes::about(model.equation(), &guess, progress)
         });
         let early = || QueryError::cancelled("interrupted before the modes were known: nothing is written");
         let modes = modes.ok_or_else(early)?;
@@ -93,8 +93,8 @@ impl Modes {
     ) -> Result<(), QueryError> {
         let coordinate = self.follow.coordinate(&model)?;
         let amplitudes = self.follow.amplitudes(&model.coordinates()[coordinate])?;
-        let found = parallel::until_asked("the orbits of the mode", |watch| {
-            NonlinearMode::follow_watched(model.equation(), modes, mode, coordinate, &amplitudes, watch)
+        let found = parallel::unless_cancelled("the orbits of the mode", |progress| {
+            NonlinearMode::follow(model.equation(), modes, mode, coordinate, &amplitudes, progress)
         });
         let early = || QueryError::cancelled("interrupted before the orbits were known: nothing is written");
         let found = found.ok_or_else(early)?.map_err(|error| match error {

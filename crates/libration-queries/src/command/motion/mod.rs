@@ -5,7 +5,7 @@ mod write;
 
 use crate::arguments::{self, PendulumOptions, TimeOptions};
 use crate::figure::parameters;
-use crate::output::progress::watched;
+use crate::output::progress::counted;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt};
@@ -87,7 +87,7 @@ impl Motion {
         let answer =
             write::Answer { pendulum: self.pendulum, motion: &motion, comparison: &comparison, listed };
         interrupt::listen()?;
-        let samples = watched(times.iter(), times.len(), "times");
+        let samples = counted(times.iter(), times.len(), "times");
         answer.write(out, self.form.form(), samples)?;
         announce(out, self.form.form(), &drawn)?;
         interrupt::ended_early("the samples")

@@ -74,8 +74,8 @@ impl OrbitQuestion {
         let model = self.system.model()?;
         let search = self.search(&model)?;
         interrupt::listen()?;
-        let found = parallel::until_asked_counted("the orbit", "steps of integration", |watch| {
-            let (kind, orbit) = Orbit::search_watched(model.equation(), &search, watch)?;
+        let found = parallel::unless_cancelled_counted("the orbit", "steps of integration", |progress| {
+            let (kind, orbit) = Orbit::search(model.equation(), &search, progress)?;
             let harmonics = (0..model.coordinates().len()).map(|place| orbit.harmonics(place)).collect();
             Ok((kind, orbit, harmonics))
         });

@@ -4,7 +4,7 @@ use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
 use crate::arguments::Amplitudes;
 use crate::output::json::{self, Record};
-use crate::output::progress::{ProgressLine, watched};
+use crate::output::progress::{ProgressLine, counted};
 use crate::output::table::{self, Column, Table};
 use crate::output::{csv, number};
 use crate::parallel;
@@ -33,7 +33,7 @@ impl Swings<'_> {
         let exact = fields::of_swing(self.question.amplitudes.are_of_periods());
         let errors = formulas.iter().map(|formula| Column::numbers(format!("error of {}", formula.key())));
         let mut table = Table::new(exact.columns().into_iter().chain(errors).collect());
-        for given in watched(amplitudes.iter(), amplitudes.len(), "amplitudes") {
+        for given in counted(amplitudes.iter(), amplitudes.len(), "amplitudes") {
             let errors = fractional_errors(formulas, &[given.0.angle()]);
             let errors = errors.into_iter().map(|error| number::rounded(error, 3));
             let swing = Swing::new(given, pendulum);

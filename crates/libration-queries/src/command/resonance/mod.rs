@@ -11,8 +11,8 @@ use crate::{figure, interrupt, parallel};
 use libration::normal_form::{
     Exchange, LARGEST_ORDER, MeasuredExchange, NoExchange, NoNormalForm, NormalForm,
 };
+use libration::progress::Quiet;
 use libration::systems::Model;
-use libration::watch::Watch;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -74,11 +74,11 @@ impl ResonanceQuestion {
         };
         let guess = self.equilibrium.guess(&model)?;
         interrupt::listen()?;
-        let answer = parallel::until_asked("the normal form", |watch| {
-            let form = NormalForm::about_watched(model.equation(), &guess, self.order, self.detuning, watch)?;
+        let answer = parallel::unless_cancelled("the normal form", |progress| {
+            let form = NormalForm::about(model.equation(), &guess, self.order, self.detuning, progress)?;
             let exchange = initial.as_ref().map(|state| {
-                let exchange = form.exchange_watched(state, watch)?;
-                let measured = form.measured_exchange_watched(model.equation(), state, &exchange, watch)?;
+                let exchange = form.exchange(state, progress)?;
+                let measured = form.measured_exchange(model.equation(), state, &exchange, progress)?;
                 Ok((exchange, measured))
             });
             Ok(Answer { model, form, initial, exchange })
@@ -116,9 +116,9 @@ impl Answer {
             _ => PERIODS * std::f64::consts::TAU / slowest,
         };
         let interval = span / crate::output::number::count(SAMPLES);
-        let seen = self.form.seen_path(self.model.equation(), state, interval, SAMPLES, &Watch::none());
+        let seen = self.form.seen_path(self.model.equation(), state, interval, SAMPLES, &Quiet);
         let seen = seen.map_err(none)?;
-        let slow = self.form.slow_path(&seen[0], interval, SAMPLES, &Watch::none()).map_err(none)?;
+        let slow = self.form.slow_path(&seen[0], interval, SAMPLES, &Quiet).map_err(none)?;
         Ok(Amplitudes { model: &self.model, initial: state, interval, slow, seen })
     }
 }

@@ -10,15 +10,16 @@ use crate::arguments::{
     with_idle_drive,
 };
 use crate::figure::response::ResponseCurve;
+use crate::interrupt::{self, Cancellation};
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
-use crate::{figure, interrupt, parallel};
+use crate::{figure, parallel};
 use libration::continuation::{
     Branch, NoBranch, PreciseSpecial, ResonanceOrder, Response, ResponseOptions, Rotation, Space,
     SpecialPoint, Sweep,
 };
+use libration::progress::Status;
 use libration::systems::Model;
-use libration::watch::{Progress, Watch};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -153,7 +154,7 @@ impl ResponseQuestion {
         let mut response = self.response(&model, coordinate)?;
         let sweeps = self.sweeps(&model, &response)?;
         let precise = self.digits.map_or(Ok(vec![]), |digits| self.precise(&model, &response, digits))?;
-        response.interrupted |= interrupt::go_on().is_break();
+        response.interrupted |= interrupt::check().is_break();
         let parameter = name.clone();
         let is_angle = model.coordinates()[0].is_angle();
         let backbone = response.backbone(model.equation(), name, *range, is_angle);
@@ -173,13 +174,13 @@ impl ResponseQuestion {
         };
         let points = AtomicUsize::new(0);
         let how_far = || format!("{} points of the branches", points.load(Ordering::Relaxed));
-        let ask = |now: Progress| {
-            points.store(now.done, Ordering::Relaxed);
-            parallel::go_on(&how_far)
+        let progress = |status: Status| {
+            points.store(status.done, Ordering::Relaxed);
+            parallel::update(&how_far)
         };
         let ParameterSpan { name, range } = &self.over;
         let response = parallel::with_progress(how_far, || {
-            Response::over_watched(model.equation(), name, *range, &options, &Watch::new(&ask))
+            Response::over(model.equation(), name, *range, &options, &progress)
         });
         response.map_err(|error| failure(error, model))
     }
@@ -196,13 +197,13 @@ impl ResponseQuestion {
         let Some(values) = self.sweeps.or(in_picture) else { return Ok(vec![]) };
         let done = AtomicUsize::new(0);
         let how_far = || format!("{} of {} values of the sweeps", done.load(Ordering::Relaxed), 2 * values);
-        let ask = |now: Progress| {
-            done.store(now.done, Ordering::Relaxed);
-            parallel::go_on(&how_far)
+        let progress = |status: Status| {
+            done.store(status.done, Ordering::Relaxed);
+            parallel::update(&how_far)
         };
         let ParameterSpan { name, range } = &self.over;
         let sweeps = parallel::with_progress(how_far, || {
-            response.sweeps_watched(model.equation(), name, *range, values, &Watch::new(&ask))
+            response.sweeps(model.equation(), name, *range, values, &progress)
         });
         sweeps.map_err(|error| failure(error, model))
     }
@@ -218,9 +219,8 @@ impl ResponseQuestion {
     ) -> Result<Vec<Vec<Option<Decimal>>>, QueryError> {
         let wanted = u32::try_from(digits).unwrap_or(u32::MAX);
         let of_point = |space: Space, special: &SpecialPoint| {
-            let ask = |_: Progress| interrupt::go_on();
-            let (name, watch) = (&self.over.name, Watch::new(&ask));
-            let precise = special.to_digits_watched(model.equation(), name, space, wanted, &watch);
+            let name = &self.over.name;
+            let precise = special.to_digits(model.equation(), name, space, wanted, &Cancellation);
             let decimal = |it: PreciseSpecial| Decimal {
                 text: it.parameter.to_rational().to_decimal(digits),
                 error: it.error,

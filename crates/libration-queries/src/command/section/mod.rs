@@ -9,10 +9,10 @@ use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
-use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, section_watched};
+use libration::chaos::{PoincareSection, Points, Section, SectionEnding, angles, section};
+use libration::progress::Status;
 use libration::systems::Model;
 use libration::taylor::{Cause, Moment};
-use libration::watch::{Progress, Watch};
 use std::cell::Cell;
 use std::io::Write;
 use std::path::PathBuf;
@@ -126,11 +126,11 @@ impl PoincareQuestion {
         let of_start = |state: &Vec<f64>| {
             let start = Moment { time: 0.0, state: state.clone() };
             let before = Cell::new(0);
-            let ask = |now: Progress| {
-                taken.fetch_add(now.done - before.replace(now.done), Ordering::Relaxed);
-                parallel::go_on(&how_far)
+            let progress = |status: Status| {
+                taken.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
+                parallel::update(&how_far)
             };
-            section_watched(model.equation(), &start, place, points, &effort, &Watch::new(&ask))
+            section(model.equation(), &start, place, points, &effort, &progress)
         };
         interrupt::listen()?;
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));

@@ -53,7 +53,7 @@ impl SimulatedMotion<'_> {
             if let Some(errors) = &mut errors {
                 errors.follow(step, self, system);
             }
-            if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            interrupt::check()
         };
         let (outcome, drift) = self.integrate_both_ways(system, energy.as_ref().ok(), follow);
         let (ending, solution) = ended(outcome, self)?;

@@ -106,7 +106,7 @@ impl<'a> Watch<'a> {
         self.failure = self.rows(taken).map_err(QueryError::from).and_then(|()| self.mark(taken)).err();
         let last = self.last;
         self.progress.show(|| format!("t = {:.6} s of {last} s", step.end()));
-        if self.failure.is_some() || interrupt::asked() {
+        if self.failure.is_some() || interrupt::is_cancelled() {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())

@@ -9,8 +9,8 @@ use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, argument, option};
 use crate::{figure, interrupt, parallel};
 use libration::continuation::{ChartOptions, NoBranch, StabilityChart};
+use libration::progress::Status;
 use libration::systems::Model;
-use libration::watch::{Progress, Watch};
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -107,13 +107,13 @@ impl StabilityQuestion {
         interrupt::listen()?;
         let points = AtomicUsize::new(0);
         let how_far = || format!("{} points of the curve", points.load(Ordering::Relaxed));
-        let ask = |now: Progress| {
-            points.store(now.done, Ordering::Relaxed);
-            parallel::go_on(&how_far)
+        let progress = |status: Status| {
+            points.store(status.done, Ordering::Relaxed);
+            parallel::update(&how_far)
         };
         let (names, ranges) = ([&first.name[..], &second.name], [first.range, second.range]);
         let chart = parallel::with_progress(how_far, || {
-            StabilityChart::over_watched(model.equation(), names, ranges, &options, &Watch::new(&ask))
+            StabilityChart::over(model.equation(), names, ranges, &options, &progress)
         });
         let parameters = names.map(str::to_owned);
         Ok(Answer { chart: chart.map_err(failure)?, model, parameters, ranges })

@@ -18,7 +18,7 @@ pub(crate) fn outcomes(plan: &Plan, chunk: usize) -> Option<Vec<Outcome>> {
 /// The same; `done` counts them.
 pub(super) fn counted_outcomes(plan: &Plan, chunk: usize, done: &AtomicUsize) -> Option<Vec<Outcome>> {
     let outcome = |point| {
-        if interrupt::asked() {
+        if interrupt::is_cancelled() {
             return None;
         }
         let outcome = match point::answer(&plan.words(point)) {

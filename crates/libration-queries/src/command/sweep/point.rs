@@ -32,7 +32,7 @@ impl Host for Point {
     }
 
     fn goes_on(&self) -> bool {
-        !self.0.is_ended_early()
+        !self.0.is_cancelled()
     }
 }
 

@@ -39,7 +39,9 @@ pub(crate) fn run(store: &Store, shard: Shard) -> Result<(), QueryError> {
     let whole = missing.iter().filter(|chunk| store.has(**chunk).unwrap_or(false)).count();
     match written.into_iter().collect::<Result<(), _>>() {
         Err(failure) => Err(QueryError::failed(ended(failure.to_string(), whole))),
-        Ok(()) if interrupt::asked() => Err(QueryError::cancelled(ended("interrupted".to_owned(), whole))),
+        Ok(()) if interrupt::is_cancelled() => {
+            Err(QueryError::cancelled(ended("interrupted".to_owned(), whole)))
+        }
         Ok(()) => Ok(()),
     }
 }

@@ -1,6 +1,6 @@
 //! Work on several threads.
 
-use libration_queries::internals::parallel::{in_order, map, map_until_asked, until_asked};
+use libration_queries::internals::parallel::{in_order, map, map_unless_cancelled, unless_cancelled};
 use std::panic::catch_unwind;
 
 #[test]
@@ -9,8 +9,8 @@ fn results_come_in_the_order_of_the_items() {
     let squares: Vec<usize> = items.iter().map(|n| n * n).collect();
     assert_eq!(map(&items, |item| item * item), squares);
     assert!(map(&[] as &[u8], |_| 0).is_empty());
-    assert_eq!(map_until_asked(&items, "squares", |item, _| item * item), squares);
-    assert!(map_until_asked(&[] as &[u8], "nothing", |_, _| 0).is_empty());
+    assert_eq!(map_unless_cancelled(&items, "squares", |item, _| item * item), squares);
+    assert!(map_unless_cancelled(&[] as &[u8], "nothing", |_, _| 0).is_empty());
 }
 
 #[test]
@@ -41,7 +41,7 @@ fn results_are_handed_on_in_order_until_that_fails() {
 
 #[test]
 fn work_that_panics_panics() {
-    let work = || until_asked("a panic", |_| assert!(std::hint::black_box(false)));
+    let work = || unless_cancelled("a panic", |_| assert!(std::hint::black_box(false)));
     assert!(catch_unwind(work).is_err());
     let one = |place: usize| assert!(std::hint::black_box(place != 5));
     let in_order = || in_order(100, one, |_, ()| Ok::<(), ()>(()));

@@ -2,6 +2,7 @@
 
 use libration::algebra::Rational;
 use libration::perturbation::Precision;
+use libration::progress::Quiet;
 use libration_queries::internals::series::{Notation, Style, wrapped};
 
 fn list(texts: &[&str]) -> Vec<Rational> {
@@ -26,7 +27,7 @@ fn coefficients_of_letters_stand_in_brackets_where_they_are_sums() {
     let equation: libration::expression::Equation = "x'' + w^2*x + a*x^2 + b*x^3 = 0".parse().unwrap();
     let oscillator = libration::oscillator::SymbolicOscillator::new(&equation).unwrap();
     let gauge = libration::perturbation::Gauge::Fundamental;
-    let expansion = libration::perturbation::expand_symbolically(&oscillator, 3, &gauge).unwrap();
+    let expansion = libration::perturbation::expand_symbolically(&oscillator, 3, &gauge, &Quiet).unwrap();
     let text = Notation { precision: Precision::Exact, style: Style::Text };
     let frequency = &expansion.series.frequency_ratio;
     assert_eq!(text.series(frequency, "ε"), "1 + (3*b/(8*w^2) - 5*a^2/(12*w^4)) ε²");

@@ -1,6 +1,7 @@
 //! Every combination of dry friction, linear and quadratic drag, fitted one after the other.
 
-use libration::watch::Watch;
+use libration::internals::progress::Watch;
+use libration::progress::Progress;
 
 use super::Comparison;
 use crate::fit::trace::minimum::{Care, Descent, Minimum, deeper};
@@ -17,8 +18,9 @@ use crate::parallel;
 pub fn compare(
     traces: &[Trace],
     options: &TraceOptions,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Result<Comparison, TraceFitError> {
+    let watch = &Watch::new(progress);
     // The profile is of interest for the preferred model alone.
     let plain = TraceOptions { profile: false, ..*options };
     let undamped = Problem::new(traces, DampingModel::UNDAMPED, plain)?;

@@ -5,6 +5,7 @@ mod derivative;
 
 use std::f64::consts::TAU;
 
+use libration::progress::Quiet;
 use libration::quantity::Quantity;
 use libration::taylor::{Direction, Effort, Event, Moment, System, integrate};
 use libration_lab::fit::{Apparatus, Budget, BudgetError, Correction, MeasuredPeriod, PeriodDamping};
@@ -86,7 +87,7 @@ fn period_of(equations: &str, state: &[f64], angle: &str) -> f64 {
     let event = Event { formula: angle.parse().unwrap(), direction: Direction::Rising, ends_at: None };
     let system = system.with_events(&[event]).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    let solution = integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-13)).unwrap();
+    let solution = integrate(&system, &start, &[20.0], &Effort::to_tolerance(1e-13), &Quiet).unwrap();
     solution.events[1].time - solution.events[0].time
 }
 

@@ -1,7 +1,8 @@
 //! Short ways to a minimum lead where the long ones do.
 
+use libration::internals::progress::Watch;
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, integrate};
-use libration::watch::Watch;
 use libration_lab::fit::DampingModel;
 use libration_lab::fit::trace::{TraceOptions, compare, fit_traces};
 use libration_lab::internals::fit::trace::minimum::{Care, Minimum};
@@ -23,7 +24,7 @@ fn trace(name: &str, amplitude: f64, rows: usize, span: f64, outliers: Option<us
     let times: Vec<f64> = (0..rows).map(|row| 0.01 + span * count(row) / count(rows)).collect();
     let start = Moment { time: 0.0, state: vec![amplitude, 0.0] };
     let system = System::new(&TRUTH.parse().unwrap()).unwrap();
-    let motion = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12)).unwrap();
+    let motion = integrate(&system, &start, &times, &Effort::to_tolerance(1e-12), &Quiet).unwrap();
     let mut value = |(row, moment): (usize, &Moment)| {
         let noise: f64 = 0.003 * (0..12).map(|_| uniform()).sum::<f64>();
         let outlier = if outliers.is_some_and(|every| row % every == 7) { 1.0 + uniform() } else { 0.0 };
@@ -39,7 +40,7 @@ fn terms() -> DampingModel {
 
 /// The largest difference of free parameters in uncertainties of the second.
 fn apart(one: &Minimum, other: &Minimum, problem: &Problem<'_>) -> f64 {
-    let fit = uncertainty::fit(problem, other, &Watch::none()).unwrap();
+    let fit = uncertainty::fit(problem, other, &Watch::new(&Quiet)).unwrap();
     let free = problem.model.free();
     let pairs = free.iter().zip(&fit.parameters);
     let differences = pairs.map(|(&place, parameter)| {
@@ -58,7 +59,7 @@ fn a_search_in_few_rows_ends_where_all_rows_end() {
         let stated = Weights::stated(&traces);
         let few = series::of_search(problem.data, &[20_000], &stated, problem.cycles);
         assert!((500..2000).contains(&few[0].times.len()), "{}", few[0].times.len());
-        let watch = Watch::none();
+        let watch = Watch::new(&Quiet);
         let end = search::from_scratch(&problem, None, &watch).unwrap();
         let short = problem.minimum_near(end.parameters, PATIENCE, Care::FULL, &watch).unwrap();
         let truth = vec![4.0, 0.02, 0.01, 1.0, 0.0, 1.0, 0.0];
@@ -134,11 +135,11 @@ fn few_rows_have_the_sums_of_all() {
 fn sums_beside_a_minimum_are_those_of_the_way_down() {
     let traces = [trace("short", 2.5, 120, 6.0, None, 4)];
     let problem = Problem::new(&traces, terms(), TraceOptions::default()).unwrap();
-    let fit = fit_traces(&traces, terms(), &TraceOptions::default(), &Watch::none()).unwrap();
+    let fit = fit_traces(&traces, terms(), &TraceOptions::default(), &Quiet).unwrap();
     let values = fit.parameters.iter().map(|parameter| parameter.estimate.value);
     let mut parameters: Vec<f64> = values.collect();
     parameters.insert(3, 1.0);
-    let watch = Watch::none();
+    let watch = Watch::new(&Quiet);
     let minimum = problem.minimum_near(parameters, PATIENCE, Care::FULL, &watch).unwrap();
     let least = minimum.sum_of_squares();
     for deviations in [1.0, -2.0, 100.0] {
@@ -165,7 +166,7 @@ fn sums_beside_a_minimum_are_those_of_the_way_down() {
 #[test]
 fn comparisons_are_the_same_each_time() {
     let traces = [trace("twice", 1.0, 400, 15.0, None, 5)];
-    let one = || compare(&traces, &TraceOptions::default(), &Watch::none()).unwrap();
+    let one = || compare(&traces, &TraceOptions::default(), &Quiet).unwrap();
     let (first, second) = (one(), one());
     assert_eq!(first.fits, second.fits);
     assert_eq!(first.best().damping, terms());

@@ -1,6 +1,7 @@
 use libration::decay::{Damping, PowerLawTerm};
 use libration::expression::Equation;
 use libration::internals::decay::{EFFORT, Frame, HalfSwing};
+use libration::progress::Quiet;
 use libration::taylor::{Moment, System, integrate};
 
 #[test]
@@ -15,7 +16,7 @@ fn the_equation_is_that_of_its_text() {
     let start = Moment { time: 0.0, state: state.to_vec() };
     let HalfSwing { from_top: Frame { system, .. }, .. } = HalfSwing::new(&damping);
     let velocity = |system: &System| {
-        let end = integrate(system, &start, &[0.01], &EFFORT).unwrap().end;
+        let end = integrate(system, &start, &[0.01], &EFFORT, &Quiet).unwrap().end;
         end.state[1]
     };
     assert!(velocity(&system).is_finite());

@@ -238,14 +238,14 @@ fn parameters_are_left_open_only_if_they_are_parameters_and_have_no_value() {
 
 #[test]
 fn potentials_by_work_keep_the_energy_along_a_motion() {
-    use libration::taylor::{Effort, Moment, integrate_watched};
+    use libration::taylor::{Effort, Moment, integrate_stepwise};
     let kepler = Model::typed("x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)", &[], &[]).unwrap();
     let energy = kepler.energy().unwrap();
     let start = Moment { time: 0.0, state: vec![0.5, 0.0, 0.0, 3_f64.sqrt()] };
     for (tolerance, bounds) in [(1e-6, 1e-11..1e-3), (1e-15, 0.0..1e-13)] {
         let mut balance = energy.balance(&start);
         let effort = Effort::to_tolerance(tolerance);
-        let end = integrate_watched(&kepler.system().unwrap(), &start, &[100.0], &effort, |step| {
+        let end = integrate_stepwise(&kepler.system().unwrap(), &start, &[100.0], &effort, |step| {
             balance.record(&Moment { time: step.end(), state: step.state_at(step.end()) });
             std::ops::ControlFlow::Continue(())
         });

@@ -1,4 +1,4 @@
-use libration::taylor::{Effort, Moment, System, integrate_watched};
+use libration::taylor::{Effort, Moment, System, integrate_stepwise};
 use std::ops::ControlFlow;
 
 /// Fewer and more times than are done together, with those of start and end.
@@ -7,7 +7,7 @@ fn many_values_are_those_of_the_states() {
     let system = System::new(&"theta'' + theta'/10 + sin(theta) = 0".parse().unwrap()).unwrap();
     let start = Moment { time: 3.0, state: vec![2.0, 0.3] };
     for end in [20.0, -20.0] {
-        integrate_watched(&system, &start, &[end], &Effort::to_tolerance(1e-15), |step| {
+        integrate_stepwise(&system, &start, &[end], &Effort::to_tolerance(1e-15), |step| {
             for parts in [1_u32, 5, 63, 100] {
                 let length = (step.end() - step.start()) / f64::from(parts);
                 let inner = (0..parts).map(|part| step.start() + length * f64::from(part));

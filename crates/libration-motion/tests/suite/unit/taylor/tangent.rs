@@ -1,10 +1,11 @@
 use libration::expression::Equation;
+use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, integrate, with_tangents};
 
 fn end(equation: &Equation, state: &[f64], time: f64) -> Vec<f64> {
     let system = System::new(equation).unwrap();
     let start = Moment { time: 0.0, state: state.to_vec() };
-    integrate(&system, &start, &[time], &Effort::to_tolerance(1e-15)).unwrap().end.state
+    integrate(&system, &start, &[time], &Effort::to_tolerance(1e-15), &Quiet).unwrap().end.state
 }
 
 /// Two coordinates that are coupled through velocities and the time.

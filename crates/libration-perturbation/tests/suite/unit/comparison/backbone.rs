@@ -1,15 +1,16 @@
 use libration::comparison::{Backbone, NoBackbone};
 use libration::orbit::NoOrbit;
+use libration::progress::Quiet;
 
 fn backbone(equation: &str) -> Backbone {
-    Backbone::new(&equation.parse().unwrap(), None, 15).unwrap()
+    Backbone::new(&equation.parse().unwrap(), None, 15, &Quiet).unwrap()
 }
 
 #[test]
 fn three_roads_meet_for_the_pendulum() {
     let pendulum = backbone("theta'' + 4*sin(theta) = 0");
     for amplitude in [0.05, 0.5, 1.5, 3.0] {
-        let point = pendulum.at(amplitude);
+        let point = pendulum.at(amplitude, &Quiet);
         let (orbit, series) = (point.orbit.unwrap(), point.series.unwrap());
         let exact = point.exact.unwrap().unwrap();
         let allowed = orbit.uncertainty + exact.uncertainty;
@@ -25,7 +26,7 @@ fn three_roads_meet_for_the_pendulum() {
 fn amplitudes_count_from_the_centre() {
     let well = backbone("x'' - x + x^3 = 0");
     assert!((well.centre() - 1.0).abs() < 1e-15 && (well.omega0().unwrap() - 2.0_f64.sqrt()).abs() < 1e-15);
-    let point = well.at(0.1);
+    let point = well.at(0.1, &Quiet);
     let series = point.series.unwrap();
     let difference = (point.orbit.unwrap().frequency - series.frequency).abs();
     assert!(difference < 5.0 * series.remainder.size && difference < 1e-11, "{difference:e}");
@@ -41,15 +42,15 @@ fn amplitudes_count_from_a_centre_without_expansion() {
     ] {
         let curve = backbone(equation);
         assert!(curve.has_equilibrium() && (curve.centre() - centre).abs() < 1e-15, "{equation}");
-        let orbit = curve.at(0.5).orbit.unwrap();
+        let orbit = curve.at(0.5, &Quiet).orbit.unwrap();
         assert!((orbit.frequency - frequency).abs() <= orbit.uncertainty, "{equation}: {orbit:?}");
         assert!((orbit.other_side + 0.5).abs() < 1e-9, "{equation}: {orbit:?}");
         assert_eq!(orbit.encloses, None, "{equation}");
     }
     let cubic = "x'' = -x*(x - 1)^3".parse().unwrap();
-    let told = Backbone::new(&cubic, Some(&"1".parse().unwrap()), 9).unwrap();
+    let told = Backbone::new(&cubic, Some(&"1".parse().unwrap()), 9, &Quiet).unwrap();
     assert!(told.has_equilibrium() && (told.centre() - 1.0).abs() < 1e-15);
-    let unstable = Backbone::new(&cubic, Some(&"0".parse().unwrap()), 9);
+    let unstable = Backbone::new(&cubic, Some(&"0".parse().unwrap()), 9, &Quiet);
     assert!(matches!(unstable, Err(NoBackbone::About(_))));
     assert!(!backbone("x'' = exp(x)").has_equilibrium());
 }
@@ -57,20 +58,20 @@ fn amplitudes_count_from_a_centre_without_expansion() {
 #[test]
 fn orbits_about_another_equilibrium_are_none_of_this_curve() {
     let pendulum = backbone("theta'' + sin(theta) = 0");
-    assert!(matches!(pendulum.at(3.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+    assert!(matches!(pendulum.at(3.5, &Quiet).orbit, Err(NoOrbit::Elsewhere { .. })));
     // The well at −1 ends at 0; beyond the motion is in the other well.
     let equation = "x'' - x + x^3 = 0".parse().unwrap();
-    let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9).unwrap();
-    assert!(well.at(0.9).orbit.is_ok());
-    assert!(matches!(well.at(1.5).orbit, Err(NoOrbit::Elsewhere { .. })));
+    let well = Backbone::new(&equation, Some(&"-1".parse().unwrap()), 9, &Quiet).unwrap();
+    assert!(well.at(0.9, &Quiet).orbit.is_ok());
+    assert!(matches!(well.at(1.5, &Quiet).orbit, Err(NoOrbit::Elsewhere { .. })));
     // Around both wells, which is not what the series is for.
-    assert!(well.at(3.0).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
-    assert_eq!(well.at(0.9).orbit.unwrap().encloses, None);
+    assert!(well.at(3.0, &Quiet).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
+    assert_eq!(well.at(0.9, &Quiet).orbit.unwrap().encloses, None);
 }
 
 #[test]
 fn what_has_no_family_of_orbits_is_refused_for_a_reason() {
-    let refusal = |text: &str| Backbone::new(&text.parse().unwrap(), None, 9).unwrap_err();
+    let refusal = |text: &str| Backbone::new(&text.parse().unwrap(), None, 9, &Quiet).unwrap_err();
     assert_eq!(refusal("x'' = -y; y'' = -x"), NoBackbone::SeveralCoordinates(2));
     assert_eq!(refusal("x'' = -x + cos(t)"), NoBackbone::DependsOnTime);
     assert_eq!(refusal("x'' = mu*(1 - x^2)*x' - x"), NoBackbone::LimitCycle("mu".to_owned()));

@@ -1,6 +1,7 @@
 use libration::expression::{Equation, Expression};
 use libration::internals::comparison::WorkOverOrbits;
-use libration::watch::Watch;
+use libration::progress::Quiet;
+use libration_numbers::internals::progress::Watch;
 
 /// Forces that take what they give: of the place alone, and even in the velocity about a centre that is one for both.
 #[test]
@@ -11,7 +12,7 @@ fn forces_without_work_have_none_within_what_is_stated() {
             let force: Expression = force.parse().unwrap();
             let work = WorkOverOrbits::new(&equation, &force, 0.0).unwrap();
             for step in 1..40 {
-                let found = work.at(0.03 * f64::from(step), &Watch::none()).unwrap();
+                let found = work.at(0.03 * f64::from(step), &Watch::new(&Quiet)).unwrap();
                 assert!(found.value.abs() <= found.uncertainty, "{found:?}");
             }
         }

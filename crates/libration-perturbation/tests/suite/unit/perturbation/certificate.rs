@@ -5,8 +5,9 @@ use libration::internals::perturbation::{
 };
 use libration::oscillator::Oscillator;
 use libration::perturbation::Gauge;
-use libration::watch::Watch;
+use libration::progress::Quiet;
 use libration_numbers::internals::expression::Tape;
+use libration_numbers::internals::progress::Watch;
 
 fn model(equation: &str, shape: Shape) -> Model<Rational> {
     let oscillator = Oscillator::new(&equation.parse().unwrap()).unwrap();
@@ -26,9 +27,9 @@ fn model(equation: &str, shape: Shape) -> Model<Rational> {
 fn the_potential_notices_each_wrong_number() {
     for (equation, shape) in [("x'' = -sin(x)", Shape::Odd), ("x'' = -x - x^2", Shape::Asymmetric)] {
         let model = model(equation, shape);
-        let set = exact_series(&model, &Watch::none()).unwrap();
+        let set = exact_series(&model, &Watch::new(&Quiet)).unwrap();
         let agrees = |set: &SeriesSet<Rational>| {
-            agrees_with_the_potential(&Rationals, &model, set, PartialEq::eq, &Watch::none())
+            agrees_with_the_potential(&Rationals, &model, set, PartialEq::eq, &Watch::new(&Quiet))
         };
         assert_eq!(agrees(&set), Some(true), "{equation}");
         for n in 1..=8 {

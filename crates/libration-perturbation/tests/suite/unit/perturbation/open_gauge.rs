@@ -2,6 +2,7 @@
 
 use libration::algebra::{Rational, Variable};
 use libration::perturbation::{EpsilonPowers, OpenGauge, OpenGaugeError};
+use libration::progress::Quiet;
 
 fn rational(text: &str) -> Rational {
     text.parse().unwrap()
@@ -20,13 +21,13 @@ fn sine(powers: i64) -> Vec<Rational> {
 }
 
 fn pendulum(order: u32) -> OpenGauge {
-    OpenGauge::new(&sine(15), order, EpsilonPowers::OneParity).unwrap()
+    OpenGauge::new(&sine(15), order, EpsilonPowers::OneParity, &Quiet).unwrap()
 }
 
 /// Cubic, quartic and quintic terms: no symmetry.
 fn asymmetric(order: u32) -> OpenGauge {
     let force = ["3", "2", "-1/2", "5/7", "1"].map(rational);
-    OpenGauge::new(&force, order, EpsilonPowers::All).unwrap()
+    OpenGauge::new(&force, order, EpsilonPowers::All, &Quiet).unwrap()
 }
 
 #[test]
@@ -109,7 +110,7 @@ fn the_ninth_order_agrees_with_the_elliptic_functions() {
 /// Appendices A and B say that odd corrections of the frequency vanish: only while A₂ = A₄ = … = 0.
 #[test]
 fn even_coefficients_of_the_fundamental_are_gauge_too() {
-    let solution = OpenGauge::new(&sine(15), 4, EpsilonPowers::All).unwrap();
+    let solution = OpenGauge::new(&sine(15), 4, EpsilonPowers::All, &Quiet).unwrap();
     for (name, polynomial) in
         [("d1", "0"), ("B2", "0"), ("d3", "-A1*A2/8"), ("B4", "-A1^2*A2/64"), ("d2", "-A1^2/16")]
     {
@@ -136,7 +137,7 @@ fn the_solution_satisfies_the_whole_system_identically() {
 fn an_asymmetric_well_shifts_the_mean_position() {
     let (alpha, beta) = (rational("2/3"), rational("-5/7"));
     let force = [Rational::from(1), alpha.clone(), beta.clone()];
-    let values = OpenGauge::new(&force, 3, EpsilonPowers::All)
+    let values = OpenGauge::new(&force, 3, EpsilonPowers::All, &Quiet)
         .unwrap()
         .in_gauge(|n| Rational::from(i64::from(n == 1)));
     let value = |name: &str| values[&name.into()].clone();
@@ -166,8 +167,9 @@ fn the_whole_system_grows_very_fast() {
 
 #[test]
 fn what_cannot_be_expanded_is_refused() {
-    let error =
-        |force: &[Rational], order| OpenGauge::new(force, order, EpsilonPowers::OneParity).unwrap_err();
+    let error = |force: &[Rational], order| {
+        OpenGauge::new(force, order, EpsilonPowers::OneParity, &Quiet).unwrap_err()
+    };
     assert_eq!(error(&sine(5), 0), OpenGaugeError::Order { order: 0 });
     assert_eq!(error(&sine(5), 16), OpenGaugeError::Order { order: 16 });
     assert_eq!(error(&[], 3), OpenGaugeError::NotRestoring);

@@ -8,15 +8,15 @@ pub(super) use fields::answers;
 use super::Answer;
 use crate::output::number::short;
 use crate::output::{Form, json};
-use crate::parallel::until_asked;
+use crate::parallel::unless_cancelled;
 use crate::query_error::{QueryError, option};
 use libration::comparison::{
     CycleDistance, ExactValue, NoExactValue, Radius, SeriesComparison, SeriesQuantity,
 };
 use libration::oscillator::Oscillator;
 use libration::perturbation::SeriesEvaluation;
+use libration::progress::{Progress, Status};
 use libration::quantity::Displacement;
-use libration::watch::Watch;
 use std::io::Write;
 
 /// The relative errors for which the terms are counted.
@@ -86,19 +86,21 @@ impl<'a> Numbers<'a> {
         exactly: &Displacement,
     ) -> Result<Self, QueryError> {
         let amplitude = exactly.to_f64();
-        let exact = until_asked("the exact value", |watch| relation.exact_from_watched(exactly, watch));
+        let exact = unless_cancelled("the exact value", |progress| relation.exact_from(exactly, progress));
         if let Some(Err(refusal @ NoExactValue::Amplitude(_))) = &exact {
             return Err(QueryError::no_result(option("evaluate"), refusal));
         }
-        let distance = until_asked("the orbit next to the series", |watch| {
-            relation.cycle_distance_watched(exactly, watch)
+        let distance = unless_cancelled("the orbit next to the series", |progress| {
+            relation.cycle_distance(exactly, progress)
         })
         .flatten();
         let evaluation = relation.evaluation_at(amplitude);
         // A constant is its own approximant.
         let highest = if evaluation.steps().len() > 1 { HIGHEST_DEGREE } else { 0 };
-        let radius = until_asked("the radius of convergence", |_| relation.radius());
-        let pade = until_asked("Padé approximants", |watch| quotients(relation, highest, amplitude, watch));
+        let radius = unless_cancelled("the radius of convergence", |_| relation.radius());
+        let pade = unless_cancelled("Padé approximants", |progress| {
+            quotients(relation, highest, amplitude, progress)
+        });
         Ok(Self { answer, relation, amplitude, evaluation, exact, distance, radius, pade })
     }
 
@@ -165,9 +167,9 @@ fn quotients(
     relation: &SeriesComparison<'_>,
     highest: usize,
     amplitude: f64,
-    watch: &Watch<'_>,
+    progress: &dyn Progress,
 ) -> Vec<Quotient> {
-    let degrees = (1..=highest).take_while(|_| watch.go_on().is_ok());
+    let degrees = (1..=highest).take_while(|_| progress.update(Status::default()).is_continue());
     degrees.filter_map(|degree| quotient(relation, degree, amplitude)).collect()
 }
 

@@ -6,13 +6,13 @@ pub(crate) mod listing;
 
 use super::subject::{About, Subject};
 use crate::arguments::Asked;
+use crate::interrupt::Cancellation;
 use crate::output::description::Answers;
 use crate::output::{Form, json};
+use crate::parallel;
 use crate::query_error::{QueryError, option};
-use crate::{interrupt, parallel};
 use libration::comparison::{LeadingLimitCycles, NoLeadingLimitCycles};
-use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow_watched};
-use libration::watch::Watch;
+use libration::perturbation::{Gauge, SlowFlow, SlowFlowError, slow_flow};
 use std::io::Write;
 
 /// The power of the damping to which a slow flow is given.
@@ -42,16 +42,14 @@ impl Answer {
             let reason = "a slow flow is given about the stable equilibrium nearest to zero";
             return Err(QueryError::usage(option("about"), reason));
         }
-        let ask = |_| interrupt::go_on();
         let how_far = || format!("slow flow to order {order}");
         let flow = parallel::with_progress(how_far, || {
-            slow_flow_watched(&equation, small, order, damping_order, gauge, &Watch::new(&ask))
+            slow_flow(&equation, small, order, damping_order, gauge, &Cancellation)
         })
         .map_err(failure)?;
         let how_far = || "work over exact orbits".to_owned();
-        let leading = parallel::with_progress(how_far, || {
-            LeadingLimitCycles::new_watched(&equation, small, &Watch::new(&ask))
-        });
+        let leading =
+            parallel::with_progress(how_far, || LeadingLimitCycles::new(&equation, small, &Cancellation));
         if leading == Err(NoLeadingLimitCycles::Interrupted) {
             return Err(failure(SlowFlowError::Interrupted));
         }

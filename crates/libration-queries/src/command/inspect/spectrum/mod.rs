@@ -6,12 +6,11 @@ mod write;
 use crate::arguments::{self, RecordingOptions, finding_with_option};
 use crate::figure;
 use crate::figure::measured_spectrum::{MeasuredSpectrum, measured_spectra};
-use crate::interrupt;
+use crate::interrupt::{self, Cancellation};
 use crate::output::{FormOptions, announce};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
-use libration::watch::{Progress, Watch};
-use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, spectrum_watched};
+use libration_lab::fit::spectrum::{SpectrumError, SpectrumOptions, spectrum};
 use libration_lab::measurement::{Trace, Traces};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -74,8 +73,7 @@ impl SpectrumQuestion {
     fn found(&self, file: &str, traces: &Traces) -> Result<Answer, QueryError> {
         interrupt::listen()?;
         let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
-        let ask = |_: Progress| interrupt::go_on();
-        let of = |trace: &Trace| spectrum_watched(trace, &options, &Watch::new(&ask));
+        let of = |trace: &Trace| spectrum(trace, &options, &Cancellation);
         let all = || traces.traces.iter().map(of).collect::<Vec<_>>();
         let results = parallel::with_progress(|| "harmonics of the swings".to_owned(), all);
         let findings = traces.findings.iter().map(finding_with_option).collect();
@@ -97,7 +95,7 @@ impl SpectrumQuestion {
         }
         match first_error {
             Some(error) if answer.found.is_empty() => Err(failure(file, &error)),
-            _ => match interrupt::go_on().is_break() {
+            _ => match interrupt::check().is_break() {
                 true => Err(interrupted()),
                 false => Ok(answer),
             },

@@ -8,7 +8,7 @@ use super::setting::Setting;
 use crate::figure::simulation::Trace;
 use crate::{interrupt, parallel};
 use libration::systems::EnergyBalance;
-use libration::taylor::{IntegrationError, Moment, Solution, Step, Trajectory, integrate_many_watched};
+use libration::taylor::{IntegrationError, Moment, Solution, Step, Trajectory, integrate_many_stepwise};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::available_parallelism;
@@ -90,7 +90,7 @@ impl<'a> Piece<'_, 'a> {
         let mut accounts: Vec<Account<'_, 'a>> =
             self.motions.iter().map(|(_, listed)| Account::new(listed, drawn)).collect();
         let watch = |number: usize, step: &Step<'_>| accounts[number].follow(step, progress);
-        let outcomes = integrate_many_watched(&self.setting.system, &trajectories, &first.effort(), watch);
+        let outcomes = integrate_many_stepwise(&self.setting.system, &trajectories, &first.effort(), watch);
         let motions = self.motions.iter().zip(accounts).zip(outcomes);
         motions.map(|(((_, listed), account), outcome)| account.close(listed, outcome, progress)).collect()
     }
@@ -125,7 +125,7 @@ impl<'m, 'a> Account<'m, 'a> {
             trace.follow(step, step.end());
         }
         progress.tell(&mut self.told, step.end());
-        go_on()
+        interrupt::check()
     }
 
     fn close(
@@ -153,7 +153,8 @@ impl<'m, 'a> Account<'m, 'a> {
 /// Follows a motion on both sides of the start.
 fn both_ways<'a>(listed: &Listed<'a>, progress: &Progress) -> Followed<'a> {
     let Setting { system, energy, .. } = listed.setting;
-    let (outcome, drift) = listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| go_on());
+    let (outcome, drift) =
+        listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| interrupt::check());
     progress.tell(&mut 0, progress.last);
     let (ending, solution) = concluded(listed, outcome);
     let drift = energy.as_ref().map(|_| drift).map_err(Clone::clone);
@@ -171,10 +172,6 @@ fn concluded(listed: &Listed<'_>, outcome: Result<Solution, IntegrationError>) -
         Ok((ending, solution)) => (ending, solution),
         Err(failure) => (Ending::Stopped(failure.to_string()), nothing()),
     }
-}
-
-fn go_on() -> ControlFlow<()> {
-    if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// The progress of all motions.

@@ -1,8 +1,8 @@
-//! Long calls that are told to stop at one of their questions.
+//! Long calls that are cancelled at one of the updates of their progress.
 
 use libration::chaos::{
-    Continuation, Family, LyapunovError, Points, Schedule, Section, bifurcation_diagram_watched,
-    lyapunov_exponent_watched, section_watched,
+    Continuation, Family, LyapunovError, Points, Schedule, Section, bifurcation_diagram, lyapunov_exponent,
+    section,
 };
 use libration::comparison::{
     Backbone, ExactMotion, LeadingLimitCycles, NoExactValue, NoLeadingLimitCycles, SeriesComparison,
@@ -10,7 +10,7 @@ use libration::comparison::{
 };
 use libration::continuation::{NoBranch, Response, ResponseOptions};
 use libration::expression::Equation;
-use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, thresholds_watched};
+use libration::melnikov::{DriveResonance, Melnikov, NoMelnikov, PerturbedPendulum, thresholds};
 use libration::normal_form::{NoNormalForm, NormalForm};
 use libration::normal_modes::{NoModes, NormalModes};
 use libration::orbit::{NoOrbit, Orbit, OrbitGuess};
@@ -18,42 +18,40 @@ use libration::oscillator::{Oscillator, SymbolicOscillator};
 use libration::period_formulas::{ErrorTable, catalogue};
 use libration::perturbation::{
     EpsilonPowers, ExpansionError, Gauge, OpenGauge, OpenGaugeError, SlowFlowError, SymbolicExpansionError,
-    TruncatedSystem, TruncatedSystemError, expand, expand_symbolically_watched, expand_watched,
-    restoring_force, slow_flow_watched,
+    TruncatedSystem, TruncatedSystemError, expand, expand_symbolically, restoring_force, slow_flow,
 };
+use libration::progress::{Interrupted, Progress, Quiet, Status};
 use libration::quantity::Displacement;
-use libration::taylor::{Effort, Moment};
-use libration::watch::{Interrupted, Progress, Watch};
+use libration::taylor::{
+    Cause, Effort, Ensemble, IntegrationError, Moment, Solution, System, Trajectory, integrate,
+    integrate_many,
+};
 use std::cell::Cell;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 
-/// Result of a call that is cancelled at the n-th time that it consults the watch, and the number of these times.
-fn stopped_at<T>(n: usize, call: &impl Fn(&Watch<'_>) -> T) -> (T, usize) {
-    let questions = Cell::new(0);
-    let ask = |_: Progress| {
-        questions.set(questions.get() + 1);
-        if questions.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+/// Result of a call that is cancelled at the n-th update of its progress, and the number of updates.
+fn cancelled_at<T>(n: usize, call: &impl Fn(&dyn Progress) -> T) -> (T, usize) {
+    let updates = Cell::new(0);
+    let progress = |_: Status| {
+        updates.set(updates.get() + 1);
+        if updates.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = call(&Watch::new(&ask));
-    (found, questions.get())
+    let found = call(&progress);
+    (found, updates.get())
 }
 
-/// Stops a call at the first, the last and some other questions; it must ask no more, and what it gives then must be right.
-/// Watched to its end it gives what it gives unwatched.
-fn stops<T: Debug + PartialEq>(call: impl Fn(&Watch<'_>) -> T, is_right: impl Fn(&T, &T) -> bool) {
-    let whole = call(&Watch::none());
-    let (watched, questions) = stopped_at(usize::MAX, &call);
-    assert!(questions > 1, "{questions} questions");
-    assert_eq!(watched, whole);
-    for n in [1, 2, questions / 3 + 1, questions / 2 + 1, questions] {
-        let (found, asked) = stopped_at(n, &call);
-        assert_eq!(
-            asked,
-            n.min(questions),
-            "asked again after it was stopped at question {n} of {questions}"
-        );
-        assert!(is_right(&found, &whole), "stopped at question {n} of {questions}: {found:?}");
+/// Cancels a call at the first, the last and some other updates; there must be no more updates, and the result must be right. A call that is not
+/// cancelled has the result of a quiet one.
+fn stops<T: Debug + PartialEq>(call: impl Fn(&dyn Progress) -> T, is_right: impl Fn(&T, &T) -> bool) {
+    let whole = call(&Quiet);
+    let (complete, updates) = cancelled_at(usize::MAX, &call);
+    assert!(updates > 1, "{updates} updates");
+    assert_eq!(complete, whole);
+    for n in [1, 2, updates / 3 + 1, updates / 2 + 1, updates] {
+        let (found, made) = cancelled_at(n, &call);
+        assert_eq!(made, n.min(updates), "updates after the cancellation at update {n} of {updates}");
+        assert!(is_right(&found, &whole), "cancelled at update {n} of {updates}: {found:?}");
     }
 }
 
@@ -75,20 +73,52 @@ fn no_orbit<T>(found: &Result<T, NoOrbit>, _: &Result<T, NoOrbit>) -> bool {
 }
 
 #[test]
-fn searches_of_orbits_stop_at_any_question() {
+fn integrations_stop_with_the_samples_until_then() {
+    let pendulum = System::new(&equation("theta'' = -sin(theta)")).unwrap();
+    let (times, effort) = ([1.0, 5.0, 20.0], Effort::to_tolerance(1e-12));
+    let is_part = |found: &Result<Solution, IntegrationError>, whole: &Result<Solution, IntegrationError>| {
+        let Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) = found else {
+            return false;
+        };
+        whole.as_ref().is_ok_and(|whole| whole.samples.starts_with(&solution.samples))
+    };
+    stops(|progress| integrate(&pendulum, &at(&[1.0, 0.0]), &times, &effort, progress), is_part);
+    let start = |place: f64| Trajectory { start: at(&[place, 0.0]), parameters: vec![], times: &times };
+    let many = [start(0.5), start(1.0), start(3.0)];
+    stops(
+        |progress| integrate_many(&pendulum, &many, &effort, progress),
+        |found, whole| {
+            let mut pairs = found.iter().zip(whole);
+            pairs.all(|(found, whole)| found == whole || is_part(found, whole))
+                && found.iter().any(Result::is_err)
+        },
+    );
+    let starts = [at(&[0.5, 0.0]), at(&[3.0, 0.0])];
+    stops(
+        |progress| {
+            let mut ensemble = Ensemble::new(pendulum.clone(), &starts, &effort).unwrap();
+            let first = ensemble.states_at(20.0, progress);
+            (first, ensemble.states_at(20.0, &Quiet))
+        },
+        |(first, resumed), (_, whole)| *first == Err(Interrupted) && resumed == whole,
+    );
+}
+
+#[test]
+fn searches_of_orbits_stop_at_any_update() {
     let pendulum = equation("theta'' = -sin(theta)");
     // In double precision, and next to the separatrix with more bits.
     for place in [1.0, 3.141_592_653] {
-        stops(|watch| in_numbers(Orbit::released_watched(&pendulum, place, watch)), no_orbit);
+        stops(|progress| in_numbers(Orbit::released(&pendulum, place, progress)), no_orbit);
     }
     let van_der_pol = equation("x'' = (1 - x^2)*x' - x");
-    stops(|watch| in_numbers(Orbit::limit_cycle_watched(&van_der_pol, &[0.1, 0.0], watch)), no_orbit);
+    stops(|progress| in_numbers(Orbit::limit_cycle(&van_der_pol, &[0.1, 0.0], progress)), no_orbit);
     let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
     let guess = OrbitGuess { state: vec![0.1, -0.1, 0.0, 0.0], period: 3.6 };
-    stops(|watch| in_numbers(Orbit::near_watched(&pair, &guess, &[0, 2], watch)), no_orbit);
+    stops(|progress| in_numbers(Orbit::near(&pair, &guess, &[0, 2], progress)), no_orbit);
     let driven = equation("x'' = -x - x^3 - x'/5 + cos(t)");
     let period = std::f64::consts::TAU;
-    stops(|watch| in_numbers(Orbit::driven_watched(&driven, period, &[1.0, 0.2], watch)), no_orbit);
+    stops(|progress| in_numbers(Orbit::driven(&driven, period, &[1.0, 0.2], progress)), no_orbit);
 }
 
 #[test]
@@ -96,7 +126,7 @@ fn normal_forms_stop_before_the_next_order() {
     let coupled = equation("x'' = -x - x*y; y'' = -4*y - x^2/2");
     let terms = |form: NormalForm| form.slow_terms;
     stops(
-        |watch| NormalForm::about_watched(&coupled, &[0.0, 0.0], 4, 0.1, watch).map(terms),
+        |progress| NormalForm::about(&coupled, &[0.0, 0.0], 4, 0.1, progress).map(terms),
         |found, whole| {
             matches!(found, Err(NoNormalForm::Interrupted(_) | NoNormalForm::NoModes(_))) && whole.is_ok()
         },
@@ -110,7 +140,7 @@ fn resonances_stop_before_the_next() {
         found.iter().map(|it| (it.drive_periods, it.half_width)).collect()
     };
     stops(
-        |watch| driven.resonances_watched(4, watch).map(places),
+        |progress| driven.resonances(4, progress).map(places),
         |found, whole| *found == Err(Interrupted) && whole.is_ok(),
     );
 }
@@ -120,7 +150,7 @@ fn branches_stop_with_the_points_that_are_followed() {
     let duffing = equation("x'' = -0.2*x' - x - x^3 + 0.3*cos(w*t)");
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     stops(
-        |watch| Response::over_watched(&duffing, "w", [0.9, 1.0], &options, watch),
+        |progress| Response::over(&duffing, "w", [0.9, 1.0], &options, progress),
         |found, whole| match (found, whole) {
             (Err(error), _) => *error == NoBranch::Interrupted(Interrupted),
             (Ok(found), Ok(whole)) => {
@@ -137,7 +167,7 @@ fn expansions_stop_with_the_orders_that_are_certain() {
     for text in ["x'' = -sin(x)", "x'' = mu*(1 - x^2)*x' - x", "x'' = -x - sqrt(2)*x^2"] {
         let oscillator = Oscillator::new(&equation(text)).unwrap();
         stops(
-            |watch| expand_watched(&oscillator, 17, &Gauge::Fundamental, watch),
+            |progress| expand(&oscillator, 17, &Gauge::Fundamental, progress),
             |found, whole| match (found, whole) {
                 (Err(ExpansionError::Interrupted { known: None }), _) => true,
                 (Err(ExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
@@ -154,7 +184,7 @@ fn expansions_with_letters_stop_with_the_orders_that_are_found() {
     for text in ["x'' + w^2*x + a*x^2 + b*x^3 = 0", "x'' + (k + m)*x + b*x*x'^2 = 0"] {
         let oscillator = SymbolicOscillator::new(&equation(text)).unwrap();
         stops(
-            |watch| expand_symbolically_watched(&oscillator, 7, &Gauge::Fundamental, watch),
+            |progress| expand_symbolically(&oscillator, 7, &Gauge::Fundamental, progress),
             |found, whole| match (found, whole) {
                 (Err(SymbolicExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
                     whole.series.frequency_ratio.starts_with(&known.series.frequency_ratio)
@@ -166,56 +196,56 @@ fn expansions_with_letters_stop_with_the_orders_that_are_found() {
 }
 
 #[test]
-fn slow_flows_stop_at_any_question() {
+fn slow_flows_stop_at_any_update() {
     let damped = equation("x'' + c*x'*abs(x') + sin(x) = 0");
     stops(
-        |watch| slow_flow_watched(&damped, None, 4, 2, &Gauge::XMax, watch),
+        |progress| slow_flow(&damped, None, 4, 2, &Gauge::XMax, progress),
         |found, _| *found == Err(SlowFlowError::Interrupted),
     );
 }
 
 #[test]
-fn equations_of_harmonics_stop_at_any_question() {
+fn equations_of_harmonics_stop_at_any_update() {
     let pendulum = Oscillator::new(&equation("x'' = -sin(x)")).unwrap();
     let force = restoring_force(&pendulum, 9).unwrap();
     stops(
-        |watch| {
-            let open = OpenGauge::new_watched(&force, 7, EpsilonPowers::OneParity, watch);
+        |progress| {
+            let open = OpenGauge::new(&force, 7, EpsilonPowers::OneParity, progress);
             open.map(|open| open.conditions().to_vec())
         },
         |found, _| matches!(found, Err(OpenGaugeError::Interrupted(_))),
     );
     let system = TruncatedSystem::new(&force, 2, 3).unwrap();
     stops(
-        |watch| system.solutions_watched(1.0, watch).map(|all| all[0].frequency_ratio_squared),
+        |progress| system.solutions(1.0, progress).map(|all| all[0].frequency_ratio_squared),
         |found, _| matches!(found, Err(TruncatedSystemError::Interrupted(_))),
     );
 }
 
 #[test]
-fn backbones_and_exact_values_stop_at_any_question() {
+fn backbones_and_exact_values_stop_at_any_update() {
     let duffing = equation("x'' = -x - x^3");
-    let curve = Backbone::new(&duffing, None, 9).unwrap();
+    let curve = Backbone::new(&duffing, None, 9, &Quiet).unwrap();
     stops(
-        |watch| curve.at_watched(0.5, watch),
+        |progress| curve.at(0.5, progress),
         |found, whole| no_orbit(&found.orbit, &whole.orbit) && found.series == whole.series,
     );
     stops(
-        |watch| {
-            let curve = Backbone::new_watched(&duffing, None, 21, watch).unwrap();
-            (curve.no_series().cloned(), curve.at(0.5).orbit)
+        |progress| {
+            let curve = Backbone::new(&duffing, None, 21, progress).unwrap();
+            (curve.no_series().cloned(), curve.at(0.5, &Quiet).orbit)
         },
         |(no_series, orbit), (_, whole)| no_series.is_some() && orbit == whole,
     );
     let oscillator = Oscillator::new(&duffing).unwrap();
-    let expansion = expand(&oscillator, 5, &Gauge::Fundamental).unwrap();
+    let expansion = expand(&oscillator, 5, &Gauge::Fundamental, &Quiet).unwrap();
     let interrupted = |error: &NoExactValue| *error == NoExactValue::from(NoOrbit::Interrupted(Interrupted));
     let relation = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
-    stops(|watch| relation.exact_at_watched(0.5, watch), |found, _| found.as_ref().is_err_and(interrupted));
+    stops(|progress| relation.exact_at(0.5, progress), |found, _| found.as_ref().is_err_and(interrupted));
     let amplitude = Displacement::from_f64(0.5).unwrap();
     stops(
-        |watch| {
-            let motion = ExactMotion::new_watched(&oscillator, &expansion, &amplitude, watch)?;
+        |progress| {
+            let motion = ExactMotion::new(&oscillator, &expansion, &amplitude, progress)?;
             motion.value(SeriesQuantity::Cosine(1))
         },
         |found, _| found.as_ref().is_err_and(interrupted),
@@ -223,21 +253,21 @@ fn backbones_and_exact_values_stop_at_any_question() {
 }
 
 #[test]
-fn thresholds_and_integrals_over_the_separatrix_stop_at_any_question() {
+fn thresholds_and_integrals_over_the_separatrix_stop_at_any_update() {
     let driven = equation("x'' + sin(x) = -0.1*x'*abs(x') + A*cos(t)");
     stops(
-        |watch| thresholds_watched(&driven, "A", [0.3, 0.4], watch),
+        |progress| thresholds(&driven, "A", [0.3, 0.4], progress),
         |found, _| matches!(found, Err(NoMelnikov::Interrupted(_))),
     );
     let weak = PerturbedPendulum::new(&equation("x'' + sin(x) = -0.1*x'*abs(x')")).unwrap();
-    stops(|watch| Melnikov::both_watched(&weak, watch), |found, _| found.is_err());
+    stops(|progress| Melnikov::both(&weak, progress), |found, _| found.is_err());
 }
 
 #[test]
-fn normal_modes_stop_at_any_question() {
+fn normal_modes_stop_at_any_update() {
     let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
     stops(
-        |watch| NormalModes::about_watched(&pair, &[0.0, 0.0], watch).map(|modes| modes.modes),
+        |progress| NormalModes::about(&pair, &[0.0, 0.0], progress).map(|modes| modes.modes),
         |found, _| matches!(found, Err(NoModes::Interrupted(_))),
     );
 }
@@ -252,16 +282,15 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
     for cut in [stroboscope, surface] {
         let one = driven.with(&[("A", "1".parse().unwrap())]).unwrap();
         stops(
-            |watch| section_watched(&one, &at(&[1.0, 0.0]), &cut, points, &effort, watch).unwrap(),
+            |progress| section(&one, &at(&[1.0, 0.0]), &cut, points, &effort, progress).unwrap(),
             |found, whole| whole.points.starts_with(&found.points),
         );
         let family = Family { equation: &driven, parameter: "A", section: &cut, points };
         for how in [Continuation::SameStart, Continuation::LastState] {
             let values = [1.0, 1.2, 1.4];
             stops(
-                |watch| {
-                    bifurcation_diagram_watched(&family, &values, &at(&[1.0, 0.0]), how, &effort, watch)
-                        .unwrap()
+                |progress| {
+                    bifurcation_diagram(&family, &values, &at(&[1.0, 0.0]), how, &effort, progress).unwrap()
                 },
                 |found, whole| found.iter().all(|column| whole.contains(column)),
             );
@@ -275,7 +304,7 @@ fn lyapunov_exponents_stop_with_the_intervals_until_then() {
     let (start, effort) = (at(&[0.2, 0.0]), Effort::to_tolerance(1e-12));
     let schedule = Schedule { transient: 5.0, interval: 4.0, intervals: 40 };
     stops(
-        |watch| lyapunov_exponent_watched(&pendulum, &start, &schedule, &effort, watch),
+        |progress| lyapunov_exponent(&pendulum, &start, &schedule, &effort, progress),
         |found, whole| match (found, whole) {
             (Ok(found), Ok(whole)) => whole.convergence.starts_with(&found.convergence),
             (Err(LyapunovError::Nothing(_) | LyapunovError::Integration(_)), _) => true,
@@ -285,10 +314,10 @@ fn lyapunov_exponents_stop_with_the_intervals_until_then() {
 }
 
 #[test]
-fn tables_of_errors_stop_at_any_question() {
+fn tables_of_errors_stop_at_any_update() {
     let formulas = &catalogue()[..2];
     stops(
-        |watch| ErrorTable::new_watched(formulas, watch).map(|table| table.crossovers(0, 1)),
+        |progress| ErrorTable::new(formulas, progress).map(|table| table.crossovers(0, 1)),
         |found, _| *found == Err(Interrupted),
     );
 }
@@ -297,5 +326,5 @@ fn tables_of_errors_stop_at_any_question() {
 fn limit_cycles_over_exact_orbits_stop() {
     let equation = equation("x'' + x + x^3 = e*(1 - x^2)*x'");
     let none = Err(NoLeadingLimitCycles::Interrupted);
-    stops(|watch| LeadingLimitCycles::new_watched(&equation, None, watch), |found, _| *found == none);
+    stops(|progress| LeadingLimitCycles::new(&equation, None, progress), |found, _| *found == none);
 }

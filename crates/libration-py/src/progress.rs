@@ -1,4 +1,4 @@
-//! Long calls, which Ctrl-C ends, and which tell how far they are.
+//! Progress of long calls, and their cancellation by Ctrl-C.
 //!
 //! # Method
 //! Objects of the package are frozen dataclasses of `python/libration` that hold the data they were made from, so that they pickle, copy, compare
@@ -10,16 +10,16 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::{ThreadId, current};
 use std::time::{Duration, Instant};
 
-use libration::watch::Progress;
+use libration::progress::{Progress, Status};
 use pyo3::prelude::*;
 
 /// Interval at which the interpreter is consulted; it may be busy with another thread.
 const INTERVAL: Duration = Duration::from_millis(20);
 
 /// Cancellation and progress of a long call.
-pub(crate) struct Patience {
+pub(crate) struct CallProgress {
     /// A function that is called with the progress, or `None`.
-    progress: Option<Py<PyAny>>,
+    function: Option<Py<PyAny>>,
     /// The thread that has called: the interpreter hears of signals on no other.
     caller: ThreadId,
     state: Mutex<State>,
@@ -30,29 +30,24 @@ struct State {
     stopped_by: Option<PyErr>,
 }
 
-impl Patience {
-    pub(crate) fn new(progress: Option<Py<PyAny>>) -> Self {
+impl CallProgress {
+    pub(crate) fn new(function: Option<Py<PyAny>>) -> Self {
         let state = State { asked: Instant::now(), stopped_by: None };
-        Self { progress, caller: current().id(), state: Mutex::new(state) }
+        Self { function, caller: current().id(), state: Mutex::new(state) }
     }
 
-    /// Returns whether the call may continue, and reports its progress at intervals.
-    pub(crate) fn go_on(&self, progress: Progress) -> ControlFlow<()> {
-        self.ask(INTERVAL, |py, tell| tell.call1(py, (progress.done, progress.of)).map(drop))
-    }
-
-    /// Returns whether the call may continue, without reporting progress.
-    pub(crate) fn lasts(&self) -> bool {
-        self.ask(INTERVAL, |_, _| Ok(())).is_continue()
+    /// Returns `true` if the call is cancelled, without reporting progress.
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.consult(INTERVAL, |_, _| Ok(())).is_break()
     }
 
     /// Reports the progress of the call in words.
-    pub(crate) fn tell(&self, how_far: &str) {
-        // Whether it may go on it asks soon enough.
-        let _ = self.ask(Duration::ZERO, |py, tell| tell.call1(py, (how_far,)).map(drop));
+    pub(crate) fn report(&self, how_far: &str) {
+        // A cancellation is noticed at the next check.
+        let _ = self.consult(Duration::ZERO, |py, tell| tell.call1(py, (how_far,)).map(drop));
     }
 
-    fn ask(
+    fn consult(
         &self,
         interval: Duration,
         tell: impl FnOnce(Python<'_>, &Py<PyAny>) -> PyResult<()>,
@@ -66,7 +61,7 @@ impl Patience {
         }
         let answer = Python::attach(|py| {
             py.check_signals()?;
-            self.progress.as_ref().map_or(Ok(()), |progress| tell(py, progress))
+            self.function.as_ref().map_or(Ok(()), |function| tell(py, function))
         });
         state.asked = Instant::now();
         match answer {
@@ -81,5 +76,12 @@ impl Patience {
     /// The exception that has stopped the call: `KeyboardInterrupt`, or the one that the function of the progress has raised.
     pub(crate) fn stopped_by(&self) -> Option<PyErr> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).stopped_by.take()
+    }
+}
+
+impl Progress for CallProgress {
+    /// Reports the progress at intervals.
+    fn update(&self, status: Status) -> ControlFlow<()> {
+        self.consult(INTERVAL, |py, tell| tell.call1(py, (status.done, status.of)).map(drop))
     }
 }
