@@ -30,7 +30,11 @@ fn declarations(code: &str) -> impl Iterator<Item = (usize, &str)> {
     code.match_indices("use ").filter_map(|(start, word)| {
         let alone = code[..start].chars().next_back().is_none_or(char::is_whitespace);
         let rest = &code[start + word.len()..];
-        Some((start, &rest[..rest.find(';')?])).filter(|_| alone)
+        let declaration = &rest[..rest.find(';')?];
+        // A sentence in a text has other characters before its next semicolon.
+        let is_path =
+            |letter: char| letter.is_alphanumeric() || letter.is_whitespace() || "_:{},*".contains(letter);
+        Some((start, declaration)).filter(|_| alone && declaration.chars().all(is_path))
     })
 }
 
