@@ -1,6 +1,6 @@
 //! Fields of an expansion: its series as lists of coefficients, each a text.
 
-use super::Answer;
+use super::answer::Answer;
 use super::subject::of_subject;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};

@@ -1,6 +1,7 @@
 //! Expansions with letters.
 
-use super::{Answer, Letters, with_orders_shown};
+use super::answer::{Answer, Letters};
+use super::numbers::with_orders_shown;
 use crate::arguments::Chosen;
 use crate::query_error::QueryError;
 use libration::algebra::LaurentPolynomial;

@@ -1,7 +1,7 @@
 //! The expansion to read, and in LaTeX.
 
-use super::Answer;
-use super::Letters;
+use super::answer::Answer;
+use super::answer::Letters;
 use crate::output::series::{Coefficient, Notation, Style, subscript, superscript, wrapped};
 use crate::output::table::write_text;
 use libration::expression::Expression;

@@ -1,6 +1,6 @@
 //! The expansion as formulas in MathML, one a line.
 
-use super::Answer;
+use super::answer::Answer;
 use super::listing::{Part, letter_of, parts};
 use crate::output::mathml::{display, element, name, number};
 use crate::output::series::{Coefficient, Notation, Style};

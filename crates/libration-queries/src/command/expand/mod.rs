@@ -1,37 +1,30 @@
 //! `libration expand`: exact perturbation series of any oscillator.
 
+mod answer;
 mod code;
 mod evaluate;
 mod fields;
 mod letters;
 mod listing;
 mod mathml;
+mod numbers;
 mod scaling_law;
 pub(crate) mod slow_flow;
 mod subject;
 mod write;
 
-use crate::arguments::{self, Asked, Chosen, ChosenWithLetters, OscillatorOptions};
+use crate::arguments::{self, ChosenWithLetters, OscillatorOptions};
+use crate::interrupt;
 use crate::output::description::Answers;
-use crate::output::number::short;
-use crate::output::series::{Coefficient, certainty, radius_certainty};
+use crate::output::series::Coefficient;
 use crate::output::{Form, FormOptions};
-use crate::parallel::unless_cancelled;
-use crate::query_error::{QueryError, option};
-use crate::{call, interrupt, parallel};
+use crate::query_error::QueryError;
+use answer::Answer;
 use code::Language;
-use libration::algebra::Rational;
-use libration::comparison::{SeriesComparison, SeriesQuantity};
-use libration::expression::Equation;
-use libration::oscillator::{Kind, Oscillator};
-use libration::perturbation::{
-    Expansion, ExpansionError, Gauge, MAX_ORDER, MAX_PARAMETER_ORDER, expand, expand_with_pi,
-};
-use libration::progress::{Progress, Stage, Status};
-use libration::quantity::is_angle_name;
+use libration::comparison::SeriesQuantity;
+use libration::perturbation::{Gauge, MAX_ORDER, MAX_PARAMETER_ORDER};
+use numbers::refusal;
 use std::io::Write;
-use std::sync::Mutex;
-use subject::{About, Subject};
 
 /// Exact series for an oscillator's frequency, harmonics and period, to any order
 ///
@@ -150,41 +143,6 @@ impl Format {
 
 /// The order to which an expansion is listed.
 const LISTED: usize = 7;
-/// The order to which an expansion is evaluated.
-const EVALUATED: usize = 31;
-/// The same where no powers vanish, so that there are as many terms.
-const EVALUATED_OF_TWO_SIDES: usize = 15;
-
-/// An expansion with the words for it.
-struct Answer<C = Rational> {
-    subject: Subject,
-    is_angle: bool,
-    /// Letters and constants, where parameters are letters.
-    letters: Option<Letters<C>>,
-    expansion: Expansion<C>,
-    /// The order that was requested, when Ctrl-C was pressed before it was reached.
-    interrupted: Option<usize>,
-}
-
-impl<C> Letters<C> {
-    /// The names for constants that do not say themselves what they are, as π does.
-    fn explained(&self) -> impl Iterator<Item = &(String, String)> {
-        self.constants.iter().filter(|(name, constant)| name != constant)
-    }
-}
-
-/// The letters of an expansion, and ω0 by them.
-struct Letters<C> {
-    names: Vec<String>,
-    /// Names in the coefficients for constants that are no products of letters.
-    constants: Vec<(String, String)>,
-    omega0: String,
-    /// Symbol of ω0 in the coefficients.
-    omega0_name: Option<String>,
-    /// Coefficients of Ω by powers of the variable, where ω0 is a product of letters.
-    frequency: Option<Vec<C>>,
-}
-
 pub(crate) fn answers() -> Vec<Answers> {
     vec![fields::answers(), evaluate::answers(), slow_flow::answers(), scaling_law::answers()]
 }
@@ -223,120 +181,9 @@ impl Expand {
         missing.map_or(Ok(()), |missing| Err(QueryError::cancelled(format!("interrupted: {missing}"))))
     }
 
-    /// Writes the slow flow, with a note, if an open parameter is the strength of a force that has no expansion as a limit cycle, but has a slow
-    /// flow.
-    fn slow_flow_or(&self, out: &mut dyn Write, refused: QueryError) -> Result<(), QueryError> {
-        let is_written =
-            self.format.and_then(Format::language).is_none() && self.format != Some(Format::Mathml);
-        if self.evaluate.is_some() || !is_written {
-            return Err(refused);
-        }
-        let mut answer = vec![];
-        match self.oscillator.asked().and_then(|asked| self.answer_slow_flow(&mut answer, asked)) {
-            Ok(()) => {}
-            Err(interrupted) if interrupted.is_cancelled() => return Err(interrupted),
-            Err(_) => return Err(refused),
-        }
-        call::current().note(
-            "there is no expansion as a limit cycle; this is the slow flow (--damping-order), with the rate of the amplitude",
-        );
-        Ok(out.write_all(&answer)?)
-    }
-
-    /// Writes the result, and tells what it lacks when Ctrl-C was pressed; an error where the slow flow may be the result.
-    fn answer_in_numbers(
-        &self,
-        out: &mut dyn Write,
-        chosen: Chosen,
-    ) -> Result<Result<Option<String>, ExpansionError>, QueryError> {
-        let amplitude =
-            self.evaluate.as_ref().map(|text| chosen.amplitude(&option("evaluate"), text)).transpose()?;
-        let usual = match (&amplitude, chosen.oscillator.kind()) {
-            (None, _) => LISTED,
-            (Some(_), Kind::TwoSided) => EVALUATED_OF_TWO_SIDES,
-            (Some(_), _) => EVALUATED,
-        };
-        let order = self.order.unwrap_or(usual);
-        let oscillator = chosen.oscillator.clone();
-        if amplitude.is_none() && self.format.and_then(Format::language).is_none() {
-            let exact = with_orders_shown(order, |progress| {
-                expand_with_pi(&oscillator, order, &self.gauge(), progress)
-            });
-            if let Some(expansion) = exact.map_err(refusal)? {
-                let equation = oscillator.equation();
-                self.write(out, &Answer::about(equation, chosen, expansion, None, None), String::new)?;
-                return Ok(Ok(None));
-            }
-        }
-        let answer = match expanded(&chosen.oscillator, order, &self.gauge()) {
-            Ok(expansion) => Answer::new(chosen, expansion, None),
-            Err(ExpansionError::Interrupted { known: Some(known) }) => {
-                Answer::new(chosen, *known, Some(order))
-            }
-            Err(error @ ExpansionError::NotPolynomial) => return Ok(Err(error)),
-            Err(error) => return Err(refusal(error)),
-        };
-        if let Some(amplitude) = amplitude {
-            return evaluate::write(out, self.form.form(), &answer, &oscillator, self.quantity, &amplitude)
-                .map(Ok);
-        }
-        self.write(out, &answer, || validity(&oscillator, &answer.expansion))?;
-        Ok(Ok(answer.missing_orders()))
-    }
-
     /// The gauge: the definition of the expansion parameter.
     fn gauge(&self) -> Gauge {
         self.gauge.clone().unwrap_or(Gauge::Fundamental)
-    }
-
-    /// The equation whose slow flow is requested, by an option or by a key that only damped systems have.
-    fn slow_flow(&self) -> Result<Option<Asked>, QueryError> {
-        match self.oscillator.asked_of_system(self.small.as_deref()) {
-            Some(asked) => asked.map(Some),
-            None if self.damping_order.is_some() || self.small.is_some() => self.oscillator.asked().map(Some),
-            None => Ok(None),
-        }
-    }
-
-    fn answer_slow_flow(&self, out: &mut dyn Write, asked: Asked) -> Result<(), QueryError> {
-        if self.evaluate.is_some() {
-            let reason =
-                "the slow flow is not a series at one amplitude: simulate the motion by <libration simulate>";
-            return Err(QueryError::usage(option("evaluate"), reason));
-        }
-        let latex = match self.format {
-            None => self.latex,
-            Some(Format::Latex) => true,
-            Some(_) => {
-                return Err(QueryError::usage(
-                    option("format"),
-                    "a slow flow is written as text, latex, JSON or CSV",
-                ));
-            }
-        };
-        let order = self.order.unwrap_or(LISTED);
-        let gauge = self.gauge.clone().unwrap_or(Gauge::XMax);
-        let orders = [order, self.damping_order.unwrap_or(slow_flow::DAMPING_ORDER)];
-        let answer = slow_flow::Answer::new(asked, self.small.as_deref(), orders, &gauge)?;
-        slow_flow::write(out, self.form.form(), latex, &answer)?;
-        Ok(out.flush()?)
-    }
-
-    fn answer_scaling_law(&self, out: &mut dyn Write, answer: scaling_law::Answer) -> Result<(), QueryError> {
-        let latex = match self.format {
-            None => self.latex,
-            Some(Format::Latex) => true,
-            Some(_) => {
-                let reason = "a scaling law is written as text, latex, JSON or CSV";
-                return Err(QueryError::usage(option("format"), reason));
-            }
-        };
-        let answer = match &self.evaluate {
-            None => answer,
-            Some(text) => answer.at(text)?,
-        };
-        scaling_law::write(out, self.form.form(), latex, &answer)?;
-        Ok(out.flush()?)
     }
 
     fn write<C: Coefficient>(
@@ -358,105 +205,5 @@ impl Expand {
             Form::Table => listing::write(out, answer)?,
         }
         Ok(())
-    }
-}
-
-fn refusal(error: ExpansionError) -> QueryError {
-    match error {
-        ExpansionError::Interrupted { .. } => {
-            QueryError::cancelled("interrupted before any order was confirmed")
-        }
-        error => QueryError::no_result("expansion", &error).with_remedies(&error.remedies()),
-    }
-}
-
-/// The range of convergence of the period's series, as far as it is known.
-fn validity(oscillator: &Oscillator, expansion: &Expansion) -> String {
-    let relation = SeriesComparison::new(oscillator, expansion, SeriesQuantity::Period);
-    let radius = unless_cancelled("the radius of convergence", |_| relation.radius()).flatten();
-    let variable = if expansion.variable.is_strength() { "strengths" } else { "amplitudes" };
-    match radius {
-        None => {
-            format!("the radius of convergence of the series is not known; they are for small {variable}")
-        }
-        Some(radius) if radius.value().is_infinite() => {
-            format!("the series of the period converges for all {variable}")
-        }
-        Some(radius) => {
-            let certainty = certainty(radius_certainty(&radius));
-            let below = short(radius.value(), 6);
-            format!(
-                "the series of the period converges for {variable} below {below} ({certainty}), slowly near it"
-            )
-        }
-    }
-}
-
-fn expanded(oscillator: &Oscillator, order: usize, gauge: &Gauge) -> Result<Expansion, ExpansionError> {
-    with_orders_shown(order, |progress| expand(oscillator, order, gauge, progress))
-}
-
-/// The result of a computation, with a line of progress while it takes long, until Ctrl-C is pressed.
-fn with_orders_shown<T: Send>(order: usize, compute: impl FnOnce(&dyn Progress) -> T + Send) -> T {
-    let latest = Mutex::new(None);
-    let how_far = || latest.lock().ok().and_then(|latest| *latest).map_or_else(String::new, in_words);
-    let how_far = || format!("order {order}: {}", how_far());
-    let progress = |status: Status| {
-        if let Ok(mut latest) = latest.lock() {
-            *latest = Some(status);
-        }
-        parallel::update(&how_far)
-    };
-    parallel::with_progress(how_far, || compute(&progress))
-}
-
-fn in_words(Status { stage, done: order, .. }: Status) -> String {
-    match stage {
-        Stage::Prime { done } => format!("{done} primes done, order {order} modulo the next"),
-        Stage::Fractions { primes } => format!("fractions from {primes} primes"),
-        Stage::Floats { bits } => format!("order {order} with {bits} bits"),
-        _ => format!("checking order {order}"),
-    }
-}
-
-impl<C> About for Answer<C> {
-    fn subject(&self) -> &Subject {
-        &self.subject
-    }
-}
-
-impl Answer {
-    fn new(chosen: Chosen, expansion: Expansion, interrupted: Option<usize>) -> Self {
-        let equation = chosen.oscillator.equation().clone();
-        Self::about(&equation, chosen, expansion, None, interrupted)
-    }
-}
-
-impl<C> Answer<C> {
-    fn about<O>(
-        equation: &Equation,
-        chosen: Chosen<O>,
-        expansion: Expansion<C>,
-        letters: Option<Letters<C>>,
-        interrupted: Option<usize>,
-    ) -> Self {
-        let Chosen { key, title, values, read_as, .. } = chosen;
-        let subject = Subject::new(equation, (key, title), values, read_as);
-        Self { is_angle: is_angle_name(&subject.variable), subject, letters, expansion, interrupted }
-    }
-
-    /// The frequency itself, where it is not Ω/ω0.
-    fn frequency(&self) -> Option<&[C]> {
-        let letters = self.letters.as_ref()?;
-        letters.frequency.as_deref().filter(|_| letters.omega0 != "1")
-    }
-
-    /// A statement of the orders that were complete when Ctrl-C was pressed during the expansion.
-    fn missing_orders(&self) -> Option<String> {
-        let asked = self.interrupted?;
-        let order = self.expansion.order;
-        let is_certain = order < asked && self.letters.is_none();
-        let left = if is_certain { "which is confirmed" } else { "which is not checked by a second method" };
-        Some(format!("order {order} of {asked}, {left}, is written"))
     }
 }

@@ -1,6 +1,7 @@
 //! The scaling law of a force in proportion to one power of the displacement.
 
 use super::subject::{About, Subject, of_subject};
+use super::{Expand, Format};
 use crate::arguments::Asked;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
@@ -229,4 +230,23 @@ fn write_latex(out: &mut dyn Write, answer: &Answer) -> io::Result<()> {
         writeln!(out, "  \\\\ \\frac{{a_{{{k}}}}}{{A}} &= {ratio:.15}")?;
     }
     writeln!(out, "\\end{{align*}}")
+}
+
+impl Expand {
+    pub(super) fn answer_scaling_law(&self, out: &mut dyn Write, answer: Answer) -> Result<(), QueryError> {
+        let latex = match self.format {
+            None => self.latex,
+            Some(Format::Latex) => true,
+            Some(_) => {
+                let reason = "a scaling law is written as text, latex, JSON or CSV";
+                return Err(QueryError::usage(option("format"), reason));
+            }
+        };
+        let answer = match &self.evaluate {
+            None => answer,
+            Some(text) => answer.at(text)?,
+        };
+        write(out, self.form.form(), latex, &answer)?;
+        Ok(out.flush()?)
+    }
 }

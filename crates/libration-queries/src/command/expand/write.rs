@@ -1,6 +1,7 @@
 //! The expansion as JSON and CSV.
 
-use super::{Answer, fields};
+use super::answer::Answer;
+use super::fields;
 use crate::output::json;
 use crate::output::series::Coefficient;
 use std::io::{self, Write};

@@ -10,7 +10,7 @@ mod program;
 
 pub(super) use language::Language;
 
-use super::Answer;
+use super::answer::Answer;
 use super::listing::left_out;
 use crate::output::series::Coefficient;
 use libration::algebra::Rational;

@@ -5,7 +5,7 @@ mod table;
 
 pub(super) use fields::answers;
 
-use super::Answer;
+use super::answer::Answer;
 use crate::output::number::short;
 use crate::output::{Form, json};
 use crate::parallel::unless_cancelled;

@@ -3,6 +3,7 @@
 mod fields;
 mod leading_cycles;
 pub(crate) mod listing;
+mod query;
 
 use super::subject::{About, Subject};
 use crate::arguments::Asked;
