@@ -95,7 +95,7 @@ pub mod internals {
                 pub use crate::fit::gates::passages::{Passage, passages};
             }
             pub mod speeds {
-                pub use crate::fit::gates::speeds::amplitude;
+                pub use crate::fit::gates::speeds::NearBottom;
             }
             pub mod trend {
                 pub use crate::fit::gates::trend::at_the_beginning;

@@ -1,39 +1,34 @@
-//! The amplitudes by the speeds at the gate, and T0 by these amplitudes.
+//! The amplitude at each passage of a gate, by its speed, with the place of the gate and the drag that are consistent with all of them.
 
 use std::f64::consts::TAU;
 
-use super::speeds::amplitude;
+use super::speeds::{NearBottom, mean_squared_velocity};
 use super::swings::Swings;
-use crate::fit::cycles::period_law;
-use crate::fit::cycles::row::Row;
-use crate::fit::typical_amplitude::typical_amplitude;
-use crate::fit::{Beta, Law, Uncertain};
-use crate::statistics::count;
+use super::trend::value_and_slope;
+use crate::fit::Law;
 use crate::statistics::median;
 use libration::internals::progress::Watch;
-use libration::quantity::Quantity;
-use libration::roots::{Tolerance, bisect};
+use libration::roots::{Tolerance, zero_between};
 
-/// Results of the periods with their amplitudes.
-pub(super) struct BySpeeds {
-    pub(super) t0: Uncertain,
-    /// ∂T0/∂(width), in s/rad.
-    pub(super) t0_by_width: f64,
-    /// Degrees of freedom of the uncertainty of T0.
-    pub(super) degrees_of_freedom: f64,
-    pub(super) beta: Option<Beta>,
-    pub(super) amplitude: Option<f64>,
-}
+/// Rounds in which T0, the place of the gate and the drag are renewed.
+const ROUNDS: usize = 4;
 
-/// The amplitude at each passage, in radians.
+/// The amplitudes of all passages.
 pub(super) struct Amplitudes {
+    /// The amplitude by the speed at the bottom, in radians.
     pub(super) of_passages: Vec<Option<f64>>,
-    /// Time between the passage of the gate and that of the bottom, in seconds.
+    /// The same by the course of all neighbours, in radians.
+    pub(super) smooth: Vec<Option<f64>>,
+    /// Time of the passage of the gate after that of the bottom, in seconds.
     pub(super) from_bottom: Vec<f64>,
-    /// Angular frequency of small swings that is consistent with the amplitudes.
-    pub(super) omega0: f64,
+    /// The duration for which the gate is blocked, by the course of the amplitudes, in seconds.
+    pub(super) blocked: Vec<f64>,
+    /// Period of small swings that is consistent with the amplitudes, in seconds.
+    pub(super) t0: f64,
+    /// The part of the velocity at the bottom that is lost in a second.
+    drag: Vec<f64>,
     /// Width of the bob, as an angle.
-    pub(super) width: f64,
+    width: f64,
 }
 
 impl Amplitudes {
@@ -44,79 +39,138 @@ impl Amplitudes {
     pub(super) fn of_cycle(&self, cycle: usize) -> Option<f64> {
         Some(0.5 * (self.of_half_swing(cycle)? + self.of_half_swing(cycle + 1)?))
     }
+
+    fn near_bottom(&self, passage: usize) -> NearBottom {
+        NearBottom { omega0: TAU / self.t0, drag: self.drag[passage] }
+    }
+
+    /// T/T0 by the course of the amplitudes, in the half swing after a passage.
+    fn ratio_after(&self, passage: usize) -> Option<f64> {
+        Some(Law::exact().ratio_at(0.5 * (self.smooth[passage]? + self.smooth[passage + 1]?)))
+    }
 }
 
 impl Swings {
     /// Computes the amplitudes of all passages by their speeds, with the T0 that is consistent with them.
     pub(super) fn amplitudes(&self, width: f64, watch: &Watch<'_>) -> Amplitudes {
-        let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
-        // With a larger T0 the amplitudes are larger and the T0 by the periods is smaller.
-        let [t0, _] = bisect([0.1 * longest, longest], Tolerance::absolute(1e-12 * longest), |t0| {
-            let amplitudes = self.amplitudes_for(width, t0, watch);
-            let said = self.cycles.iter().map(|&cycle| {
-                let ratio = amplitudes.of_cycle(cycle).map_or(f64::INFINITY, |a| Law::exact().ratio_at(a));
-                self.period(cycle) / ratio
-            });
-            median(said.collect()).is_some_and(|said| said > t0)
-        });
-        self.amplitudes_for(width, t0, watch)
+        let passages = self.placed.len();
+        let mut found = Amplitudes {
+            of_passages: vec![None; passages],
+            smooth: vec![None; passages],
+            from_bottom: self.first_from_bottom(),
+            blocked: vec![0.0; passages],
+            t0: self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max),
+            drag: vec![0.0; passages],
+            width,
+        };
+        let mut at_middles: Vec<f64> =
+            self.cycles.iter().map(|&cycle| found.from_bottom[cycle + 1]).collect();
+        for round in 0..ROUNDS {
+            if round > 0 {
+                at_middles = self.cycles.iter().map(|&cycle| self.at_middle(cycle, &found)).collect();
+            }
+            found.t0 = self.consistent_t0(&found, watch).unwrap_or(found.t0);
+            found.of_passages = self.by_speed(&found, found.t0, watch);
+            self.follow(&mut found);
+            self.place(&mut found, &at_middles);
+        }
+        found.of_passages = self.by_speed(&found, found.t0, watch);
+        found
     }
 
-    fn amplitudes_for(&self, width: f64, t0: f64, watch: &Watch<'_>) -> Amplitudes {
-        let (omega0, passages) = (TAU / t0, self.placed.len());
-        let (mut of_passages, mut from_bottom) = (vec![None; passages], vec![0.0; passages]);
+    /// Times from the bottom by the unevenness of the passages, at those in no middle of a cycle by the nearest that is.
+    fn first_from_bottom(&self) -> Vec<f64> {
+        let nearest = |passage: usize| {
+            let cycle = self.cycles.iter().min_by_key(|&&cycle| (cycle + 1).abs_diff(passage));
+            cycle.map_or(0.0, |&cycle| {
+                0.5 * self.unevenness(cycle) * self.direction(cycle + 1) * self.direction(passage)
+            })
+        };
+        (0..self.placed.len()).map(nearest).collect()
+    }
+
+    /// The time from the bottom at the middle passage of a cycle: half of its unevenness, without that by the fall of the amplitude from the first
+    /// half swing to the second and without the change of the times from the bottom.
+    fn at_middle(&self, cycle: usize, found: &Amplitudes) -> f64 {
+        let [before, middle, after] = [0, 1, 2].map(|step| found.from_bottom[cycle + step]);
+        let predicted = middle - 0.5 * (before + after);
+        let fall = found.ratio_after(cycle).zip(found.ratio_after(cycle + 1));
+        let by_fall = fall.map_or(0.0, |(first, second)| 0.25 * found.t0 * (first - second));
+        middle + 0.5 * (self.unevenness(cycle) - by_fall - predicted)
+    }
+
+    /// T0 by the periods and the amplitudes that it gives them: with a larger one the amplitudes are larger and the T0 by the periods is smaller.
+    fn consistent_t0(&self, found: &Amplitudes, watch: &Watch<'_>) -> Option<f64> {
+        let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
+        let excess = |t0: f64| {
+            let of_passages = self.by_speed(found, t0, watch);
+            let half = |passage: usize| Some(0.5 * (of_passages[passage]? + of_passages[passage + 1]?));
+            let said = self.cycles.iter().map(|&cycle| {
+                let amplitude = half(cycle).zip(half(cycle + 1)).map(|(one, other)| 0.5 * (one + other));
+                self.period(cycle) / amplitude.map_or(f64::INFINITY, |a| Law::exact().ratio_at(a))
+            });
+            median(said.collect()).unwrap_or(0.0) - t0
+        };
+        let ends = [0.1 * longest, longest].map(|t0| (t0, excess(t0)));
+        zero_between(ends, Tolerance::absolute(1e-12 * longest), excess)
+    }
+
+    /// The amplitudes by the speeds of all passages of cycles, with this T0.
+    fn by_speed(&self, found: &Amplitudes, t0: f64, watch: &Watch<'_>) -> Vec<Option<f64>> {
+        let mut of_passages = vec![None; self.placed.len()];
+        let mut next = 0;
         for &cycle in self.cycles.iter().take_while(|_| watch.go_on().is_ok()) {
-            let time = self.time_from_bottom(cycle);
-            for passage in cycle..cycle + 3 {
-                from_bottom[passage] = time;
-                of_passages[passage] =
-                    self.blocked(passage).and_then(|blocked| amplitude(omega0, width, blocked, time));
+            for passage in next.max(cycle)..cycle + 3 {
+                let motion = NearBottom { omega0: TAU / t0, drag: found.drag[passage] };
+                of_passages[passage] = self
+                    .blocked(passage)
+                    .and_then(|blocked| motion.amplitude(found.width, blocked, found.from_bottom[passage]));
+            }
+            next = cycle + 3;
+        }
+        of_passages
+    }
+
+    /// Follows the course of the amplitudes, by a line through the logarithms of sin(A/2) of all neighbours, and the drag in it: energy is lost with
+    /// the square of the velocity, as by linear damping.
+    fn follow(&self, found: &mut Amplitudes) {
+        /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line.
+        const NEIGHBOURS: usize = 7;
+        let bottom = |passage: usize| self.time(passage) - found.from_bottom[passage];
+        let course = |passage: usize| {
+            let near = passage.saturating_sub(NEIGHBOURS)..self.placed.len().min(passage + NEIGHBOURS + 1);
+            let point = |k: usize| Some((bottom(k), libm::log(libm::sin(0.5 * found.of_passages[k]?))));
+            let (times, logarithms): (Vec<f64>, Vec<f64>) = near.filter_map(point).unzip();
+            let [value, slope] = value_and_slope(&times, &logarithms, bottom(passage))?;
+            let amplitude = 2.0 * libm::asin(libm::exp(value.min(0.0)));
+            Some((amplitude, -slope / mean_squared_velocity(amplitude)?))
+        };
+        let courses: Vec<Option<(f64, f64)>> = (0..self.placed.len()).map(course).collect();
+        found.smooth = courses.iter().map(|course| Some(course.as_ref()?.0)).collect();
+        found.drag = courses.iter().map(|course| course.map_or(0.0, |(_, drag)| drag)).collect();
+    }
+
+    /// Places the gate at the median of its angles at the middle passages of cycles, where it is at these times after the bottom, and
+    /// computes the times at all passages.
+    fn place(&self, found: &mut Amplitudes, at_middles: &[f64]) {
+        let angle = |(&cycle, &time): (&usize, &f64)| {
+            let (passage, blocked) = (cycle + 1, self.blocked(cycle + 1)?);
+            let amplitude = found.smooth[passage]?;
+            let edges =
+                [-0.5, 0.5].map(|part| found.near_bottom(passage).angle_at(amplitude, time + part * blocked));
+            Some(0.5 * self.direction(passage) * (edges[0] + edges[1]))
+        };
+        let Some(gate) = median(self.cycles.iter().zip(at_middles).filter_map(angle).collect()) else {
+            return;
+        };
+        for passage in 0..self.placed.len() {
+            let own = self.direction(passage) * gate;
+            let Some(amplitude) = found.smooth[passage] else { continue };
+            let edges = [-0.5, 0.5]
+                .map(|part| found.near_bottom(passage).time_at(amplitude, own + part * found.width));
+            if let [Some(begin), Some(end)] = edges {
+                (found.from_bottom[passage], found.blocked[passage]) = (0.5 * (begin + end), end - begin);
             }
         }
-        Amplitudes { of_passages, from_bottom, omega0, width }
-    }
-
-    /// Fits T0 and the test of the exact law to the bottom passages and the amplitudes.
-    pub(super) fn by_speeds(
-        &self,
-        width: Quantity,
-        amplitudes: &Amplitudes,
-        watch: &Watch<'_>,
-    ) -> Option<BySpeeds> {
-        /// Relative change of the width for the derivatives with respect to it. With 1e-3 the rows of a minute of edges with a jitter of 10 µs
-        /// contradict the law by three standard deviations of β, and fluctuations that are then believed in change the weights and the slope.
-        const STEP: f64 = 1e-5;
-        /// Relative standard uncertainty of T0 by amplitudes from the speeds of single passages, which leave out the damping in a passage. In records of
-        /// a minute without any jitter, released at 0.5, 0.9 and 1.5 rad with dampings of 0.01/s and 0.03/s and the gate at the centre or 0.02 rad
-        /// from it, T0 was 3e-8 to 4.2e-6 off, 1.9e-6 in the root mean square.
-        const LEFT_OUT: f64 = 2.5e-6;
-        let rows = self.rows_by_speeds(amplitudes)?;
-        let law = period_law::exact(&rows, watch)?;
-        let beta = period_law::beta(&rows, watch).ok();
-        let typical = typical_amplitude(rows.iter().map(|row| row.ratio))?;
-        // When the width is wrong all speeds are, by the same factor; T0 compensates for a part of it.
-        let [below, above] = [1.0 - STEP, 1.0 + STEP]
-            .map(|factor| self.rows_by_speeds(&self.amplitudes(width.value * factor, watch)));
-        let (below, above) = (below?, above?);
-        let slope = |of: &dyn Fn(&[Row]) -> Option<f64>| {
-            Some((of(&above)? - of(&below)?) / (2.0 * STEP * width.value))
-        };
-        let t0_by_width = slope(&|rows| Some(period_law::exact(rows, watch)?.t0.value))?;
-        let beta_by_width = slope(&|rows| Some(period_law::beta(rows, watch).ok()?.factor.value));
-        let spread = width.uncertainty.unwrap_or(0.0);
-        let t0 = law.t0.with_error(t0_by_width * spread).with_error(LEFT_OUT * law.t0.value);
-        let part_of_scatter = law.t0.uncertainty * law.t0.uncertainty / (t0.uncertainty * t0.uncertainty);
-        let widen = |(beta, by_width): (Beta, f64)| Beta {
-            factor: beta.factor.with_error(by_width * spread),
-            ..beta
-        };
-        Some(BySpeeds {
-            t0,
-            t0_by_width,
-            // After Welch and Satterthwaite: the width and the error that is left out are taken as known, the scatter has its rows.
-            degrees_of_freedom: count(rows.len() - 1) / (part_of_scatter * part_of_scatter),
-            beta: beta.zip(beta_by_width).map(widen),
-            amplitude: Some(typical),
-        })
     }
 }

@@ -18,6 +18,7 @@ pub(crate) mod speeds;
 
 mod amplitudes;
 
+mod by_speeds;
 mod rows;
 pub(crate) mod trend;
 

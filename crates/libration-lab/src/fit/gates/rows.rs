@@ -4,13 +4,9 @@
 //! of its amplitude, which counts in both half swings next to the passage.
 
 use super::amplitudes::Amplitudes;
-use super::speeds::amplitude;
 use super::swings::Swings;
-use super::trend::polynomial;
 use crate::fit::cycles::row::{Row, Share, Side, Source};
 use crate::fit::{Law, Uncertain};
-use crate::statistics::median;
-use libration::elliptic::Modulus;
 
 /// A passage of the bottom.
 #[derive(Clone, Copy, Debug)]
@@ -29,10 +25,9 @@ struct Bottom {
 impl Swings {
     /// Computes the cycles between passages of the bottom.
     pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<Row>> {
-        let gate = self.gate_height(amplitudes)?;
         let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |found| found.deviation);
         let bottoms: Vec<Option<Bottom>> =
-            (0..self.placed.len()).map(|passage| self.bottom(passage, amplitudes, gate, blocked)).collect();
+            (0..self.placed.len()).map(|passage| self.bottom(passage, amplitudes, blocked)).collect();
         let row = |&cycle: &usize| {
             let [first, between, last] = [0, 1, 2].map(|step| bottoms[cycle + step]);
             Some(row(cycle, [first?, between?, last?]))
@@ -40,54 +35,18 @@ impl Swings {
         Some(self.cycles.iter().filter_map(row).collect())
     }
 
-    /// The sine of half the angle of the gate, on the side to which the passages of the first side go, by the unevenness
-    /// of the passages.
-    fn gate_height(&self, amplitudes: &Amplitudes) -> Option<f64> {
-        let height = |&cycle: &usize| {
-            let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitudes.of_cycle(cycle)?)).ok()?;
-            let outward = 0.5 * self.period(cycle) > self.time(cycle + 1) - self.time(cycle);
-            let first_side = self.placed[cycle].side == 0;
-            let height =
-                modulus.modulus() * modulus.jacobi(amplitudes.omega0 * self.time_from_bottom(cycle)).sn;
-            Some(if outward == first_side { height } else { -height })
-        };
-        median(self.cycles.iter().filter_map(height).collect())
-    }
-
-    /// The passage of the bottom next to one of a gate at this height, where times for which it is blocked have this deviation.
-    fn bottom(&self, passage: usize, amplitudes: &Amplitudes, gate: f64, deviation: f64) -> Option<Bottom> {
-        let (own, omega0) = (amplitudes.of_passages[passage]?, amplitudes.omega0);
-        let blocked = self.usual_blocked(passage)?;
-        let from_bottom = amplitudes.from_bottom[passage];
-        let smooth = amplitude(omega0, amplitudes.width, blocked, from_bottom).unwrap_or(own);
-        let sign = if self.placed[passage].side == 0 { -1.0 } else { 1.0 };
-        let from_gate = |of: f64| Some(sign * time_to_gate(of, gate)? / omega0);
+    /// The passage of the bottom next to one of the gate, where times for which it is blocked have this deviation.
+    fn bottom(&self, passage: usize, amplitudes: &Amplitudes, deviation: f64) -> Option<Bottom> {
+        let (own, smooth) = (amplitudes.of_passages[passage]?, amplitudes.smooth[passage]?);
         // sin(A/2) goes with one over the time t: A′ = −2 tan(A/2)/t, and the mean of A is too large by half of A″ times the variance.
-        let (tangent, part) = (libm::tan(0.5 * smooth), deviation / blocked);
+        let (tangent, part) = (libm::tan(0.5 * smooth), deviation / amplitudes.blocked[passage]);
         let excess = tangent * (2.0 + tangent * tangent) * part * part;
         let noise = 2.0 * tangent * part;
         // A clock without any scatter would give infinite weights.
         let variance = self.timing().map_or(0.0, |timing| timing * timing).max(1e-24);
-        let time = self.time(passage) + from_gate(own)?;
+        let time = self.time(passage) - amplitudes.from_bottom[passage];
         Some(Bottom { time, variance, amplitude: own - excess, noise, smooth })
     }
-
-    /// The duration for which the gate is blocked, by a line through the logarithms of the durations of all neighbours.
-    fn usual_blocked(&self, passage: usize) -> Option<f64> {
-        /// Neighbours on either side: where the amplitude falls by the same part at each passage the logarithms are on a line.
-        const NEIGHBOURS: usize = 7;
-        let near = passage.saturating_sub(NEIGHBOURS)..self.placed.len().min(passage + NEIGHBOURS + 1);
-        let point = |k: usize| Some((self.time(k), libm::log(self.blocked(k)?)));
-        let (times, logarithms): (Vec<f64>, Vec<f64>) = near.filter_map(point).unzip();
-        Some(libm::exp(polynomial(&times, &logarithms, self.time(passage), 1)?.value))
-    }
-}
-
-/// ω0 times the time from the bottom to a height, the sine of half an angle.
-fn time_to_gate(amplitude: f64, gate: f64) -> Option<f64> {
-    let modulus = Modulus::from_modulus(libm::sin(0.5 * amplitude)).ok()?;
-    let sine = (gate / modulus.modulus()).clamp(-1.0, 1.0);
-    Some(modulus.incomplete_first(libm::asin(sine)))
 }
 
 /// Builds the cycle between the first and the last of three passages.

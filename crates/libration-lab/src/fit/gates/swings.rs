@@ -34,10 +34,14 @@ impl Swings {
         median(first_side.map(part).collect()).unwrap_or(f64::NAN)
     }
 
-    /// Time between the passage of the gate and that of the bottom in a cycle: passages are T/2 ± 2τ apart.
-    pub(super) fn time_from_bottom(&self, cycle: usize) -> f64 {
-        let period = self.period(cycle);
-        0.5 * (0.5 * period - (self.time(cycle + 1) - self.time(cycle))).abs()
+    /// Sign of the gate's angle in the direction of the motion at a passage, for a gate on the side to which those of the first side go.
+    pub(super) fn direction(&self, passage: usize) -> f64 {
+        if self.placed[passage].side == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// Time of the middle passage of a cycle after the mean of the first and the last one.
+    pub(super) fn unevenness(&self, cycle: usize) -> f64 {
+        self.time(cycle + 1) - 0.5 * (self.time(cycle) + self.time(cycle + 2))
     }
 
     /// The duration for which a passage blocks the gate.
