@@ -19,7 +19,7 @@ _Harmonics: TypeAlias = tuple[NDArray[int64], NDArray[float64], NDArray[float64]
 
 class Motion:
     def __new__(
-        cls, length: float, gravity: float, angle: float | str, velocity: float | str
+        cls, length: float, gravity: float, start: tuple[float | str, float | str]
     ) -> Motion: ...
     @property
     def regime(self) -> str: ...

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _ask, _native, _plot, questions
 from ._equations import text_of_sympy
+from ._numbers import floats, operand, whole
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import ExpansionError
@@ -47,11 +48,15 @@ class Series:
     def __getitem__(self, power: int) -> Fraction | Polynomial:
         return self.coefficients[power]
 
-    def __call__(self, x: float, **letters: float) -> float:
-        """The sum of the terms, with values for letters; `Expansion.evaluate` has a bound."""
-        total = 0.0
+    def __call__(self, x: Any, **letters: Any) -> Any:
+        """The sum of the terms, with values for letters; `Expansion.evaluate` has a bound.
+
+        Arrays give arrays, and numbers of the package uncertainties propagate theirs.
+        """
+        at = operand("x", x)
+        total: Any = 0.0
         for c in reversed(self.coefficients):
-            total = total * x + (c(**letters) if isinstance(c, Polynomial) else float(c))
+            total = total * at + (c(**letters) if isinstance(c, Polynomial) else float(c))
         return total
 
     def __str__(self) -> str:
@@ -206,7 +211,7 @@ class Expansion(Record):
             question, order, gauge = self._question
             expansion, _ = _native.expand(question, order, gauge, None)
             object.__setattr__(self, "_expansion", expansion)
-        amplitudes = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+        amplitudes = floats("amplitude", amplitude)
         if not np.isfinite(amplitudes).all():
             raise ExpansionError(f"amplitude: got {amplitude!r}: give finite numbers")
         found = [expansion.evaluate(float(it), quantity) for it in amplitudes.flat]
@@ -267,7 +272,8 @@ class Expansion(Record):
         """
         if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
             raise ExpansionError("the coefficients have letters: give these values with set")
-        at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(amplitudes).astype(float)
+        given = np.linspace(0, 1, 201) if amplitudes is None else amplitudes
+        at = floats("amplitudes", given).ravel()
         ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
         coefficients = enumerate(self.frequency.coefficients)
         powers = [power for power, c in coefficients if power and not _is_zero(c)]
@@ -289,9 +295,9 @@ def expand(
     oscillator: "str | sympy.Eq | sympy.Expr",
     order: int = 7,
     *,
-    set: Mapping[str, float | str | Fraction] | None = None,
-    letters: Sequence[str] = (),
-    about: float | str | None = None,
+    set: Mapping[str, _ask.Value] | None = None,
+    letters: str | Sequence[str] = (),
+    about: _ask.Value | None = None,
     gauge: str = "fundamental",
     progress: bool | Tell = False,
 ) -> Expansion:
@@ -308,8 +314,8 @@ def expand(
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as
         the decimals that they print as.
-    letters : sequence of str
-        Parameters of a named oscillator that stay letters.
+    letters : str or sequence of str
+        Parameters of a named oscillator that stay letters, such as ``"epsilon"``.
     about : float or str
         Near which equilibrium; that nearest to zero if it is not given.
     gauge : str
@@ -345,8 +351,10 @@ def expand(
     1 - 1/16*mu^2 + 17/3072*mu^4
     """
     text = oscillator if isinstance(oscillator, str) else text_of_sympy(oscillator)
-    values = [(name, _value(value)) for name, value in (set or {}).items()]
-    question = (text, values, list(letters), None if about is None else _value(about))
+    position = None if about is None else _ask.formula("about", about)
+    kept = letters.split(",") if isinstance(letters, str) else list(letters)
+    question = (text, _ask.by_name("set", set), kept, position)
+    order = whole("order", order, 7)
     if order < 0:
         raise ExpansionError(f"order {order} is out of range: give 1 to 1000")
     with told(progress, "expand") as tell:
@@ -355,10 +363,6 @@ def expand(
     go_on(stopped_by, expansion)
     assert expansion is not None
     return expansion
-
-
-def _value(value: float | str | Fraction) -> str:
-    return value if isinstance(value, str) else str(value)
 
 
 def _expansion(found: Any, question: Any) -> Expansion:

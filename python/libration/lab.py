@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._ask import Columns, Given, Path, Table, refuse_units
+from ._ask import Columns, Given, Path, Table
+from ._numbers import floats
 from .answer import Answer, answer
 from .fit import Fit, Measured
 from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
@@ -138,9 +139,7 @@ def recording(
     [True]
     """
     own = {name: it for name, it in locals().items() if name in HEADERS and it is not None}
-    for name, it in own.items():
-        refuse_units(it, f"{name}: ")
-    given = {name: np.asarray(it, dtype=float) for name, it in own.items()}
+    given = {name: floats(name, it) for name, it in own.items()}
     shape = given["t"].shape
     columns = {
         HEADERS[name]: np.broadcast_to(it, shape) if it.ndim == 0 else it

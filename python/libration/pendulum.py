@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
+from ._numbers import floats, number, real, whole
 from ._record import Record, Shown
 
 if TYPE_CHECKING:
@@ -68,7 +69,8 @@ class Pendulum(Shown):
 
     def __post_init__(self) -> None:
         names = ("length", "gravity", "angular_frequency", "small_angle_period")
-        for name, value in zip(names, _native.pendulum(self.length, self.gravity)):
+        length, gravity = number("length", self.length), number("gravity", self.gravity)
+        for name, value in zip(names, _native.pendulum(length, gravity)):
             object.__setattr__(self, name, value)
 
     def _facts(self) -> list[tuple[str, object]]:
@@ -205,8 +207,13 @@ class Motion(Shown):
 
     def __post_init__(self) -> None:
         of = self.pendulum
-        motion = _native.Motion(of.length, of.gravity, self.angle, self.velocity)
-        object.__setattr__(self, "_motion", motion)
+        if not isinstance(of, Pendulum):
+            got = type(of).__name__
+            raise TypeError(f"pendulum: got {got}: give a Pendulum, such as Pendulum(length=1.0)")
+        angle, velocity = number("angle", self.angle), number("velocity", self.velocity)
+        motion = _native.Motion(of.length, of.gravity, (angle, velocity))
+        for name, value in (("angle", angle), ("velocity", velocity), ("_motion", motion)):
+            object.__setattr__(self, name, value)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Motion, (self.pendulum, self.angle, self.velocity)
@@ -263,9 +270,7 @@ class Motion(Shown):
         return self._motion.action
 
     def __call__(self, t: ArrayLike) -> State:
-        times = np.asarray(t)
-        # Whatever has another meaning than a number is refused: texts, complex numbers, objects.
-        times = times.astype(np.float64, casting="same_kind")
+        times = floats("t", t)
         angle, velocity = self._motion.states_at(np.ravel(times))
         if times.ndim == 0:
             return State(float(angle[0]), float(velocity[0]))
@@ -288,11 +293,14 @@ class Motion(Shown):
         >>> harmonics.n.tolist()
         [1, 3, 5]
         """
-        if limit < 0:
+        smallest, largest = real("tolerance", tolerance), whole("limit", limit, 1000)
+        if not smallest >= 0:
+            raise ValueError(f"tolerance: got {smallest}: give zero or more radians, such as 1e-12")
+        if largest < 0:
             raise ValueError(
-                f"limit: got {limit}: give the largest number of harmonics, such as 1000"
+                f"limit: got {largest}: give the largest number of harmonics, such as 1000"
             )
-        of_all, terms = self._motion.harmonics(tolerance, limit)
+        of_all, terms = self._motion.harmonics(smallest, largest)
         return Harmonics(*of_all, *terms)
 
     def to_dict(self, t: ArrayLike | None = None) -> dict[str, Any]:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._numbers import floats, is_uncertain, number, real
 from .errors import FormulaError
 
 if TYPE_CHECKING:
@@ -84,13 +85,13 @@ class PeriodFormula:
 
     def worst_error(self, up_to: float | str) -> tuple[float, float]:
         """The error of largest magnitude up to an amplitude, and its amplitude in radians."""
-        return self._formula.worst_error(up_to)
+        return self._formula.worst_error(number("up_to", up_to))
 
     def holds_to(self, tolerance: float) -> float:
         """The amplitude in radians up to which the magnitude of the error is at most a tolerance;
         0 if nowhere, π if everywhere.
         """
-        return self._formula.holds_to(tolerance)
+        return self._formula.holds_to(real("tolerance", tolerance))
 
 
 class PeriodFormulas(Mapping[str, PeriodFormula]):
@@ -114,7 +115,8 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
 
     def simplest(self, amplitude: float | str, tolerance: float) -> list[PeriodFormula]:
         """The formulas that are right to a tolerance up to an amplitude, the simplest first."""
-        return [PeriodFormula(key) for key in _native.simplest_formulas(amplitude, tolerance)]
+        up_to, error = number("amplitude", amplitude), real("tolerance", tolerance)
+        return [PeriodFormula(key) for key in _native.simplest_formulas(up_to, error)]
 
     def best(self, amplitude: float | str, tolerance: float) -> PeriodFormula:
         """The simplest formula that is right to a tolerance up to an amplitude (radians or text).
@@ -124,11 +126,12 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         FormulaError
             None is.
         """
+        amplitude = number("amplitude", amplitude)
         for formula in self.simplest(amplitude, tolerance):
             return formula
         if not isinstance(amplitude, str) and amplitude >= np.pi:
             raise FormulaError(
-                f"the amplitude is {amplitude!r} rad, and swings stay below pi: "
+                f"the amplitude is {amplitude:g} rad, and swings stay below pi: "
                 f'for degrees write "{amplitude:g}deg"'
             )
         raise FormulaError(
@@ -144,7 +147,7 @@ def _each(
     amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]"
 ) -> Any:
     """Numbers and texts one by one, arrays of numbers together."""
-    if isinstance(amplitude, str) or np.ndim(amplitude) == 0:
-        return one(amplitude)
-    array = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+    if isinstance(amplitude, str) or is_uncertain(amplitude) or not np.iterable(amplitude):
+        return one(number("amplitude", amplitude))
+    array = floats("amplitude", amplitude)
     return np.array(many(array.ravel().tolist())).reshape(array.shape)

@@ -11,14 +11,14 @@ True
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
-from ._ask import refuse_units
+from ._ask import Value, by_name
+from ._numbers import floats, real
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import NoAnswer, SimulationError
@@ -103,7 +103,7 @@ class Simulation(States, Shown):
         return {**self.__dict__, "_motion": None}
 
     def __call__(self, t: ArrayLike) -> States:
-        times = np.asarray(t).astype(np.float64, casting="same_kind")
+        times = floats("t", t)
         motion = self._motion
         if motion is None:  # after a pickle
             question, given = self._question
@@ -165,10 +165,10 @@ class Simulation(States, Shown):
 
 def simulate(
     system: str,
-    initial: Mapping[str, float | str],
+    initial: Mapping[str, Value],
     times: ArrayLike,
     *,
-    set: Mapping[str, float | str | Fraction] | None = None,
+    set: Mapping[str, Value] | None = None,
     events: str | Iterable[str] | Mapping[str, str] = (),
     until: str | tuple[str, str] | None = None,
     tolerance: float = 1e-12,
@@ -226,23 +226,14 @@ def simulate(
             f"system: got {type(system).__name__}: give the name of a system, "
             "or its equations as text, such as \"x'' + sin(x) = 0\""
         )
-    refuse_units(times, "times: ")
-    wanted = np.atleast_1d(np.asarray(times))
-    if wanted.dtype.kind in "USO":
-        raise TypeError(
-            f"times: got {times!r}: give a number or an array of numbers, "
-            "such as numpy.linspace(0, 10, 101)"
-        )
-    wanted = wanted.astype(np.float64, casting="same_kind")
+    wanted = np.atleast_1d(floats("times", times))
     if wanted.ndim != 1:
         dimensions = f"the times have {wanted.ndim} dimensions"
         raise SimulationError(f"{dimensions}: give a number or a list of them")
-    values = _by_name("set", {} if set is None else set)
-    start = _by_name("initial", initial)
-    formulas = [events] if isinstance(events, str) else events
-    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys(formulas, "any")
-    ending = (until, "any") if isinstance(until, str) else until
-    question = (system, values, start, list(looked_for.items()), ending, tolerance)
+    values, start = by_name("set", set), by_name("initial", initial)
+    looked_for, ending = _looked_for(events), None if until is None else _ending(until)
+    error = real("tolerance", tolerance)
+    question = (system, values, start, list(looked_for.items()), ending, error)
     with told(progress, "simulate") as tell:
         motion, stopped_by = _native.simulate(question, np.ascontiguousarray(wanted), tell)
     names = list(looked_for) + ([ending[0]] if ending else [])
@@ -253,15 +244,29 @@ def simulate(
     return simulation
 
 
-def _by_name(what: str, values: Mapping[str, float | str | Fraction]) -> list[tuple[str, str]]:
-    if not isinstance(values, Mapping):
-        example = '{"theta": "60deg"}'
-        raise TypeError(f"{what}: got {values!r}: give values by name, such as {example}")
-    return [(name, _text(value)) for name, value in values.items()]
+def _looked_for(events: Any) -> dict[str, str]:
+    """What counts of each event."""
+    is_one = isinstance(events, str) or not np.iterable(events)
+    is_directed = isinstance(events, Mapping)
+    found = dict(events) if is_directed else dict.fromkeys([events] if is_one else events, "any")
+    if not all(isinstance(it, str) for pair in found.items() for it in pair):
+        raise TypeError(
+            f"events: got {events!r}: give formulas as text, such as [\"theta = 0\"], "
+            'or with what counts, {"theta": "rising"}'
+        )
+    return found
 
 
-def _text(value: float | str | Fraction) -> str:
-    return value if isinstance(value, str) else str(value)
+def _ending(until: Any) -> tuple[str, str]:
+    """The event that ends the motion, and what counts."""
+    pair = (until, "any") if isinstance(until, str) else until
+    is_pair = isinstance(pair, (tuple, list)) and len(pair) == 2
+    if not is_pair or not all(isinstance(it, str) for it in pair):
+        raise TypeError(
+            f"until: got {until!r}: give a formula as text, such as \"theta = 0\", "
+            'or with what counts, ("theta", "rising")'
+        )
+    return pair[0], pair[1]
 
 
 def _simulation(
