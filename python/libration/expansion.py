@@ -99,7 +99,7 @@ class GaugeSeries:
     """The smallest displacement."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Evaluation(Record, Shown):
     """A series in numbers, term by term.
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _plot, questions
 from ._numbers import floats, number, real, whole
-from ._record import Record, Shown
+from ._record import Record, Shown, all_digits, arguments
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -116,7 +116,6 @@ class Pendulum(Shown):
         """
         return Motion(self, angle, velocity)
 
-
     def to_dict(self, *amplitudes: float | str) -> dict[str, Any]:
         """The periods at amplitudes, exact and by every formula: the JSON of `libration period`.
 
@@ -147,8 +146,12 @@ class State(NamedTuple):
 
     __hash__ = None  # type: ignore[assignment]
 
+    def __repr__(self) -> str:
+        with all_digits():
+            return f"State({arguments(self._asdict())})"
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Harmonics(Record):
     """The harmonics of a motion, by ascending n.
 

@@ -34,7 +34,7 @@ class PeriodFormula:
 
     key: str
     """Its name in the catalogue."""
-    name: str = field(init=False, compare=False)
+    name: str = field(init=False, repr=False, compare=False)
     """What people call it."""
     authors: str = field(init=False, repr=False, compare=False)
     """Who published it."""

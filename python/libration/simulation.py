@@ -20,7 +20,7 @@ from . import _native, _plot, questions
 from ._ask import Value, by_name
 from ._numbers import floats, real
 from ._progress import Tell, go_on, told
-from ._record import Record, Shown
+from ._record import Record, Shown, all_digits, arguments
 from .errors import NoAnswer, SimulationError
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 __all__ = ["Events", "Simulation", "States", "simulate"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class States(Record):
     """States at some times; ``states["theta"]`` is a number of each state by its name."""
 
@@ -53,7 +53,7 @@ class States(Record):
         return len(self.t)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Events(States):
     """What happened on the way."""
 
@@ -61,7 +61,7 @@ class Events(States):
     """How the formula became zero: "rising", "falling", "grazing" or "start"."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Simulation(States, Shown):
     """A motion; `simulate` makes it.
 
@@ -98,6 +98,23 @@ class Simulation(States, Shown):
             ("ended", self.message),
             ("last sample", ", ".join(last)),
         ]
+
+    def __repr__(self) -> str:
+        """The call that makes it, or how it ended early."""
+        if not self.success:
+            return f"<Simulation of {self.title}, {len(self)} states: {self.message}>"
+        (system, values, start, looked_for, ending, tolerance), times = self._question
+        is_directed = any(way != "any" for _, way in looked_for)
+        events = dict(looked_for) if is_directed else [formula for formula, _ in looked_for]
+        until = ending[0] if ending and ending[1] == "any" else ending
+        optional = {"set": dict(values), "events": events, "until": until, "tolerance": tolerance}
+        given = {"initial": dict(start), "times": _Times(times)}
+        is_default = {"set": {}, "events": [], "until": None, "tolerance": 1e-12}
+        given |= {name: it for name, it in optional.items() if it != is_default[name]}
+        return f"simulate({system!r}, {arguments(given)})"
+
+    def __str__(self) -> str:
+        return "\n".join(f"{name}: {value}" for name, value in self._facts())
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_motion": None}
@@ -161,6 +178,21 @@ class Simulation(States, Shown):
         if len(chosen) > 1:
             _plot.legend(ax)
         return ax
+
+
+class _Times:
+    """Times as they are printed: evenly spaced ones by their ends."""
+
+    def __init__(self, times: NDArray[np.float64]) -> None:
+        self.times = times
+
+    def __repr__(self) -> str:
+        first, last = self.times[[0, -1]].tolist() if len(self.times) else (0.0, 0.0)
+        even = np.linspace(first, last, len(self.times))
+        if len(self.times) > 5 and np.array_equal(self.times, even):
+            return f"linspace({first!r}, {last!r}, {len(self.times)})"
+        with all_digits():
+            return repr(self.times if len(self.times) > 1000 else self.times.tolist())
 
 
 def simulate(
