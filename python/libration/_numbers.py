@@ -7,10 +7,17 @@ uncertainty is left out with a warning, and a quantity with a unit is refused.
 import operator
 import sys
 import warnings
-from typing import Any, NoReturn
+from collections.abc import Sequence
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, NoReturn, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+Number: TypeAlias = float | Decimal | Fraction | np.floating[Any] | np.integer[Any]
+NumberOrText: TypeAlias = Number | str
+Numbers: TypeAlias = ArrayLike | Number | Sequence[Number]
 
 
 def number(name: str, value: Any) -> float | str:

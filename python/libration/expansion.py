@@ -13,14 +13,14 @@ Fraction(11, 3072)
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _ask, _native, _plot, questions
 from ._equations import text_of_sympy
-from ._numbers import floats, operand, whole
+from ._numbers import Number, Numbers, floats, operand, whole
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
 from .errors import ExpansionError
@@ -48,6 +48,10 @@ class Series:
     def __getitem__(self, power: int) -> Fraction | Polynomial:
         return self.coefficients[power]
 
+    @overload
+    def __call__(self, x: Number, **letters: Number) -> float: ...
+    @overload
+    def __call__(self, x: Any, **letters: Any) -> Any: ...
     def __call__(self, x: Any, **letters: Any) -> Any:
         """The sum of the terms, with values for letters; `Expansion.evaluate` has a bound.
 
@@ -186,7 +190,7 @@ class Expansion(Record):
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_expansion": None}
 
-    def evaluate(self, amplitude: ArrayLike, quantity: str = "period") -> Evaluation:
+    def evaluate(self, amplitude: Numbers, quantity: str = "period") -> Evaluation:
         """A series at an amplitude, or a strength of self-excitation, with a bound on the rest.
 
         The sum itself is rounded once.
@@ -221,7 +225,8 @@ class Expansion(Record):
         steps = [[step[1:] for step in it[3]] for it in found]
         columns = np.array(steps).reshape(*amplitudes.shape, len(powers), 2)
         if amplitudes.ndim == 0:
-            return Evaluation(*found[0][:3], powers, columns[..., 0], columns[..., 1])
+            one, left_out, is_theorem, _ = found[0]
+            return Evaluation(one, left_out, is_theorem, powers, columns[..., 0], columns[..., 1])
         value, remainder = np.array([it[:2] for it in found]).T.reshape(2, *amplitudes.shape)
         is_proven = all(it[2] for it in found)
         return Evaluation(value, remainder, is_proven, powers, columns[..., 0], columns[..., 1])
@@ -251,7 +256,7 @@ class Expansion(Record):
         """All series in LaTeX."""
         return _ask.text("expand", {**self._given(), "format": "latex"})
 
-    def plot(self, ax: "Axes | None" = None, amplitudes: ArrayLike | None = None) -> "Axes":
+    def plot(self, ax: "Axes | None" = None, amplitudes: Numbers | None = None) -> "Axes":
         """Draws partial sums of the frequency against the amplitude, or against the strength.
 
         Parameters

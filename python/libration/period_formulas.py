@@ -13,10 +13,10 @@ from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native
-from ._numbers import floats, is_uncertain, number, real
+from ._numbers import Number, Numbers, NumberOrText, floats, is_uncertain, number, real
 from .errors import FormulaError
 
 if TYPE_CHECKING:
@@ -66,28 +66,28 @@ class PeriodFormula:
         return f"$\\displaystyle {self.latex}$"
 
     @overload
-    def ratio(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    def ratio(self, amplitude: NumberOrText) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def ratio(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def ratio(self, amplitude: Numbers) -> NDArray[np.float64]: ...
     def ratio(self, amplitude: Any) -> Any:
         """The formula's T/T0, to a few ulp; NaN where formula or period are not defined."""
         return _each(amplitude, self._formula.ratio, self._formula.ratios)
 
     @overload
-    def error(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    def error(self, amplitude: NumberOrText) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def error(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def error(self, amplitude: Numbers) -> NDArray[np.float64]: ...
     def error(self, amplitude: Any) -> Any:
         """Formula/exact - 1, with all digits however small; infinite where the formula is not
         defined, NaN where the period is not.
         """
         return _each(amplitude, self._formula.error, self._formula.errors)
 
-    def worst_error(self, up_to: float | str) -> tuple[float, float]:
+    def worst_error(self, up_to: NumberOrText) -> tuple[float, float]:
         """The error of largest magnitude up to an amplitude, and its amplitude in radians."""
         return self._formula.worst_error(number("up_to", up_to))
 
-    def holds_to(self, tolerance: float) -> float:
+    def holds_to(self, tolerance: Number) -> float:
         """The amplitude in radians up to which the magnitude of the error is at most a tolerance;
         0 if nowhere, π if everywhere.
         """
@@ -113,12 +113,12 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
     def __repr__(self) -> str:
         return f"<{len(self)} period formulas: {', '.join(self)}>"
 
-    def simplest(self, amplitude: float | str, tolerance: float) -> list[PeriodFormula]:
+    def simplest(self, amplitude: NumberOrText, tolerance: Number) -> list[PeriodFormula]:
         """The formulas that are right to a tolerance up to an amplitude, the simplest first."""
         up_to, error = number("amplitude", amplitude), real("tolerance", tolerance)
         return [PeriodFormula(key) for key in _native.simplest_formulas(up_to, error)]
 
-    def best(self, amplitude: float | str, tolerance: float) -> PeriodFormula:
+    def best(self, amplitude: NumberOrText, tolerance: Number) -> PeriodFormula:
         """The simplest formula that is right to a tolerance up to an amplitude (radians or text).
 
         Raises

@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native, _plot, questions
 from ._ask import Value, by_name
-from ._numbers import floats, real
+from ._numbers import Number, Numbers, floats, real
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown, all_digits, arguments
 from .errors import NoAnswer, SimulationError
@@ -109,7 +109,7 @@ class Simulation(States, Shown):
         until = ending[0] if ending and ending[1] == "any" else ending
         optional = {"set": dict(values), "events": events, "until": until, "tolerance": tolerance}
         given = {"initial": dict(start), "times": _Times(times)}
-        is_default = {"set": {}, "events": [], "until": None, "tolerance": 1e-12}
+        is_default: dict[str, Any] = {"set": {}, "events": [], "until": None, "tolerance": 1e-12}
         given |= {name: it for name, it in optional.items() if it != is_default[name]}
         return f"simulate({system!r}, {arguments(given)})"
 
@@ -119,7 +119,7 @@ class Simulation(States, Shown):
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_motion": None}
 
-    def __call__(self, t: ArrayLike) -> States:
+    def __call__(self, t: Numbers) -> States:
         times = floats("t", t)
         motion = self._motion
         if motion is None:  # after a pickle
@@ -198,12 +198,12 @@ class _Times:
 def simulate(
     system: str,
     initial: Mapping[str, Value],
-    times: ArrayLike,
+    times: Numbers,
     *,
     set: Mapping[str, Value] | None = None,
     events: str | Iterable[str] | Mapping[str, str] = (),
     until: str | tuple[str, str] | None = None,
-    tolerance: float = 1e-12,
+    tolerance: Number = 1e-12,
     progress: bool | Tell = False,
 ) -> Simulation:
     """The motion of a system of ordinary differential equations, by Taylor series of high order.
