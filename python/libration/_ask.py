@@ -17,10 +17,12 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._equations import text_of_sympy
-from ._numbers import is_uncertain, outside, plain, refuse_units
+from ._numbers import is_uncertain, outside, plain, refuse, refuse_units
 from ._progress import spoken
 from .errors import Interrupted
 
+TABLE = "the table"
+"""The name in messages of columns in place of a file; the compiled part knows it."""
 ARRAYS = 'arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}'
 
 
@@ -28,7 +30,8 @@ class Table:
     """Columns in place of a file: a mapping of names with units to arrays, or a DataFrame."""
 
     def __init__(self, columns: Any) -> None:
-        if isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read"):
+        is_other = isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read")
+        if is_other or not np.iterable(columns):
             raise TypeError(
                 f"got {type(columns).__name__}: give the name of a file as text or as a path, "
                 "or arrays by names with units"
@@ -101,6 +104,20 @@ class Parameter(NamedTuple):
         """Its name in Python."""
         name = self.name.replace("-", "_")
         return f"{name}_" if name in ("from", "lambda") else name
+
+    @property
+    def example(self) -> str | None:
+        """Values by name, where the parameter takes them."""
+        examples = {
+            "NAME=VALUE": '{"c": 0.1}',
+            "NAME=VALUE,…": '{"theta": "60deg"}',
+            "NAME=VALUES": '{"c": [0.1, 0.2]}',
+            "NAME=FORMULA,…": '{"energy": "theta\'^2/2 - cos(theta)"}',
+            "NAME=FROM:TO": '{"omega": (0.3, 1.4)}',
+            "NAME=A:B:STEP": '{"A": (1, 1.5, 0.1)}',
+            "X=A:B,Y=C:D": '{"omega": (5, 20), "a": (0.01, 0.6)}',
+        }
+        return examples.get(self.value)
 
     @property
     def is_formula(self) -> bool:
@@ -204,15 +221,23 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
     if is_file and not isinstance(value, (str, os.PathLike, list, tuple)):
         value = value if isinstance(value, Table) else Table(value)
         read.append(value.text)
-        return ["-"]
-    if parameter.value.startswith("NAME=") and isinstance(value, Mapping):
+        return [TABLE]
+    if parameter.example and isinstance(value, Mapping):
+        between = ":" if ":" in parameter.value else ","
         values = {name: map(parameter.text, _several(it)) for name, it in value.items()}
-        pairs = [f"{name}={','.join(texts)}" for name, texts in values.items()]
-        return [",".join(pairs)] if parameter.value.endswith("…") else pairs
+        pairs = [f"{name}={between.join(texts)}" for name, texts in values.items()]
+        return [",".join(pairs)] if "," in parameter.value or "…" in parameter.value else pairs
+    several = _several(value)
+    for it in several:
+        refuse_units(it, f"{parameter.keyword}: ")
+    if parameter.example and not all(isinstance(it, (str, Mapping)) for it in several):
+        refuse(parameter.keyword, value, f"values by name, such as {parameter.example}")
+    if not parameter.is_repeated and not several:
+        raise ValueError(f"{parameter.keyword}: got no value: give at least one")
     if not parameter.is_repeated:
-        return [",".join(map(parameter.text, _several(value)))]
+        return [",".join(map(parameter.text, several))]
     texts: list[str] = []
-    for it in _several(value):
+    for it in several:
         is_whole = isinstance(it, (Mapping, Table))
         texts += _texts(parameter, it, read) if is_whole else [parameter.text(it)]
     return texts

@@ -52,6 +52,13 @@ def whole(name: str, value: Any, example: int) -> int:
         refuse(name, value, wanted)
 
 
+def text(name: str, value: Any, example: str) -> str:
+    """A text, which NumPy's are too."""
+    if not isinstance(value, str):
+        refuse(name, value, f'a text, such as "{example}"')
+    return str(value)
+
+
 def floats(name: str, values: Any) -> NDArray[np.float64]:
     """A number or an array of any shape, in double precision."""
     wanted = "a number or an array of numbers"

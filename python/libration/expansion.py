@@ -21,9 +21,10 @@ from numpy.typing import NDArray
 from . import _ask, _native, _plot, questions
 from ._equations import text_of_sympy
 from ._numbers import Number, Numbers, floats, operand, whole
+from ._numbers import text as _text
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
-from .errors import ExpansionError
+from .errors import ExpansionError, UsageError
 from .polynomial import Polynomial
 
 if TYPE_CHECKING:
@@ -218,7 +219,8 @@ class Expansion(Record):
         amplitudes = floats("amplitude", amplitude)
         if not np.isfinite(amplitudes).all():
             raise ExpansionError(f"amplitude: got {amplitude!r}: give finite numbers")
-        found = [expansion.evaluate(float(it), quantity) for it in amplitudes.flat]
+        name = _text("quantity", quantity, "period")
+        found = [expansion.evaluate(float(it), name) for it in amplitudes.flat]
         if not found:
             raise ExpansionError("amplitude: got an empty array: give at least one amplitude")
         powers = np.array([power for power, _, _ in found[0][3]], dtype=np.int64)
@@ -250,6 +252,10 @@ class Expansion(Record):
         >>> print(lb.expand("duffing", order=3).code("python").splitlines()[0])
         # Duffing oscillator: x'' + x + x^3 = 0
         """
+        languages = ("c", "python", "rust", "fortran")
+        if language not in languages:
+            known = ", ".join(languages)
+            raise UsageError.about("language", f"unknown value `{language}`: give one of {known}")
         return _ask.text("expand", {**self._given(), "format": language})
 
     def to_latex(self) -> str:
@@ -355,9 +361,17 @@ def expand(
     >>> print(cycle.frequency)
     1 - 1/16*mu^2 + 17/3072*mu^4
     """
+    if not isinstance(oscillator, str) and not hasattr(oscillator, "free_symbols"):
+        raise TypeError(
+            f"oscillator: got {type(oscillator).__name__}: give the name of an oscillator, or its "
+            "equation as text, such as \"x'' + sin(x) = 0\", or as SymPy has it"
+        )
     text = oscillator if isinstance(oscillator, str) else text_of_sympy(oscillator)
     position = None if about is None else _ask.formula("about", about)
-    kept = letters.split(",") if isinstance(letters, str) else list(letters)
+    is_several = np.iterable(letters) and not isinstance(letters, str)
+    several = letters if is_several else _text("letters", letters, "epsilon").split(",")
+    kept = [_text("letters", it, "epsilon") for it in several]
+    gauge = _text("gauge", gauge, "fundamental")
     question = (text, _ask.by_name("set", set), kept, position)
     order = whole("order", order, 7)
     if order < 0:

@@ -14,6 +14,7 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -91,7 +92,7 @@ def read(file: Path | Columns, **reading: Given | bool) -> Recording:
     >>> rec.trace_values[0]["values"]
     [1.064650843716541, 0.9599310885968813, 0.6632251157578453]
     """
-    found = _inspect(file, **{"values": True, **reading})  # type: ignore[arg-type]
+    found = _inspect(file, **_known("read", {"values": True, **reading}))
     return Recording(found, found._asked)
 
 
@@ -203,5 +204,14 @@ def spectrum(
     >>> round(third["theory"], 4)
     -0.0162
     """
-    given: dict[str, Any] = {"spectrum": True, "harmonics": harmonics, "swings": swings, **reading}
-    return _inspect(file, **given)
+    given = {"spectrum": True, "harmonics": harmonics, "swings": swings, **reading}
+    return _inspect(file, **_known("spectrum", given))
+
+
+def _known(function: str, given: dict[str, Any]) -> dict[str, Any]:
+    """The parameters of `libration.questions.inspect`; others are refused."""
+    known = [it for it in signature(_inspect).parameters if it not in ("file", "progress")]
+    for name in given:
+        if name not in known:
+            raise TypeError(f"{function} takes no `{name}`: it takes {', '.join(known)}")
+    return given

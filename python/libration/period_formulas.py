@@ -91,7 +91,7 @@ class PeriodFormula:
         """The amplitude in radians up to which the magnitude of the error is at most a tolerance;
         0 if nowhere, π if everywhere.
         """
-        return self._formula.holds_to(real("tolerance", tolerance))
+        return self._formula.holds_to(_tolerance(tolerance))
 
 
 class PeriodFormulas(Mapping[str, PeriodFormula]):
@@ -115,7 +115,7 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
 
     def simplest(self, amplitude: NumberOrText, tolerance: Number) -> list[PeriodFormula]:
         """The formulas that are right to a tolerance up to an amplitude, the simplest first."""
-        up_to, error = number("amplitude", amplitude), real("tolerance", tolerance)
+        up_to, error = number("amplitude", amplitude), _tolerance(tolerance)
         return [PeriodFormula(key) for key in _native.simplest_formulas(up_to, error)]
 
     def best(self, amplitude: NumberOrText, tolerance: Number) -> PeriodFormula:
@@ -129,11 +129,6 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         amplitude = number("amplitude", amplitude)
         for formula in self.simplest(amplitude, tolerance):
             return formula
-        if not isinstance(amplitude, str) and amplitude >= np.pi:
-            raise FormulaError(
-                f"the amplitude is {amplitude:g} rad, and swings stay below pi: "
-                f'for degrees write "{amplitude:g}deg"'
-            )
         raise FormulaError(
             f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: "
             "give a larger tolerance, or take the exact libration.period_ratio"
@@ -141,6 +136,13 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
 
 
 formulas = PeriodFormulas()
+
+
+def _tolerance(value: Any) -> float:
+    tolerance = real("tolerance", value)
+    if not tolerance >= 0:
+        raise FormulaError(f"tolerance: got {tolerance:g}: give zero or more, such as 1e-3")
+    return tolerance
 
 
 def _each(

@@ -180,6 +180,14 @@ class Simulation(States, Shown):
         return ax
 
 
+class _ByFormula(dict[str, Events]):
+    """The events by their formulas; an unknown formula is refused with those that are known."""
+
+    def __missing__(self, formula: str) -> Events:
+        known = ", ".join(self) or "none"
+        raise KeyError(f"the event `{formula}` was not looked for: there are {known}")
+
+
 class _Times:
     """Times as they are printed: evenly spaced ones by their ends."""
 
@@ -265,6 +273,9 @@ def simulate(
     values, start = by_name("set", set), by_name("initial", initial)
     looked_for, ending = _looked_for(events), None if until is None else _ending(until)
     error = real("tolerance", tolerance)
+    if not 1e-18 <= error <= 0.1:
+        reason = f"got {error:g}: give a number from 1e-18 to 0.1, such as 1e-12"
+        raise SimulationError(f"tolerance: {reason}")
     question = (system, values, start, list(looked_for.items()), ending, error)
     with told(progress, "simulate") as tell:
         motion, stopped_by = _native.simulate(question, np.ascontiguousarray(wanted), tell)
@@ -307,7 +318,7 @@ def _simulation(
     title, equation, names, units, steps, end = motion.words()
     t, y = motion.samples()
     happened = motion.events()
-    events = {}
+    events = _ByFormula()
     for number, text in enumerate(looked_for):
         own = [it[1:] for it in happened if it[0] == number]
         states = np.array([it[1] for it in own]).reshape(len(own), len(names))

@@ -111,6 +111,8 @@ def sweep(
     >>> diagram.omega.dims, diagram.omega.shape
     (('A', 'omega_number'), (2, 3))
     """
+    if not isinstance(over, Mapping):
+        raise TypeError(f'over: got {over!r}: give values by name, such as {{"length": [0.5, 1]}}')
     if not over:
         example = '{"amplitude": ["10deg", "20deg"]}'
         raise UsageError.about("over", f"there is no axis: give one by its name, such as {example}")

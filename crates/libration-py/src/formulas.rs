@@ -1,5 +1,6 @@
 //! The period formulas of the literature.
 
+use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use libration::period_formulas::{ErrorTable, PeriodFormula, catalogue};
@@ -46,17 +47,31 @@ impl NativeFormula {
 
     /// The largest error up to an amplitude, and where it is.
     fn worst_error(&self, py: Python<'_>, up_to: Given) -> PyResult<(f64, f64)> {
-        let up_to = angle(py, "up_to", &up_to)?;
+        let up_to = amplitude(py, "up_to", &up_to)?;
         let bottom = Angle::from_radians(0.0).map_err(refusal::<QuantityError>)?;
         let worst = py.detach(|| self.0.worst_error(&bottom, &up_to));
-        let worst = worst
-            .ok_or_else(|| refusal::<FormulaError>("an amplitude has no whole turns: give one below pi"))?;
+        let worst = worst.ok_or_else(|| refusal::<FormulaError>("an amplitude is below pi"))?;
         Ok((worst.error, worst.amplitude.radians()))
     }
 
     fn holds_to(&self, py: Python<'_>, tolerance: f64) -> f64 {
         py.detach(|| self.0.holds_to(tolerance))
     }
+}
+
+/// An angle to which formulas are compared with the period, which ends at π.
+fn amplitude(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<Angle> {
+    let angle = angle(py, parameter, given)?;
+    let radians = angle.radians();
+    if radians.abs() <= PI {
+        return Ok(angle);
+    }
+    let error = refusal::<FormulaError>(format!(
+        "{parameter}: got {radians:?} rad, {}°, and swings stay below pi: give a smaller angle",
+        (radians.to_degrees() * 1e6).round() / 1e6
+    ));
+    error.value(py).setattr("parameters", (parameter,))?;
+    Err(error)
 }
 
 /// The keys of the catalogue.
@@ -69,7 +84,7 @@ pub(crate) fn formula_keys() -> Vec<&'static str> {
 #[pyfunction]
 pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: Given, tolerance: f64) -> PyResult<Vec<String>> {
     static TABLE: OnceLock<ErrorTable> = OnceLock::new();
-    let amplitude = angle(py, "amplitude", &amplitude)?;
+    let amplitude = self::amplitude(py, "amplitude", &amplitude)?;
     Ok(py.detach(|| {
         let table = TABLE.get_or_init(|| ErrorTable::new(catalogue()));
         table.simplest(&amplitude, tolerance).iter().map(|it| it.key().to_owned()).collect()

@@ -1,6 +1,6 @@
 //! The pendulum's motion as the objects of Python hold it.
 
-use libration::pendulum::{FourierSeries, Motion, Pendulum};
+use libration::pendulum::{FourierSeries, Motion, Pendulum, PendulumError as NoPendulum};
 use libration::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -13,8 +13,22 @@ use crate::quantity::{Given, angle, quantity};
 pub(crate) fn pendulum(py: Python<'_>, length: Given, gravity: Given) -> PyResult<(f64, f64, f64, f64)> {
     let length = quantity(py, "length", &length, Dimension::Length)?;
     let gravity = quantity(py, "gravity", &gravity, Dimension::Acceleration)?;
-    let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
+    let pendulum = Pendulum::new(length, gravity).map_err(|error| refused(py, &error))?;
     Ok((length, gravity, pendulum.angular_frequency(), pendulum.small_angle_period()))
+}
+
+/// The error with the names of the arguments that it is about.
+fn refused(py: Python<'_>, error: &NoPendulum) -> PyErr {
+    let parameters: &[&str] = match error {
+        NoPendulum::NotPositive { name, .. } | NoPendulum::NotFinite { name, .. } => &[name],
+        NoPendulum::OutOfRange { .. } => &["length", "gravity"],
+        NoPendulum::TooFast(_) | NoPendulum::TooCloseToSeparatrix => &["velocity"],
+        NoPendulum::TooCloseToTop(_) => &["angle"],
+        _ => &[],
+    };
+    let exception = refusal::<PendulumError>(error);
+    let set = exception.value(py).setattr("parameters", parameters.to_vec());
+    set.err().unwrap_or(exception)
 }
 
 /// A motion, prepared.
@@ -32,8 +46,8 @@ impl NativeMotion {
     fn new(py: Python<'_>, length: f64, gravity: f64, start: (Given, Given)) -> PyResult<Self> {
         let angle = angle(py, "angle", &start.0)?;
         let velocity = quantity(py, "velocity", &start.1, Dimension::AngularVelocity)?;
-        let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
-        Ok(Self(pendulum.launched(angle, velocity).map_err(refusal::<PendulumError>)?))
+        let pendulum = Pendulum::new(length, gravity).map_err(|error| refused(py, &error))?;
+        Ok(Self(pendulum.launched(angle, velocity).map_err(|error| refused(py, &error))?))
     }
 
     #[getter]

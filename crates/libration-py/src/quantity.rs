@@ -23,9 +23,18 @@ pub(crate) fn angle(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<
             warn_of_bare_radians(py, text)?;
             text.parse()
         }
-        Given::Number(radians) => Angle::from_radians(*radians),
+        Given::Number(radians) => {
+            warn_of_whole_radians(py, &radians.to_string())?;
+            Angle::from_radians(*radians)
+        }
     };
     angle.map_err(|error| about(py, parameter, error))
+}
+
+/// Warns of a number that may have been meant as degrees: those that were calculated are rarely whole.
+pub(crate) fn warn_of_whole_radians(py: Python<'_>, text: &str) -> PyResult<()> {
+    let is_whole = text.parse::<f64>().is_ok_and(|radians| radians.fract().abs() <= 0.0);
+    if is_whole { warn_of_bare_radians(py, text) } else { Ok(()) }
 }
 
 /// Warns of a text without a unit that may have been meant as degrees.

@@ -136,7 +136,7 @@ impl FieldsQuestion {
             let mut names: Vec<&str> = catalogue().iter().map(|it| it.command).collect();
             names.dedup();
             let reason = format!(
-                "`{}` has no answer with fields; the commands that have are {}",
+                "`{}` has no result with fields; the commands that have are {}",
                 asked.join(" "),
                 names.join(", ")
             );
