@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{QuantityError, refusal};
 
-/// What `_numbers.number` makes of any number and text.
+/// A number or a text, as `_numbers.number` passes them on.
 #[derive(FromPyObject)]
 pub(crate) enum Given {
     Text(String),
