@@ -5,9 +5,9 @@ meaning and its errors.
 """
 
 import os
-import sys
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple, SupportsFloat, TypeAlias
@@ -17,9 +17,12 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._equations import text_of_sympy
+from ._numbers import is_uncertain, outside, plain, refuse, refuse_units
 from ._progress import spoken
 from .errors import Interrupted
 
+TABLE = "the table"
+"""The name in messages of columns in place of a file; the compiled part knows it."""
 ARRAYS = 'arrays by names with units, such as {"t (s)": t, "angle (deg)": angle}'
 
 
@@ -27,7 +30,8 @@ class Table:
     """Columns in place of a file: a mapping of names with units to arrays, or a DataFrame."""
 
     def __init__(self, columns: Any) -> None:
-        if isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read"):
+        is_other = isinstance(columns, (bytes, bytearray)) or hasattr(columns, "read")
+        if is_other or not np.iterable(columns):
             raise TypeError(
                 f"got {type(columns).__name__}: give the name of a file as text or as a path, "
                 "or arrays by names with units"
@@ -101,17 +105,31 @@ class Parameter(NamedTuple):
         name = self.name.replace("-", "_")
         return f"{name}_" if name in ("from", "lambda") else name
 
+    @property
+    def example(self) -> str | None:
+        """Values by name, where the parameter takes them."""
+        examples = {
+            "NAME=VALUE": '{"c": 0.1}',
+            "NAME=VALUE,…": '{"theta": "60deg"}',
+            "NAME=VALUES": '{"c": [0.1, 0.2]}',
+            "NAME=FORMULA,…": '{"energy": "theta\'^2/2 - cos(theta)"}',
+            "NAME=FROM:TO": '{"omega": (0.3, 1.4)}',
+            "NAME=A:B:STEP": '{"A": (1, 1.5, 0.1)}',
+            "X=A:B,Y=C:D": '{"omega": (5, 20), "a": (0.01, 0.6)}',
+        }
+        return examples.get(self.value)
+
+    @property
+    def is_formula(self) -> bool:
+        """True where the command reads formulas, and fractions and decimals as they are."""
+        return self.value.startswith("NAME=VALUE") or self.value == "X"
+
     def text(self, value: Any) -> str:
         """One value as the command reads it; an uncertainty that would not be used is left out."""
-        refuse_units(value, f"{self.keyword}: ")
-        if _is_uncertain(value) and not self.is_measured:
-            reason = "its uncertainty is not used here, only its value"
-            warnings.warn(f"{self.keyword}: got {value}: {reason}", stacklevel=_outside())
-            value = float(value.nominal_value)
-        try:
+        if self.is_measured and is_uncertain(value):
+            refuse_units(value, f"{self.keyword}: ")
             return text_of(value)
-        except TypeError as error:
-            raise TypeError(f"{self.keyword}: {error}") from None
+        return (formula if self.is_formula else option)(self.keyword, value)
 
 
 class Question(NamedTuple):
@@ -203,15 +221,23 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
     if is_file and not isinstance(value, (str, os.PathLike, list, tuple)):
         value = value if isinstance(value, Table) else Table(value)
         read.append(value.text)
-        return ["-"]
-    if parameter.value.startswith("NAME=") and isinstance(value, Mapping):
+        return [TABLE]
+    if parameter.example and isinstance(value, Mapping):
+        between = ":" if ":" in parameter.value else ","
         values = {name: map(parameter.text, _several(it)) for name, it in value.items()}
-        pairs = [f"{name}={','.join(texts)}" for name, texts in values.items()]
-        return [",".join(pairs)] if parameter.value.endswith("…") else pairs
+        pairs = [f"{name}={between.join(texts)}" for name, texts in values.items()]
+        return [",".join(pairs)] if "," in parameter.value or "…" in parameter.value else pairs
+    several = _several(value)
+    for it in several:
+        refuse_units(it, f"{parameter.keyword}: ")
+    if parameter.example and not all(isinstance(it, (str, Mapping)) for it in several):
+        refuse(parameter.keyword, value, f"values by name, such as {parameter.example}")
+    if not parameter.is_repeated and not several:
+        raise ValueError(f"{parameter.keyword}: got no value: give at least one")
     if not parameter.is_repeated:
-        return [",".join(map(parameter.text, _several(value)))]
+        return [",".join(map(parameter.text, several))]
     texts: list[str] = []
-    for it in _several(value):
+    for it in several:
         is_whole = isinstance(it, (Mapping, Table))
         texts += _texts(parameter, it, read) if is_whole else [parameter.text(it)]
     return texts
@@ -219,33 +245,11 @@ def _texts(parameter: Parameter, value: Any, read: list[bytes]) -> list[str]:
 
 def _several(value: Any) -> list[Any]:
     """What is given, one by one."""
-    if _is_uncertain(value):
+    if is_uncertain(value):
         return [value]
     if isinstance(value, np.ndarray) or hasattr(value, "to_numpy"):
         return list(np.ravel(value))
     return list(value) if isinstance(value, (list, tuple, set, frozenset, range)) else [value]
-
-
-def _is_uncertain(value: Any) -> bool:
-    """True for a number of the package uncertainties, and for `libration.lab.Measured`."""
-    return hasattr(value, "nominal_value") and hasattr(value, "std_dev")
-
-
-def refuse_units(value: Any, where: str) -> None:
-    """Refuses quantities such as those of pint, whose numbers mean nothing without their units."""
-    if hasattr(value, "magnitude") and hasattr(value, "units"):
-        raise TypeError(
-            f"{where}got a quantity with a unit: give a number in SI units, such as "
-            'quantity.to_base_units().magnitude, or a text with its unit, such as "57cm"'
-        )
-
-
-def _outside() -> int:
-    """The level in the stack of the first caller outside the package, for warnings."""
-    level, frame = 0, sys._getframe()
-    while frame.f_back and frame.f_globals.get("__name__", "").startswith("libration."):
-        level, frame = level + 1, frame.f_back
-    return level
 
 
 def text_of(value: Any) -> str:
@@ -258,15 +262,40 @@ def text_of(value: Any) -> str:
         return str(os.fspath(value))
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"got {value!r}: give a number or a text")
-    if isinstance(value, (int, np.integer, Fraction)):
+    if isinstance(value, (int, np.integer, Decimal, Fraction)):
         return str(value)
-    if _is_uncertain(value):
+    if is_uncertain(value):
         return f"{float(value.nominal_value)!r}±{float(value.std_dev)!r}"
-    if hasattr(value, "free_symbols"):
+    if hasattr(value, "free_symbols") and not value.is_number:
         return text_of_sympy(value)
-    if isinstance(value, (float, np.floating, np.ndarray)) and np.ndim(value) == 0:
+    is_array = isinstance(value, np.ndarray) and np.ndim(value) == 0
+    if isinstance(value, (float, np.floating)) or is_array or hasattr(value, "free_symbols"):
         return repr(float(value))
     raise TypeError(f"got {type(value).__name__}: give a number or a text")
+
+
+def option(name: str, value: Any) -> str:
+    """The value of an option; fractions and decimals as floats, which all options take."""
+    value = plain(name, value)
+    try:
+        return text_of(float(value) if isinstance(value, (Decimal, Fraction)) else value)
+    except TypeError as error:
+        raise TypeError(f"{name}: {error}") from None
+
+
+def formula(name: str, value: Any) -> str:
+    """The value of a name in equations: fractions, decimals and numbers of SymPy as they are."""
+    value = plain(name, value)
+    is_exact = isinstance(value, (Decimal, Fraction))
+    return str(value) if is_exact or hasattr(value, "free_symbols") else option(name, value)
+
+
+def by_name(what: str, values: Any) -> list[tuple[str, str]]:
+    """The values of names in equations."""
+    if values is not None and not isinstance(values, Mapping):
+        example = '{"theta": "60deg"}' if what == "initial" else '{"k": 0.1}'
+        raise TypeError(f"{what}: got {values!r}: give values by name, such as {example}")
+    return [(str(name), formula(f"{what}: {name}", it)) for name, it in (values or {}).items()]
 
 
 def answered(
@@ -284,7 +313,7 @@ def answered(
     with spoken(progress, question.command) as tell:
         answer, notes, error = _native.ask(words, question.input, tell)
     for note in notes:
-        warnings.warn(note, stacklevel=_outside())
+        warnings.warn(note, stacklevel=outside())
     if error is not None and not isinstance(error, KeyboardInterrupt):
         raise error
     return answer, error

@@ -1,7 +1,7 @@
 """The compiled part of the package."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, Protocol, TypeAlias, TypedDict, overload
+from typing import Any, Literal, Protocol, TypeAlias, TypedDict, final, overload
 
 from numpy import bool_, float64, floating, int64, uint8
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -17,9 +17,10 @@ def pendulum(length: float | str, gravity: float | str) -> tuple[float, float, f
 
 _Harmonics: TypeAlias = tuple[NDArray[int64], NDArray[float64], NDArray[float64]]
 
+@final
 class Motion:
     def __new__(
-        cls, length: float, gravity: float, angle: float | str, velocity: float | str
+        cls, length: float, gravity: float, start: tuple[float | str, float | str]
     ) -> Motion: ...
     @property
     def regime(self) -> str: ...
@@ -36,6 +37,7 @@ class Motion:
         self, tolerance: float, limit: int
     ) -> tuple[tuple[float, float, float], _Harmonics]: ...
 
+@final
 class PeriodFormula:
     def __new__(cls, key: str) -> PeriodFormula: ...
     def words(self) -> tuple[str, str, str, int | None, str, str, str, int, float]: ...
@@ -46,6 +48,7 @@ class PeriodFormula:
     def worst_error(self, up_to: float | str) -> tuple[float, float]: ...
     def holds_to(self, tolerance: float) -> float: ...
 
+@final
 class Expansion:
     def fields(self) -> dict[str, Any]: ...
     def evaluate(
@@ -57,6 +60,7 @@ _Question: TypeAlias = tuple[str, list[tuple[str, str]], list[str], str | None]
 def expand(
     question: _Question, order: int, gauge: str, progress: _Tell | None
 ) -> tuple[Expansion | None, BaseException | None]: ...
+@final
 class Simulation:
     def words(self) -> tuple[str, str, list[str], list[str], int, float]: ...
     def samples(self) -> tuple[NDArray[float64], NDArray[float64]]: ...

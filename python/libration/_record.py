@@ -8,9 +8,14 @@ import numpy as np
 
 
 class Record:
-    """Equal where all fields are, arrays by their numbers."""
+    """Equal where all fields are, arrays by their numbers; printed with all digits."""
 
     __slots__ = ()
+
+    def __repr__(self) -> str:
+        shown = [it.name for it in fields(self) if it.repr]  # type: ignore[arg-type]
+        with all_digits():
+            return f"{type(self).__name__}({arguments({it: getattr(self, it) for it in shown})})"
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -19,6 +24,16 @@ class Record:
         return all(_equal(getattr(self, name), getattr(other, name)) for name in names)
 
     __hash__ = None  # type: ignore[assignment]
+
+
+def all_digits() -> Any:
+    """Lets arrays be printed so that they can be read back, up to NumPy's limit of 1000 numbers."""
+    return np.printoptions(floatmode="unique")
+
+
+def arguments(given: dict[str, Any]) -> str:
+    """As a call has them."""
+    return ", ".join(f"{name}={value!r}" for name, value in given.items())
 
 
 class Shown:

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._ask import Asked, answered, asked
+from ._ask import TABLE, Asked, answered, asked
 from ._pictures import draw
 from .errors import Interrupted
 from .picture import Picture
@@ -176,7 +176,8 @@ class Answer(Fields):
     @property
     def question(self) -> str:
         """The command line, as words."""
-        return shlex.join(["libration", *self._asked.words])
+        words = ["-" if word == TABLE else word for word in self._asked.words]
+        return shlex.join(["libration", *words])
 
     @property
     def rows(self) -> Rows:

@@ -13,16 +13,18 @@ Fraction(11, 3072)
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _ask, _native, _plot, questions
 from ._equations import text_of_sympy
+from ._numbers import Number, Numbers, floats, operand, whole
+from ._numbers import text as _text
 from ._progress import Tell, go_on, told
 from ._record import Record, Shown
-from .errors import ExpansionError
+from .errors import ExpansionError, UsageError
 from .polynomial import Polynomial
 
 if TYPE_CHECKING:
@@ -47,11 +49,19 @@ class Series:
     def __getitem__(self, power: int) -> Fraction | Polynomial:
         return self.coefficients[power]
 
-    def __call__(self, x: float, **letters: float) -> float:
-        """The sum of the terms, with values for symbols; `Expansion.evaluate` has a bound."""
-        total = 0.0
+    @overload
+    def __call__(self, x: Number, **letters: Number) -> float: ...
+    @overload
+    def __call__(self, x: Any, **letters: Any) -> Any: ...
+    def __call__(self, x: Any, **letters: Any) -> Any:
+        """The sum of the terms, with values for symbols; `Expansion.evaluate` has a bound.
+
+        Arrays give arrays, and numbers of the package uncertainties propagate theirs.
+        """
+        at = operand("x", x)
+        total: Any = 0.0
         for c in reversed(self.coefficients):
-            total = total * x + (c(**letters) if isinstance(c, Polynomial) else float(c))
+            total = total * at + (c(**letters) if isinstance(c, Polynomial) else float(c))
         return total
 
     def __str__(self) -> str:
@@ -94,7 +104,7 @@ class GaugeSeries:
     """The smallest displacement."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Evaluation(Record, Shown):
     """A series in numbers, term by term.
 
@@ -181,7 +191,7 @@ class Expansion(Record):
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_expansion": None}
 
-    def evaluate(self, amplitude: ArrayLike, quantity: str = "period") -> Evaluation:
+    def evaluate(self, amplitude: Numbers, quantity: str = "period") -> Evaluation:
         """A series at an amplitude, or a strength of self-excitation, with a bound on the rest.
 
         The sum itself is rounded once.
@@ -206,17 +216,19 @@ class Expansion(Record):
             question, order, gauge = self._question
             expansion, _ = _native.expand(question, order, gauge, None)
             object.__setattr__(self, "_expansion", expansion)
-        amplitudes = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+        amplitudes = floats("amplitude", amplitude)
         if not np.isfinite(amplitudes).all():
             raise ExpansionError(f"amplitude: got {amplitude!r}: give finite numbers")
-        found = [expansion.evaluate(float(it), quantity) for it in amplitudes.flat]
+        name = _text("quantity", quantity, "period")
+        found = [expansion.evaluate(float(it), name) for it in amplitudes.flat]
         if not found:
             raise ExpansionError("amplitude: got an empty array: give at least one amplitude")
         powers = np.array([power for power, _, _ in found[0][3]], dtype=np.int64)
         steps = [[step[1:] for step in it[3]] for it in found]
         columns = np.array(steps).reshape(*amplitudes.shape, len(powers), 2)
         if amplitudes.ndim == 0:
-            return Evaluation(*found[0][:3], powers, columns[..., 0], columns[..., 1])
+            one, left_out, is_theorem, _ = found[0]
+            return Evaluation(one, left_out, is_theorem, powers, columns[..., 0], columns[..., 1])
         value, remainder = np.array([it[:2] for it in found]).T.reshape(2, *amplitudes.shape)
         is_proven = all(it[2] for it in found)
         return Evaluation(value, remainder, is_proven, powers, columns[..., 0], columns[..., 1])
@@ -240,13 +252,17 @@ class Expansion(Record):
         >>> print(lb.expand("duffing", order=3).code("python").splitlines()[0])
         # Duffing oscillator: x'' + x + x^3 = 0
         """
+        languages = ("c", "python", "rust", "fortran")
+        if language not in languages:
+            known = ", ".join(languages)
+            raise UsageError.about("language", f"unknown value `{language}`: give one of {known}")
         return _ask.text("expand", {**self._given(), "format": language})
 
     def to_latex(self) -> str:
         """All series in LaTeX."""
         return _ask.text("expand", {**self._given(), "format": "latex"})
 
-    def plot(self, ax: "Axes | None" = None, amplitudes: ArrayLike | None = None) -> "Axes":
+    def plot(self, ax: "Axes | None" = None, amplitudes: Numbers | None = None) -> "Axes":
         """Draws partial sums of the frequency against the amplitude, or against the strength.
 
         Parameters
@@ -267,7 +283,8 @@ class Expansion(Record):
         """
         if any(isinstance(c, Polynomial) for c in self.frequency.coefficients):
             raise ExpansionError("the coefficients contain symbols: give them values with set")
-        at = np.linspace(0, 1, 201) if amplitudes is None else np.ravel(amplitudes).astype(float)
+        given = np.linspace(0, 1, 201) if amplitudes is None else amplitudes
+        at = floats("amplitudes", given).ravel()
         ax = _plot.axes(ax, (self.frequency.variable, "Ω/ω0"))
         coefficients = enumerate(self.frequency.coefficients)
         powers = [power for power, c in coefficients if power and not _is_zero(c)]
@@ -289,9 +306,9 @@ def expand(
     oscillator: "str | sympy.Eq | sympy.Expr",
     order: int = 7,
     *,
-    set: Mapping[str, float | str | Fraction] | None = None,
-    letters: Sequence[str] = (),
-    about: float | str | None = None,
+    set: Mapping[str, _ask.Value] | None = None,
+    letters: str | Sequence[str] = (),
+    about: _ask.Value | None = None,
     gauge: str = "fundamental",
     progress: bool | Tell = False,
 ) -> Expansion:
@@ -308,8 +325,8 @@ def expand(
     set : dict
         Values of parameters: numbers, fractions, or formulas such as ``"1/2"``. Floats are taken as
         the decimals that they print as.
-    letters : sequence of str
-        Symbolic parameters of a named oscillator.
+    letters : str or sequence of str
+        Parameters of a named oscillator that stay letters, such as ``"epsilon"``.
     about : float or str
         The equilibrium; the one nearest to zero if it is not given.
     gauge : str
@@ -344,9 +361,19 @@ def expand(
     >>> print(cycle.frequency)
     1 - 1/16*mu^2 + 17/3072*mu^4
     """
+    if not isinstance(oscillator, str) and not hasattr(oscillator, "free_symbols"):
+        raise TypeError(
+            f"oscillator: got {type(oscillator).__name__}: give the name of an oscillator, or its "
+            "equation as text, such as \"x'' + sin(x) = 0\", or as SymPy has it"
+        )
     text = oscillator if isinstance(oscillator, str) else text_of_sympy(oscillator)
-    values = [(name, _value(value)) for name, value in (set or {}).items()]
-    question = (text, values, list(letters), None if about is None else _value(about))
+    position = None if about is None else _ask.formula("about", about)
+    is_several = np.iterable(letters) and not isinstance(letters, str)
+    several = letters if is_several else _text("letters", letters, "epsilon").split(",")
+    kept = [_text("letters", it, "epsilon") for it in several]
+    gauge = _text("gauge", gauge, "fundamental")
+    question = (text, _ask.by_name("set", set), kept, position)
+    order = whole("order", order, 7)
     if order < 0:
         raise ExpansionError(f"order {order} is out of range: give 1 to 1000")
     with told(progress, "expand") as tell:
@@ -355,10 +382,6 @@ def expand(
     go_on(stopped_by, expansion)
     assert expansion is not None
     return expansion
-
-
-def _value(value: float | str | Fraction) -> str:
-    return value if isinstance(value, str) else str(value)
 
 
 def _expansion(found: Any, question: Any) -> Expansion:

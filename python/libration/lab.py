@@ -14,12 +14,14 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._ask import Columns, Given, Path, Table, refuse_units
+from ._ask import Columns, Given, Path, Table
+from ._numbers import floats
 from .answer import Answer, answer
 from .fit import Fit, Measured
 from .questions import fit_gates, fit_lengths, fit_periods, fit_response, fit_trace
@@ -90,7 +92,7 @@ def read(file: Path | Columns, **reading: Given | bool) -> Recording:
     >>> rec.trace_values[0]["values"]
     [1.064650843716541, 0.9599310885968813, 0.6632251157578453]
     """
-    found = _inspect(file, **{"values": True, **reading})  # type: ignore[arg-type]
+    found = _inspect(file, **_known("read", {"values": True, **reading}))
     return Recording(found, found._asked)
 
 
@@ -138,9 +140,7 @@ def recording(
     [True]
     """
     own = {name: it for name, it in locals().items() if name in HEADERS and it is not None}
-    for name, it in own.items():
-        refuse_units(it, f"{name}: ")
-    given = {name: np.asarray(it, dtype=float) for name, it in own.items()}
+    given = {name: floats(name, it) for name, it in own.items()}
     shape = given["t"].shape
     columns = {
         HEADERS[name]: np.broadcast_to(it, shape) if it.ndim == 0 else it
@@ -204,5 +204,14 @@ def spectrum(
     >>> round(third["theory"], 4)
     -0.0162
     """
-    given: dict[str, Any] = {"spectrum": True, "harmonics": harmonics, "swings": swings, **reading}
-    return _inspect(file, **given)
+    given = {"spectrum": True, "harmonics": harmonics, "swings": swings, **reading}
+    return _inspect(file, **_known("spectrum", given))
+
+
+def _known(function: str, given: dict[str, Any]) -> dict[str, Any]:
+    """The parameters of `libration.questions.inspect`; others are refused."""
+    known = [it for it in signature(_inspect).parameters if it not in ("file", "progress")]
+    for name in given:
+        if name not in known:
+            raise TypeError(f"{function} takes no `{name}`: it takes {', '.join(known)}")
+    return given

@@ -14,10 +14,11 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native, _plot, questions
-from ._record import Record, Shown
+from ._numbers import Number, Numbers, NumberOrText, floats, number, real, whole
+from ._record import Record, Shown, all_digits, arguments
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,11 +65,12 @@ class Pendulum(Shown):
 
     if TYPE_CHECKING:
 
-        def __init__(self, length: float | str, gravity: float | str = ...) -> None: ...
+        def __init__(self, length: NumberOrText, gravity: NumberOrText = ...) -> None: ...
 
     def __post_init__(self) -> None:
         names = ("length", "gravity", "angular_frequency", "small_angle_period")
-        for name, value in zip(names, _native.pendulum(self.length, self.gravity)):
+        length, gravity = number("length", self.length), number("gravity", self.gravity)
+        for name, value in zip(names, _native.pendulum(length, gravity)):
             object.__setattr__(self, name, value)
 
     def _facts(self) -> list[tuple[str, object]]:
@@ -79,7 +81,7 @@ class Pendulum(Shown):
             ("period of small swings", f"{self.small_angle_period} s"),
         ]
 
-    def release(self, angle: float | str) -> "Motion":
+    def release(self, angle: NumberOrText) -> "Motion":
         """The motion released at rest at t = 0.
 
         Parameters
@@ -96,7 +98,7 @@ class Pendulum(Shown):
         """
         return Motion(self, angle)
 
-    def launch(self, angle: float | str, velocity: float | str) -> "Motion":
+    def launch(self, angle: NumberOrText, velocity: NumberOrText) -> "Motion":
         """The motion that passes an angle with a velocity at t = 0.
 
         Parameters
@@ -114,8 +116,7 @@ class Pendulum(Shown):
         """
         return Motion(self, angle, velocity)
 
-
-    def to_dict(self, *amplitudes: float | str) -> dict[str, Any]:
+    def to_dict(self, *amplitudes: NumberOrText) -> dict[str, Any]:
         """The periods at amplitudes, exact and by every formula: the JSON of `libration period`.
 
         Examples
@@ -143,10 +144,16 @@ class State(NamedTuple):
     def __ne__(self, other: object) -> bool:
         return not self == other
 
-    __hash__ = None  # type: ignore[assignment]
+    def __repr__(self) -> str:
+        with all_digits():
+            return f"State({arguments(self._asdict())})"
 
 
-@dataclass(frozen=True, eq=False)
+# In the class itself type checkers would take it for a third value.
+setattr(State, "__hash__", None)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Harmonics(Record):
     """The harmonics of a motion, by ascending n.
 
@@ -203,10 +210,21 @@ class Motion(Shown):
     """At t = 0, as it was given: rad/s, or a text."""
     _motion: "_native.Motion" = field(init=False, repr=False, compare=False)
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self, pendulum: Pendulum, angle: NumberOrText, velocity: NumberOrText = ...
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         of = self.pendulum
-        motion = _native.Motion(of.length, of.gravity, self.angle, self.velocity)
-        object.__setattr__(self, "_motion", motion)
+        if not isinstance(of, Pendulum):
+            got = type(of).__name__
+            raise TypeError(f"pendulum: got {got}: give a Pendulum, such as Pendulum(length=1.0)")
+        angle, velocity = number("angle", self.angle), number("velocity", self.velocity)
+        motion = _native.Motion(of.length, of.gravity, (angle, velocity))
+        for name, value in (("angle", angle), ("velocity", velocity), ("_motion", motion)):
+            object.__setattr__(self, name, value)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Motion, (self.pendulum, self.angle, self.velocity)
@@ -262,16 +280,14 @@ class Motion(Shown):
         """∮p dθ/2π per m·l², in rad²/s."""
         return self._motion.action
 
-    def __call__(self, t: ArrayLike) -> State:
-        times = np.asarray(t)
-        # Whatever has another meaning than a number is refused: texts, complex numbers, objects.
-        times = times.astype(np.float64, casting="same_kind")
+    def __call__(self, t: Numbers) -> State:
+        times = floats("t", t)
         angle, velocity = self._motion.states_at(np.ravel(times))
         if times.ndim == 0:
             return State(float(angle[0]), float(velocity[0]))
         return State(angle.reshape(times.shape), velocity.reshape(times.shape))
 
-    def harmonics(self, tolerance: float = 1e-12, limit: int = 1000) -> Harmonics:
+    def harmonics(self, tolerance: Number = 1e-12, limit: int = 1000) -> Harmonics:
         """The harmonics whose coefficient of the angle is at least a tolerance (rad).
 
         Parameters
@@ -288,16 +304,19 @@ class Motion(Shown):
         >>> harmonics.n.tolist()
         [1, 3, 5]
         """
-        if limit < 0:
+        smallest, largest = real("tolerance", tolerance), whole("limit", limit, 1000)
+        if not smallest >= 0:
+            raise ValueError(f"tolerance: got {smallest}: give zero or more radians, such as 1e-12")
+        if largest < 0:
             raise ValueError(
-                f"limit: got {limit}: give the largest number of harmonics, such as 1000"
+                f"limit: got {largest}: give the largest number of harmonics, such as 1000"
             )
-        of_all, terms = self._motion.harmonics(tolerance, limit)
+        of_all, terms = self._motion.harmonics(smallest, largest)
         return Harmonics(*of_all, *terms)
 
-    def to_dict(self, t: ArrayLike | None = None) -> dict[str, Any]:
+    def to_dict(self, t: Numbers | None = None) -> dict[str, Any]:
         """The motion at the times given, or over a period: the JSON of `libration motion`."""
-        times = None if t is None else np.ravel(t)
+        times = None if t is None else floats("t", t).ravel()
         return questions.motion(
             self.angle,
             velocity=self.velocity,
@@ -306,7 +325,7 @@ class Motion(Shown):
             gravity=self.pendulum.gravity,
         ).to_dict()
 
-    def plot(self, ax: "Axes | None" = None, t: ArrayLike | None = None) -> "Axes":
+    def plot(self, ax: "Axes | None" = None, t: Numbers | None = None) -> "Axes":
         """Draws the angle in degrees against the time; over two periods, where no times are given.
 
         Returns
@@ -317,8 +336,9 @@ class Motion(Shown):
             has_period = np.isfinite(self.period)
             span = 2 * self.period if has_period else 10 / self.pendulum.angular_frequency
             t = np.linspace(0, span, 601)
+        times = floats("t", t).ravel()
         ax = _plot.axes(ax, ("t / s", "θ / °"))
-        ax.plot(np.ravel(t), np.degrees(np.ravel(self(t).angle)))
+        ax.plot(times, np.degrees(self(times).angle))
         return ax
 
     def swing(self) -> "Swing":

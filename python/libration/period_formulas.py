@@ -13,9 +13,10 @@ from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native
+from ._numbers import Number, Numbers, NumberOrText, floats, is_uncertain, number, real
 from .errors import FormulaError
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ class PeriodFormula:
 
     key: str
     """Its name in the catalogue."""
-    name: str = field(init=False, compare=False)
+    name: str = field(init=False, repr=False, compare=False)
     """Its usual name."""
     authors: str = field(init=False, repr=False, compare=False)
     """Its authors."""
@@ -65,32 +66,32 @@ class PeriodFormula:
         return f"$\\displaystyle {self.latex}$"
 
     @overload
-    def ratio(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    def ratio(self, amplitude: NumberOrText) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def ratio(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def ratio(self, amplitude: Numbers) -> NDArray[np.float64]: ...
     def ratio(self, amplitude: Any) -> Any:
         """The formula's T/T0, to a few ulp; NaN where formula or period are not defined."""
         return _each(amplitude, self._formula.ratio, self._formula.ratios)
 
     @overload
-    def error(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
+    def error(self, amplitude: NumberOrText) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def error(self, amplitude: ArrayLike) -> NDArray[np.float64]: ...
+    def error(self, amplitude: Numbers) -> NDArray[np.float64]: ...
     def error(self, amplitude: Any) -> Any:
         """Formula/exact - 1, with all digits however small; infinite where the formula is not
         defined, NaN where the period is not.
         """
         return _each(amplitude, self._formula.error, self._formula.errors)
 
-    def worst_error(self, up_to: float | str) -> tuple[float, float]:
+    def worst_error(self, up_to: NumberOrText) -> tuple[float, float]:
         """The error of largest magnitude up to an amplitude, and its amplitude in radians."""
-        return self._formula.worst_error(up_to)
+        return self._formula.worst_error(number("up_to", up_to))
 
-    def holds_to(self, tolerance: float) -> float:
+    def holds_to(self, tolerance: Number) -> float:
         """The amplitude in radians up to which the magnitude of the error is at most a tolerance;
         0 if nowhere, π if everywhere.
         """
-        return self._formula.holds_to(tolerance)
+        return self._formula.holds_to(_tolerance(tolerance))
 
 
 class PeriodFormulas(Mapping[str, PeriodFormula]):
@@ -112,11 +113,12 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
     def __repr__(self) -> str:
         return f"<{len(self)} period formulas: {', '.join(self)}>"
 
-    def simplest(self, amplitude: float | str, tolerance: float) -> list[PeriodFormula]:
+    def simplest(self, amplitude: NumberOrText, tolerance: Number) -> list[PeriodFormula]:
         """The formulas that are right to a tolerance up to an amplitude, the simplest first."""
-        return [PeriodFormula(key) for key in _native.simplest_formulas(amplitude, tolerance)]
+        up_to, error = number("amplitude", amplitude), _tolerance(tolerance)
+        return [PeriodFormula(key) for key in _native.simplest_formulas(up_to, error)]
 
-    def best(self, amplitude: float | str, tolerance: float) -> PeriodFormula:
+    def best(self, amplitude: NumberOrText, tolerance: Number) -> PeriodFormula:
         """The simplest formula that is right to a tolerance up to an amplitude (radians or text).
 
         Raises
@@ -124,13 +126,9 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
         FormulaError
             None is.
         """
+        amplitude = number("amplitude", amplitude)
         for formula in self.simplest(amplitude, tolerance):
             return formula
-        if not isinstance(amplitude, str) and amplitude >= np.pi:
-            raise FormulaError(
-                f"the amplitude is {amplitude!r} rad, and swings stay below pi: "
-                f'for degrees write "{amplitude:g}deg"'
-            )
         raise FormulaError(
             f"no formula of the catalogue is right to {tolerance!r} up to {amplitude!r}: "
             "give a larger tolerance, or use the exact libration.period_ratio"
@@ -140,11 +138,18 @@ class PeriodFormulas(Mapping[str, PeriodFormula]):
 formulas = PeriodFormulas()
 
 
+def _tolerance(value: Any) -> float:
+    tolerance = real("tolerance", value)
+    if not tolerance >= 0:
+        raise FormulaError(f"tolerance: got {tolerance:g}: give zero or more, such as 1e-3")
+    return tolerance
+
+
 def _each(
     amplitude: Any, one: "Callable[[Any], float]", many: "Callable[[list[float]], list[float]]"
 ) -> Any:
     """Numbers and texts one by one, arrays of numbers together."""
-    if isinstance(amplitude, str) or np.ndim(amplitude) == 0:
-        return one(amplitude)
-    array = np.asarray(amplitude).astype(np.float64, casting="same_kind")
+    if isinstance(amplitude, str) or is_uncertain(amplitude) or not np.iterable(amplitude):
+        return one(number("amplitude", amplitude))
+    array = floats("amplitude", amplitude)
     return np.array(many(array.ravel().tolist())).reshape(array.shape)

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from ._numbers import operand
+
 if TYPE_CHECKING:
     import sympy
 
@@ -30,17 +32,20 @@ class Polynomial:
         """The symbols that occur, in alphabetical order."""
         return tuple(sorted({letter for _, powers in self.terms for letter, _ in powers}))
 
-    def __call__(self, **values: float) -> float:
-        """The value for these values of the symbols."""
+    def __call__(self, **values: Any) -> Any:
+        """The value for these values of the symbols, numbers or arrays; numbers of the package
+        uncertainties propagate theirs.
+        """
         missing = [letter for letter in self.letters if letter not in values]
         if missing:
             wanted = ", ".join(self.letters)
             raise TypeError(f"no value for {', '.join(missing)}: give one for each of {wanted}")
-        total = 0.0
+        at = {letter: operand(letter, values[letter]) for letter in self.letters}
+        total: Any = 0.0
         for factor, powers in self.terms:
-            term = float(factor)
+            term: Any = float(factor)
             for letter, exponent in powers:
-                term *= values[letter] ** float(exponent)
+                term = term * at[letter] ** float(exponent)
             total += term
         return total
 

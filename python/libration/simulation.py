@@ -11,16 +11,16 @@ True
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native, _plot, questions
-from ._ask import refuse_units
+from ._ask import Value, by_name
+from ._numbers import Number, Numbers, floats, real
 from ._progress import Tell, go_on, told
-from ._record import Record, Shown
+from ._record import Record, Shown, all_digits, arguments
 from .errors import NoAnswer, SimulationError
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 __all__ = ["Events", "Simulation", "States", "simulate"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class States(Record):
     """States at some times; ``states["theta"]`` is a number of each state by its name."""
 
@@ -53,7 +53,7 @@ class States(Record):
         return len(self.t)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Events(States):
     """The times and states of an event."""
 
@@ -61,7 +61,7 @@ class Events(States):
     """How the formula became zero: "rising", "falling", "grazing" or "start"."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Simulation(States, Shown):
     """A motion; `simulate` makes it.
 
@@ -99,11 +99,28 @@ class Simulation(States, Shown):
             ("last sample", ", ".join(last)),
         ]
 
+    def __repr__(self) -> str:
+        """The call that makes it, or how it ended early."""
+        if not self.success:
+            return f"<Simulation of {self.title}, {len(self)} states: {self.message}>"
+        (system, values, start, looked_for, ending, tolerance), times = self._question
+        is_directed = any(way != "any" for _, way in looked_for)
+        events = dict(looked_for) if is_directed else [formula for formula, _ in looked_for]
+        until = ending[0] if ending and ending[1] == "any" else ending
+        optional = {"set": dict(values), "events": events, "until": until, "tolerance": tolerance}
+        given = {"initial": dict(start), "times": _Times(times)}
+        is_default: dict[str, Any] = {"set": {}, "events": [], "until": None, "tolerance": 1e-12}
+        given |= {name: it for name, it in optional.items() if it != is_default[name]}
+        return f"simulate({system!r}, {arguments(given)})"
+
+    def __str__(self) -> str:
+        return "\n".join(f"{name}: {value}" for name, value in self._facts())
+
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_motion": None}
 
-    def __call__(self, t: ArrayLike) -> States:
-        times = np.asarray(t).astype(np.float64, casting="same_kind")
+    def __call__(self, t: Numbers) -> States:
+        times = floats("t", t)
         motion = self._motion
         if motion is None:  # after a pickle
             question, given = self._question
@@ -163,15 +180,38 @@ class Simulation(States, Shown):
         return ax
 
 
+class _ByFormula(dict[str, Events]):
+    """The events by their formulas; an unknown formula is refused with those that are known."""
+
+    def __missing__(self, formula: str) -> Events:
+        known = ", ".join(self) or "none"
+        raise KeyError(f"the event `{formula}` was not looked for: there are {known}")
+
+
+class _Times:
+    """Times as they are printed: evenly spaced ones by their ends."""
+
+    def __init__(self, times: NDArray[np.float64]) -> None:
+        self.times = times
+
+    def __repr__(self) -> str:
+        first, last = self.times[[0, -1]].tolist() if len(self.times) else (0.0, 0.0)
+        even = np.linspace(first, last, len(self.times))
+        if len(self.times) > 5 and np.array_equal(self.times, even):
+            return f"linspace({first!r}, {last!r}, {len(self.times)})"
+        with all_digits():
+            return repr(self.times if len(self.times) > 1000 else self.times.tolist())
+
+
 def simulate(
     system: str,
-    initial: Mapping[str, float | str],
-    times: ArrayLike,
+    initial: Mapping[str, Value],
+    times: Numbers,
     *,
-    set: Mapping[str, float | str | Fraction] | None = None,
+    set: Mapping[str, Value] | None = None,
     events: str | Iterable[str] | Mapping[str, str] = (),
     until: str | tuple[str, str] | None = None,
-    tolerance: float = 1e-12,
+    tolerance: Number = 1e-12,
     progress: bool | Tell = False,
 ) -> Simulation:
     """The motion of a system of ordinary differential equations, by Taylor series of high order.
@@ -226,23 +266,17 @@ def simulate(
             f"system: got {type(system).__name__}: give the name of a system, "
             "or its equations as text, such as \"x'' + sin(x) = 0\""
         )
-    refuse_units(times, "times: ")
-    wanted = np.atleast_1d(np.asarray(times))
-    if wanted.dtype.kind in "USO":
-        raise TypeError(
-            f"times: got {times!r}: give a number or an array of numbers, "
-            "such as numpy.linspace(0, 10, 101)"
-        )
-    wanted = wanted.astype(np.float64, casting="same_kind")
+    wanted = np.atleast_1d(floats("times", times))
     if wanted.ndim != 1:
         dimensions = f"the times have {wanted.ndim} dimensions"
         raise SimulationError(f"{dimensions}: give a number or a list of them")
-    values = _by_name("set", {} if set is None else set)
-    start = _by_name("initial", initial)
-    formulas = [events] if isinstance(events, str) else events
-    looked_for = dict(events) if isinstance(events, Mapping) else dict.fromkeys(formulas, "any")
-    ending = (until, "any") if isinstance(until, str) else until
-    question = (system, values, start, list(looked_for.items()), ending, tolerance)
+    values, start = by_name("set", set), by_name("initial", initial)
+    looked_for, ending = _looked_for(events), None if until is None else _ending(until)
+    error = real("tolerance", tolerance)
+    if not 1e-18 <= error <= 0.1:
+        reason = f"got {error:g}: give a number from 1e-18 to 0.1, such as 1e-12"
+        raise SimulationError(f"tolerance: {reason}")
+    question = (system, values, start, list(looked_for.items()), ending, error)
     with told(progress, "simulate") as tell:
         motion, stopped_by = _native.simulate(question, np.ascontiguousarray(wanted), tell)
     names = list(looked_for) + ([ending[0]] if ending else [])
@@ -253,15 +287,29 @@ def simulate(
     return simulation
 
 
-def _by_name(what: str, values: Mapping[str, float | str | Fraction]) -> list[tuple[str, str]]:
-    if not isinstance(values, Mapping):
-        example = '{"theta": "60deg"}'
-        raise TypeError(f"{what}: got {values!r}: give values by name, such as {example}")
-    return [(name, _text(value)) for name, value in values.items()]
+def _looked_for(events: Any) -> dict[str, str]:
+    """What counts of each event."""
+    is_one = isinstance(events, str) or not np.iterable(events)
+    is_directed = isinstance(events, Mapping)
+    found = dict(events) if is_directed else dict.fromkeys([events] if is_one else events, "any")
+    if not all(isinstance(it, str) for pair in found.items() for it in pair):
+        raise TypeError(
+            f"events: got {events!r}: give formulas as text, such as [\"theta = 0\"], "
+            'or with what counts, {"theta": "rising"}'
+        )
+    return found
 
 
-def _text(value: float | str | Fraction) -> str:
-    return value if isinstance(value, str) else str(value)
+def _ending(until: Any) -> tuple[str, str]:
+    """The event that ends the motion, and what counts."""
+    pair = (until, "any") if isinstance(until, str) else until
+    is_pair = isinstance(pair, (tuple, list)) and len(pair) == 2
+    if not is_pair or not all(isinstance(it, str) for it in pair):
+        raise TypeError(
+            f"until: got {until!r}: give a formula as text, such as \"theta = 0\", "
+            'or with what counts, ("theta", "rising")'
+        )
+    return pair[0], pair[1]
 
 
 def _simulation(
@@ -270,7 +318,7 @@ def _simulation(
     title, equation, names, units, steps, end = motion.words()
     t, y = motion.samples()
     happened = motion.events()
-    events = {}
+    events = _ByFormula()
     for number, text in enumerate(looked_for):
         own = [it[1:] for it in happened if it[0] == number]
         states = np.array([it[1] for it in own]).reshape(len(own), len(names))

@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native, _workers, _zarr
-from ._ask import asked, catalogue, refuse_units
+from ._ask import asked, catalogue, option
+from ._numbers import refuse_units
 from ._plan import Plan, begin
 from ._progress import Tell, told
 from .errors import Interrupted, NoAnswer, UsageError
@@ -110,6 +111,8 @@ def sweep(
     >>> diagram.omega.dims, diagram.omega.shape
     (('A', 'omega_number'), (2, 3))
     """
+    if not isinstance(over, Mapping):
+        raise TypeError(f'over: got {over!r}: give values by name, such as {{"length": [0.5, 1]}}')
     if not over:
         example = '{"amplitude": ["10deg", "20deg"]}'
         raise UsageError.about("over", f"there is no axis: give one by its name, such as {example}")
@@ -117,9 +120,7 @@ def sweep(
         reason = f"got {chunk}: give the largest number of points in a chunk, 1 or more"
         raise UsageError.about("chunk", reason)
     words = _words(question, given)
-    for name, values in over.items():
-        refuse_units(values, f"over: {name}: ")
-    axes = [(str(name), _values(values)) for name, values in over.items()]
+    axes = [(str(name), _values(f"over: {name}", values)) for name, values in over.items()]
     kept = _kept(keep)
     place = Path(os.path.abspath(os.fspath(store)))
     with told(progress, "sweep") as tell:
@@ -165,15 +166,15 @@ def _words(question: str | Sequence[str], given: Mapping[str, Any]) -> list[str]
     return list(question_asked.words)
 
 
-def _values(values: Any) -> str | list[str]:
+def _values(name: str, values: Any) -> str | list[str]:
     if isinstance(values, str):
         return values
-    array = np.asarray(values)
-    if array.ndim != 1:
-        raise ValueError(f"the values of an axis have {array.ndim} dimensions: give a list of them")
-    if array.dtype.kind in "fiu":
-        return [repr(value) for value in array.tolist()]
-    return [str(value) for value in values]
+    refuse_units(values, f"{name}: ")
+    if np.ndim(values) != 1:
+        dimensions = f"the values of an axis have {np.ndim(values)} dimensions"
+        raise ValueError(f"{name}: {dimensions}: give a list of them")
+    several = values if isinstance(values, (list, tuple)) else np.asarray(values)
+    return [option(name, value) for value in several]
 
 
 def _run(plan: Plan, store: Path, client: Any, tell: Tell | None) -> None:

@@ -30,7 +30,7 @@ from .pendulum import Motion, Pendulum
 __all__ = ["Swing"]
 
 
-class Swing(anywidget.AnyWidget):  # type: ignore[misc]  # ipywidgets, its base, has no types
+class Swing(anywidget.AnyWidget):
     """A pendulum that swings; `Motion.swing` makes it.
 
     The bob is drawn at the exact angles, in real time where a period takes between half a second

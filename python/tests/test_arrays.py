@@ -7,6 +7,8 @@ import subprocess
 import sys
 import threading
 import warnings
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -85,13 +87,57 @@ def test_single_precision_is_double_precision_rounded(ufunc):
 
 
 @every
-def test_integers_become_floats_and_other_types_are_refused(ufunc):
-    ones = [1] * ufunc.nin
-    same(ufunc(*(np.int64(x) for x in ones)), ufunc(*map(float, ones)))
-    assert outputs(ufunc(*(np.int16(x) for x in ones)))[0].dtype == np.float32
-    for wrong in (1j, "0.5", np.longdouble(1), None, object(), np.datetime64("2026-01-01")):
+@pytest.mark.parametrize("kind", ["?", "b", "B", "h", "H", "i", "q", "Q", "e", "d"])
+def test_all_types_but_single_precision_are_computed_in_double_precision(ufunc, kind):
+    ones = [np.ones(3, kind)] * ufunc.nin
+    expected = ufunc(*[np.ones(3)] * ufunc.nin)
+    assert outputs(expected)[0].dtype == np.float64
+    same(ufunc(*ones), expected)
+    same(ufunc(*(x[0] for x in ones)), tuple(x[0] for x in outputs(expected)))
+    # Python numbers, and arrays of another of these types, next to them keep their digits.
+    for other in (0.3, np.float16(0.3), np.float64(0.3)):
+        mixed = [*ones[1:], other]
+        same(ufunc(*mixed), ufunc(*([np.ones(3)] * (ufunc.nin - 1)), float(other)))
+
+
+@every
+def test_single_precision_is_kept_next_to_what_numpy_casts_to_it(ufunc):
+    single = np.full(3, 0.5, np.float32)
+    for other in (0.5, np.float16(0.5), np.bool_(1), np.int16(1), single):
+        assert outputs(ufunc(*[other] * (ufunc.nin - 1), single))[0].dtype == np.float32
+    if ufunc.nin > 1:
+        assert outputs(ufunc(*[np.ones(3)] * (ufunc.nin - 1), single))[0].dtype == np.float64
+        ints = [np.ones(3, np.int32)] * (ufunc.nin - 1)
+        assert outputs(ufunc(*ints, single))[0].dtype == np.float64
+    assert outputs(ufunc(*[np.int8(1)] * ufunc.nin, dtype=np.float32))[0].dtype == np.float32
+
+
+@every
+def test_other_types_are_refused(ufunc):
+    for wrong in (1j, np.longdouble(1), np.datetime64("2026-01-01")):
         with pytest.raises(TypeError):
             ufunc(*[wrong] * ufunc.nin)
+    with pytest.raises(TypeError, match="cast"):
+        ufunc(*[np.int8(1)] * ufunc.nin, out=(np.empty((), int),) * ufunc.nout)
+
+
+@every
+def test_texts_and_objects_are_refused_by_the_name_of_their_argument(ufunc):
+    numbers = "give a number or an array of numbers"
+    radians = f"{numbers}, in SI units and radians: numpy.radians(60) for 60deg"
+    floats = "give a float or an array of floats, such as numpy.asarray(values, dtype=float)"
+    for i, name in enumerate(_ufuncs.arguments(ufunc)):
+        for wrong, got in {
+            "60deg": f"got '60deg': {radians}",
+            ("1", "2"): f"got '1': {radians}",
+            Decimal("0.5"): f"got Decimal: {floats}",
+            (Fraction(1, 2), 1): f"got Fraction: {floats}",
+            None: f"got NoneType: {floats}",
+        }.items():
+            given = list(wrong) if isinstance(wrong, tuple) else wrong
+            for options in ({}, {"dtype": float}):
+                with pytest.raises(TypeError, match=f"^{re.escape(f'{name}: {got}')}$"):
+                    ufunc(*[0.5] * i, given, *[0.5] * (ufunc.nin - i - 1), **options)
 
 
 @every

@@ -2,6 +2,8 @@
 
 import copy
 import pickle
+from decimal import Decimal
+from fractions import Fraction
 
 import matplotlib
 import mpmath as mp
@@ -21,6 +23,12 @@ STARTS = {
     "rest (stable)": PENDULUM.release(0.0),
     "rest (upright)": PENDULUM.release("180deg"),
 }
+
+
+def read_back(it):
+    """What the text of an object makes, after ``from libration import *; from numpy import *``."""
+    names = {name: getattr(lb, name) for name in lb.__all__}
+    return eval(repr(it), {**vars(np), **names, "Fraction": Fraction})
 
 
 def test_pendulums_say_what_they_are():
@@ -45,7 +53,7 @@ def test_motions_pickle_copy_compare(regime):
     assert motion.regime == regime
     for other in (pickle.loads(pickle.dumps(motion)), copy.copy(motion), copy.deepcopy(motion)):
         assert other == motion and hash(other) == hash(motion) and other(1.25) == motion(1.25)
-    assert eval(repr(motion), vars(lb)) == motion
+    assert read_back(motion) == motion
 
 
 def test_periods_are_the_exact_ones():
@@ -132,17 +140,17 @@ def test_pictures_show_the_motion():
     (lambda: lb.Pendulum(-1.0), lb.errors.PendulumError, "length is -1.0: give a positive"),
     (lambda: lb.Pendulum(1e-300, 1e300), lb.errors.PendulumError, "out of range"),
     (lambda: lb.Pendulum("1 s"), lb.errors.QuantityError, "is a time, not a length"),
-    (lambda: lb.Pendulum(1j), TypeError, "got complex: give a length"),
-    (lambda: lb.Pendulum(None), TypeError, "got NoneType"),
+    (lambda: lb.Pendulum(1j), TypeError, "^length: got complex: give a number or a text"),
+    (lambda: lb.Pendulum(None), TypeError, "^length: got NoneType"),
     (lambda: PENDULUM.release("60 degrees of"), lb.errors.QuantityError, "60 degrees of"),
     (lambda: PENDULUM.release(np.inf), lb.errors.QuantityError, "give a finite angle"),
-    (lambda: PENDULUM.release([1.0, 2.0]), TypeError, "got list: give an angle"),
+    (lambda: PENDULUM.release([1.0, 2.0]), TypeError, "^angle: got list: give a number"),
     (lambda: PENDULUM.release("pi-1e-308"), lb.errors.QuantityError, "at least 1e-300 rad"),
     (lambda: PENDULUM.launch(0.0, np.nan), lb.errors.PendulumError, "velocity is NaN"),
     (lambda: PENDULUM.launch(0.0, "3m"), lb.errors.QuantityError, "not an angular velocity"),
-    (lambda: PENDULUM.release(1.0)("noon"), TypeError, "cast"),
-    (lambda: PENDULUM.release(1.0)(np.array([1j])), TypeError, "cast"),
-    (lambda: PENDULUM.release(1.0)([None]), TypeError, "cast"),
+    (lambda: PENDULUM.release(1.0)("noon"), TypeError, "^t: got 'noon': give a number or an array"),
+    (lambda: PENDULUM.release(1.0)(np.array([1j])), TypeError, "^t: got complex"),
+    (lambda: PENDULUM.release(1.0)([None]), TypeError, "^t: got NoneType"),
     (lambda: PENDULUM.release(1.0).harmonics(limit=-1), ValueError, "limit: got -1"),
 ])
 def test_what_cannot_be_is_refused_with_the_reason(call, error, message):
@@ -161,6 +169,40 @@ def test_states_of_arrays_are_compared():
     times = [0.0, 0.5]
     assert motion(times) == motion(times) and not motion(times) != motion(times)
     assert motion(times) != motion([0.0, 0.6]) and motion(0.1) == motion(0.1)
+
+
+def test_objects_are_printed_so_that_they_can_be_read_back():
+    times, tenths = np.linspace(0, 1, 11), np.arange(7) / 10
+    motion = PENDULUM.release(np.float32(1.1))
+    series = lb.expand("pendulum", 5)
+    for it in [
+        lb.Pendulum("99.4cm", "9.81m/s^2"),
+        motion,
+        PENDULUM.launch("-30deg", Decimal("2.5")),
+        motion(0.3),
+        motion(times),
+        motion(np.inf),
+        motion.harmonics(),
+        series.evaluate(0.3),
+        series.evaluate([0.1, 0.2]),
+        series.frequency,
+        lb.formulas["denman"],
+        lb.simulate("pendulum", {"theta": "60deg"}, 1)(times),
+        lb.simulate("pendulum", {"theta": 1}, [0, 5], events=["theta"]).events["theta"],
+        lb.simulate("pendulum", {"theta": "60deg"}, 1.0),
+        lb.simulate("x' = -k*x", {"x": 1}, times, set={"k": "1/3"}, tolerance=1e-9),
+        lb.simulate("x'' = -x", {"x": 1}, tenths, events={"x": "falling"}, until=("x", "any")),
+        lb.simulate("x'' = -x", {"x": 1}, tenths, events=["x"], until=("x", "rising")),
+        lb.simulate("x' = -x", {"x": 1}, []),
+    ]:
+        assert read_back(it) == it, repr(it)
+    spaced = repr(lb.simulate("x' = -x", {"x": 1}, times))
+    assert spaced == "simulate(\"x' = -x\", initial={'x': '1'}, times=linspace(0.0, 1.0, 11))"
+    with pytest.raises(lb.errors.SimulationError) as stopped:
+        lb.simulate("x' = x^2", {"x": 1}, [0.5, 2])
+    ended = repr(stopped.value.partial)
+    assert ended.startswith("<Simulation of equations of motion, 1 states: ")
+    assert "ended: it reached t = 1.0\n" in str(lb.simulate("x' = -x", {"x": 1}, 1))
 
 
 def test_notebooks_show_facts():

@@ -1,8 +1,11 @@
 """Numbers with uncertainties, and quantities with units, as every query takes them."""
 
 import warnings
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 import pytest
 
@@ -10,6 +13,7 @@ import libration as lb
 from libration import questions
 from libration._ask import asked, catalogue
 
+matplotlib.use("agg")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 # Values that are texts, names or files.
 OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND")
@@ -27,7 +31,7 @@ REFUSED = "got a quantity with a unit: give a number in SI units"
 
 def given(it, value):
     """A value as it is given, by name where names belong to it."""
-    return {it.keyword: {"x": value} if it.value.startswith("NAME=") else value}
+    return {it.keyword: {"x": value} if it.example else value}
 
 
 def test_every_query_with_a_number_is_here():
@@ -141,3 +145,154 @@ def test_the_amplitude_of_an_uncertain_period_is_uncertain():
     found = lb.questions.period(period=uncertainties.ufloat(2.1, 0.01))["results"][0]
     assert found["amplitude_rad"] == pytest.approx(0.8459, abs=1e-4)
     assert found["amplitude_uncertainty_rad"] == pytest.approx(0.0447, abs=1e-4)
+
+
+PENDULUM = lb.Pendulum(1.0)
+MOTION = PENDULUM.release(1.0)
+SERIES = lb.expand("duffing", 3, letters="epsilon").frequency
+DENMAN = lb.formulas["denman"]
+
+
+def simulated(**given):
+    found = lb.simulate("x'' = -k*x", **{"initial": {"x": 1}, "times": 1, "set": {"k": 1}, **given})
+    return found.y.tolist()
+
+
+# Functions and methods outside `questions`, by the name of the argument and what it takes.
+NUMBERS_ALONE = [
+    ("tolerance", lambda it: MOTION.harmonics(tolerance=it)),
+    ("tolerance", lambda it: simulated(tolerance=it)),
+    ("tolerance", DENMAN.holds_to),
+    ("tolerance", lambda it: lb.formulas.best(1.0, tolerance=it)),
+    ("tolerance", lambda it: lb.formulas.simplest(1.0, tolerance=it)),
+]
+NUMBERS_AND_TEXTS = [
+    ("length", lb.Pendulum),
+    ("gravity", lambda it: lb.Pendulum(1.0, it)),
+    ("angle", PENDULUM.release),
+    ("angle", lambda it: lb.Motion(PENDULUM, it)),
+    ("velocity", lambda it: PENDULUM.launch(1.0, it)),
+    ("amplitude", DENMAN.ratio),
+    ("amplitude", DENMAN.error),
+    ("amplitude", lambda it: lb.formulas.best(it, 1e-3)),
+    ("up_to", DENMAN.worst_error),
+    ("initial: x", lambda it: simulated(initial={"x": it})),
+    ("set: k", lambda it: simulated(set={"k": it})),
+    ("set: epsilon", lambda it: lb.expand("duffing", 3, set={"epsilon": it}).frequency),
+    ("about", lambda it: lb.expand("x'' + sin(x - 1/128) = 0", 3, about=it).frequency),
+]
+ARRAYS = [
+    ("t", MOTION),
+    ("t", lb.simulate("pendulum", {"theta": 1}, [0, 2])),
+    ("times", lambda it: simulated(times=it)),
+    ("amplitude", lb.expand("pendulum", 5).evaluate),
+    ("amplitudes", lambda it: lb.expand("pendulum", 5).plot(amplitudes=it).lines[0].get_xdata()[0]),
+    ("angle", lambda it: lb.lab.recording(t=np.arange(3.0), angle=it).columns["angle (rad)"][0]),
+]
+OPTIONAL = ("about", "amplitudes", "angle")
+SERIES_CALLS = [
+    ("x", lambda it: SERIES(it, epsilon=0.5)),
+    ("epsilon", lambda it: SERIES(0.5, epsilon=it)),
+    ("epsilon", lambda it: SERIES[2](epsilon=it)),
+]
+QUERIES = [("linear", lambda it: lb.decay(0.1, linear=it))]
+CALLS = NUMBERS_ALONE + NUMBERS_AND_TEXTS + ARRAYS + QUERIES
+of_all = pytest.mark.parametrize("name, call", CALLS + SERIES_CALLS)
+
+
+@of_all
+def test_numbers_of_every_type_mean_the_same(name, call):
+    sympy = pytest.importorskip("sympy")
+    expected = call(1 / 128)
+    for it in (
+        Decimal("0.0078125"),
+        Fraction(1, 128),
+        np.float32(1 / 128),
+        np.float16(1 / 128),
+        np.array(1 / 128),
+        sympy.Rational(1, 128),
+    ):
+        assert call(it) == expected
+
+
+@pytest.mark.parametrize("name, call", CALLS)
+def test_uncertainties_are_left_out_with_a_warning_everywhere(name, call):
+    expected = call(1 / 128)
+    for it in (
+        pytest.importorskip("uncertainties").ufloat(1 / 128, 1e-4),
+        lb.lab.Measured(1 / 128, 1e-4),
+    ):
+        with pytest.warns(UserWarning) as told:
+            assert call(it) == expected
+        message = f"{name}: got {it}: its uncertainty is not used here, only its value"
+        assert {str(one.message) for one in told} == {message}
+        assert {one.filename for one in told} == {__file__}
+
+
+@pytest.mark.parametrize("name, call", SERIES_CALLS)
+def test_series_propagate_uncertainties(name, call):
+    uncertain = pytest.importorskip("uncertainties").ufloat(0.5, 1e-3)
+    slope = (call(0.5 + 1e-4) - call(0.5 - 1e-4)) / 2e-4
+    assert call(uncertain).nominal_value == call(0.5)
+    assert call(uncertain).std_dev == pytest.approx(1e-3 * abs(slope), rel=1e-6)
+
+
+@of_all
+def test_quantities_are_refused_everywhere_with_one_sentence(name, call, quantities):
+    for it in quantities:
+        with pytest.raises(TypeError, match=f"^{name}: {REFUSED}"):
+            call(it)
+
+
+def test_lists_of_quantities_and_of_uncertain_numbers_are_refused_or_warned_of(quantities):
+    for name, call in ARRAYS:
+        with pytest.raises(TypeError, match=f"^{name}: {REFUSED}"):
+            call([quantities[0]])
+    with pytest.warns(UserWarning, match="^t: got .*: its uncertainty is not used here"):
+        assert MOTION([lb.lab.Measured(0.5, 0.1)]) == MOTION([0.5])
+
+
+@pytest.mark.parametrize("calls, wanted", [
+    (NUMBERS_ALONE, "a number"),
+    (NUMBERS_AND_TEXTS, "a number or (a text|an array of numbers)"),
+    (ARRAYS, "a number or an array of numbers"),
+])
+def test_other_types_are_refused_by_the_name_of_the_argument(calls, wanted):
+    for name, call in calls:
+        wrong = [(1j, "complex"), (object(), "object"), (b"1", None), ({}, None)]
+        wrong += [(None, "NoneType")] if name not in OPTIONAL else []
+        wrong += [(True, "True")] if calls is not ARRAYS else []
+        wrong += [([1.0, 2.0], None)] if calls is not ARRAYS and name != "amplitude" else []
+        wrong += [("noon", "'noon'")] if "text" not in wanted else []
+        for it, got in wrong:
+            with pytest.raises(TypeError, match=f"^{name}: got {got or '.*'}: give {wanted}$"):
+                call(it)
+    if calls is ARRAYS:
+        with pytest.raises(ValueError, match="^t: got lists of different lengths: give a number"):
+            MOTION([[1.0], [1.0, 2.0]])
+
+
+@pytest.mark.parametrize("name, call", [
+    ("order", lambda it: lb.expand("pendulum", it)),
+    ("limit", lambda it: MOTION.harmonics(limit=it)),
+])
+def test_counts_are_whole(name, call):
+    assert call(np.int8(5)) == call(np.array(5)) == call(5)
+    for it in (5.0, "5", None, True, Decimal(5), lb.lab.Measured(5, 1)):
+        with pytest.raises(TypeError, match=f"^{name}: got .*: give a whole number, such as "):
+            call(it)
+
+
+@every
+def test_queries_take_fractions_and_decimals_as_the_numbers_that_they_are(question, it):
+    exact = it.value.startswith("NAME=VALUE") or it.value == "X"
+    for value, text in ((Fraction(1, 128), "1/128"), (Decimal("7.8125e-3"), "0.0078125")):
+        number = asked(question.words, given(it, value)).words[-1].rpartition("=")[2]
+        assert number == (text if exact else "0.0078125")
+
+
+def test_sweeps_take_fractions_and_decimals(tmp_path):
+    pytest.importorskip("zarr")
+    over = {"length": [Fraction(1, 2), Decimal("0.25"), "1m", 2]}
+    found = lb.sweep("period", over, tmp_path / "a.zarr", amplitudes=1.0).load()
+    assert np.allclose(found.period_s, lb.period(1.0, [0.5, 0.25, 1, 2], lb.STANDARD_GRAVITY))

@@ -352,7 +352,7 @@ def test_errors_have_the_reason_in_the_words_of_python():
     assert (refused.value.parameter, refused.value.item) == ("set", "c")
     with pytest.raises(
         lb.errors.NoAnswer,
-        match="hint: questions.simulate follows the motion; questions.expand with damping_order 2",
+        match="hint: questions.simulate follows the motion; questions.expand with damping_order=2",
     ):
         questions.expand("x'' + 0.1*x' + x = 0")
     with pytest.raises(lb.errors.NoAnswer, match="not below pi"):

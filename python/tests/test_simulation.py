@@ -171,7 +171,7 @@ def test_progress_is_told_and_may_end_the_call():
     (lambda: lb.simulate("x'' = -x", {"x": 1}, [1, 0.5]), "must lead away from the start"),
     (lambda: lb.simulate("x'' = -x", {"x": 1}, [1, np.inf]), "times contain inf"),
     (lambda: lb.simulate("x'' = -x", {"x": 1}, [[1.0]]), "2 dimensions"),
-    (lambda: lb.simulate("x'' = -x", {"x": 1}, 1, tolerance=1.0), "give a relative one"),
+    (lambda: lb.simulate("x'' = -x", {"x": 1}, 1, tolerance=1.0), "tolerance: got 1: give a"),
     (lambda: lb.simulate("x'' = -x", {"x": 1}, 1, events=["y"]), "no state variable `y`"),
     (lambda: lb.simulate("x'' = -x", {"x": 1}, 1, events=["x +"]), "x \\+"),
     (lambda: lb.simulate("x'' = -x", {"x": 1}, 1, events={"x": "up"}), "unknown direction `up`"),

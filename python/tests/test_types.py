@@ -6,14 +6,34 @@ from pathlib import Path
 
 import pytest
 
+import libration as lb
+from ufuncs import ALL
+
 FILE = Path(__file__).with_name("types_of_calls.py")
 CACHE = Path(__file__).parents[2] / "target/mypy"
 
 
 def test_mypy():
     api = pytest.importorskip("mypy.api")
-    report, errors, status = api.run(["--strict", f"--cache-dir={CACHE}", str(FILE)])
+    package = str(Path(lb.__file__).parent)
+    report, errors, status = api.run(["--strict", f"--cache-dir={CACHE}", str(FILE), package])
     assert status == 0, report + errors
+
+
+def test_the_stub_has_what_the_compiled_module_has(tmp_path):
+    pytest.importorskip("mypy.stubtest")
+    # The stub types the calls of ufuncs, and has aliases.
+    others = [it.__name__ for it in ALL] + ["_.*"]
+    allowed = tmp_path / "allowed"
+    allowed.write_text("".join(f"libration._native.{it}\n" for it in others), encoding="utf-8")
+    words = ["--concise", "--allowlist", allowed, "--ignore-disjoint-bases"]
+    found = subprocess.run(
+        [sys.executable, "-m", "mypy.stubtest", "libration._native", *words],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert found.returncode == 0, found.stdout + found.stderr
 
 
 def test_pyright():

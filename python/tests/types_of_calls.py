@@ -1,5 +1,7 @@
 """What a type checker shall find: read by mypy and pyright, not run."""
 
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,11 @@ assert_type(lb.special.ellipk.nin, int)
 
 motion = lb.Pendulum("99.4cm", 9.81).release("60deg")
 assert_type(motion.period, float)
+angle, velocity = motion(array)
+assert_type(lb.Pendulum(Decimal("1.2"), Fraction(981, 100)).launch(np.float32(0), 1), lb.Motion)
+assert_type(lb.Motion(motion.pendulum, Fraction(1, 2), "30deg/s")(Decimal("0.5")), lb.State)
+assert_type(lb.formulas.best(amplitude=Decimal(1), tolerance=1e-3).error(Decimal(1)), float)
+assert_type(lb.formulas["bernoulli"].ratio([0.1, 0.2]), NDArray[np.float64])
 assert_type(motion.harmonics().angle, NDArray[np.float64])
 assert_type(lb.formulas["bernoulli"].error("60deg"), float)
 assert_type(
@@ -56,7 +63,14 @@ recording = lb.lab.read("swing.csv", angle=2, unit="deg")
 assert_type(recording, lb.lab.Recording)
 assert_type(lb.lab.fit_trace(recording, length="0.57m±0.004m"), lb.lab.Fit)
 assert_type(lb.expand("pendulum").code("rust"), str)
+assert_type(lb.expand("duffing", letters="epsilon").frequency(0.1, epsilon=Fraction(1, 2)), float)
+sol = lb.simulate("pendulum", {"theta": Fraction(1, 2)}, Decimal(1), events=["theta"])
+assert_type(sol["theta"], NDArray[np.float64])
+assert_type(sol.events["theta"], lb.Events)
+assert_type(sol(array), lb.States)
 lb.nothing  # type: ignore[attr-defined]  # pyright: ignore
 lb.questions.nothing  # type: ignore[attr-defined]  # pyright: ignore
 lb.decay("60deg", lineer=0.1)  # type: ignore[call-arg]
+lb.Pendulum(lenght=1.0)  # type: ignore[call-arg]
+lb.Pendulum([1.0])  # type: ignore[arg-type]
 lb.section("lorenz", direction="up")  # type: ignore[arg-type]

@@ -7,15 +7,20 @@
 //! derived from it and have methods of their own.
 
 use std::ffi::OsString;
+use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use libration_queries::{Host, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
+use libration_queries::{Host, InputFile, Kind, Parameter, ParameterKind, QueryError, QueryParameter, Words};
 use pyo3::exceptions::{PyOSError, PyUnicodeDecodeError};
 use pyo3::prelude::*;
 
 use crate::errors::{MissingFile, NoAnswer, UsageError, refusal};
 use crate::progress::CallProgress;
+
+/// Name in messages of the columns that are given in place of a file (`_ask.py`).
+const TABLE: &str = "the table";
 
 /// Keeps the answer and the notes of one question.
 struct Conversation {
@@ -33,6 +38,14 @@ impl Host for Conversation {
 
     fn read(&self) -> Box<dyn Read + '_> {
         Box::new(&*self.input)
+    }
+
+    fn open(&self, path: &Path) -> io::Result<InputFile<'_>> {
+        if path == Path::new(TABLE) && !self.input.is_empty() {
+            return Ok(InputFile { size: self.input.len() as u64, bytes: Box::new(&*self.input) });
+        }
+        let file = File::open(path)?;
+        Ok(InputFile { size: file.metadata()?.len(), bytes: Box::new(file) })
     }
 
     fn note(&self, sentence: &str) {
@@ -53,7 +66,7 @@ impl Host for Conversation {
 /// The answer, the notes next to it, and why there is none or not all of it.
 type Answered = (String, Vec<String>, Option<PyErr>);
 
-/// Answers the arguments of a command line; `input` is what a file called `-` holds.
+/// Answers the arguments of a command line; `input` is the content of a file called `-` or `the table`.
 #[pyfunction]
 #[pyo3(signature = (arguments, input=None, progress=None))]
 pub(crate) fn ask(
@@ -84,7 +97,24 @@ struct PythonWords;
 impl Words for PythonWords {
     fn parameter(&self, parameter: &QueryParameter) -> String {
         let name = parameter.name().replace('-', "_");
+        let name = name.to_lowercase();
         if matches!(name.as_str(), "from" | "lambda") { name + "_" } else { name }
+    }
+
+    fn setting(&self, parameter: &QueryParameter, value: &str) -> String {
+        let literal = |text: &str| match text.parse::<f64>() {
+            Ok(_) => text.to_owned(),
+            Err(_) => format!("\"{text}\""),
+        };
+        let pairs = value.split(',').map(|item| item.split_once('='));
+        let value = match pairs.collect::<Option<Vec<_>>>() {
+            Some(pairs) => {
+                let pairs = pairs.into_iter().map(|(name, value)| format!("\"{name}\": {}", literal(value)));
+                format!("{{{}}}", pairs.collect::<Vec<_>>().join(", "))
+            }
+            None => literal(value),
+        };
+        format!("{}={value}", self.parameter(parameter))
     }
 
     fn query(&self, words: &str) -> String {

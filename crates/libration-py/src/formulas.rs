@@ -1,5 +1,6 @@
 //! The period formulas of the literature.
 
+use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use libration::period_formulas::{ErrorTable, PeriodFormula, catalogue};
@@ -7,7 +8,7 @@ use libration::quantity::Angle;
 use pyo3::prelude::*;
 
 use crate::errors::{FormulaError, QuantityError, UnknownKeyError, refusal};
-use crate::quantity::GivenAngle;
+use crate::quantity::{Given, angle};
 use libration::progress::Quiet;
 
 /// A formula, with what is known about it.
@@ -29,12 +30,12 @@ impl NativeFormula {
         (it.key(), it.name(), authors, it.year(), source, it.latex(), it.domain(), rank, it.defined_below())
     }
 
-    fn ratio(&self, amplitude: GivenAngle) -> f64 {
-        self.0.period_ratio(&amplitude.0)
+    fn ratio(&self, py: Python<'_>, amplitude: Given) -> PyResult<f64> {
+        Ok(self.0.period_ratio(&angle(py, "amplitude", &amplitude)?))
     }
 
-    fn error(&self, amplitude: GivenAngle) -> f64 {
-        self.0.fractional_error(&amplitude.0)
+    fn error(&self, py: Python<'_>, amplitude: Given) -> PyResult<f64> {
+        Ok(self.0.fractional_error(&angle(py, "amplitude", &amplitude)?))
     }
 
     fn ratios(&self, py: Python<'_>, amplitudes: Vec<f64>) -> Vec<f64> {
@@ -46,17 +47,32 @@ impl NativeFormula {
     }
 
     /// The largest error up to an amplitude, and where it is.
-    fn worst_error(&self, py: Python<'_>, up_to: GivenAngle) -> PyResult<(f64, f64)> {
+    fn worst_error(&self, py: Python<'_>, up_to: Given) -> PyResult<(f64, f64)> {
+        let up_to = amplitude(py, "up_to", &up_to)?;
         let bottom = Angle::from_radians(0.0).map_err(refusal::<QuantityError>)?;
-        let worst = py.detach(|| self.0.worst_error(&bottom, &up_to.0));
-        let worst = worst
-            .ok_or_else(|| refusal::<FormulaError>("an amplitude has no whole turns: give one below pi"))?;
+        let worst = py.detach(|| self.0.worst_error(&bottom, &up_to));
+        let worst = worst.ok_or_else(|| refusal::<FormulaError>("an amplitude is below pi"))?;
         Ok((worst.error, worst.amplitude.radians()))
     }
 
     fn holds_to(&self, py: Python<'_>, tolerance: f64) -> f64 {
         py.detach(|| self.0.holds_to(tolerance))
     }
+}
+
+/// An angle to which formulas are compared with the period, which ends at π.
+fn amplitude(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<Angle> {
+    let angle = angle(py, parameter, given)?;
+    let radians = angle.radians();
+    if radians.abs() <= PI {
+        return Ok(angle);
+    }
+    let error = refusal::<FormulaError>(format!(
+        "{parameter}: got {radians:?} rad, {}°, and swings stay below pi: give a smaller angle",
+        (radians.to_degrees() * 1e6).round() / 1e6
+    ));
+    error.value(py).setattr("parameters", (parameter,))?;
+    Err(error)
 }
 
 /// The keys of the catalogue.
@@ -67,11 +83,11 @@ pub(crate) fn formula_keys() -> Vec<&'static str> {
 
 /// The keys of the formulas that keep the tolerance up to the amplitude, the simplest first.
 #[pyfunction]
-pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: GivenAngle, tolerance: f64) -> Vec<String> {
+pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: Given, tolerance: f64) -> PyResult<Vec<String>> {
     static TABLE: OnceLock<ErrorTable> = OnceLock::new();
-    py.detach(|| {
-        let whole = || ErrorTable::new(catalogue(), &Quiet).expect("nothing cancels it");
-        let table = TABLE.get_or_init(whole);
-        table.simplest(&amplitude.0, tolerance).iter().map(|it| it.key().to_owned()).collect()
-    })
+    let amplitude = self::amplitude(py, "amplitude", &amplitude)?;
+    Ok(py.detach(|| {
+        let table = TABLE.get_or_init(|| ErrorTable::new(catalogue(), &Quiet).expect("nothing cancels it"));
+        table.simplest(&amplitude, tolerance).iter().map(|it| it.key().to_owned()).collect()
+    }))
 }

@@ -11,6 +11,7 @@ mod quantity;
 mod simulation;
 mod sweeping;
 mod ufunc;
+mod ufunc_types;
 
 use pyo3::prelude::*;
 

@@ -1,23 +1,34 @@
 //! The pendulum's motion as the objects of Python hold it.
 
-use libration::pendulum::{FourierSeries, Motion, Pendulum};
+use libration::pendulum::{FourierSeries, Motion, Pendulum, PendulumError as NoPendulum};
 use libration::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::{PendulumError, refusal};
-use crate::quantity::{GivenAngle, quantity};
+use crate::quantity::{Given, angle, quantity};
 
 /// Length and gravity in SI units, if there is such a pendulum, with its angular frequency and period of small swings.
 #[pyfunction]
-pub(crate) fn pendulum(
-    length: &Bound<'_, PyAny>,
-    gravity: &Bound<'_, PyAny>,
-) -> PyResult<(f64, f64, f64, f64)> {
-    let (length, gravity) =
-        (quantity(length, Dimension::Length)?, quantity(gravity, Dimension::Acceleration)?);
-    let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
+pub(crate) fn pendulum(py: Python<'_>, length: Given, gravity: Given) -> PyResult<(f64, f64, f64, f64)> {
+    let length = quantity(py, "length", &length, Dimension::Length)?;
+    let gravity = quantity(py, "gravity", &gravity, Dimension::Acceleration)?;
+    let pendulum = Pendulum::new(length, gravity).map_err(|error| refused(py, &error))?;
     Ok((length, gravity, pendulum.angular_frequency(), pendulum.small_angle_period()))
+}
+
+/// The error with the names of the arguments that it is about.
+fn refused(py: Python<'_>, error: &NoPendulum) -> PyErr {
+    let parameters: &[&str] = match error {
+        NoPendulum::NotPositive { name, .. } | NoPendulum::NotFinite { name, .. } => &[name],
+        NoPendulum::OutOfRange { .. } => &["length", "gravity"],
+        NoPendulum::TooFast(_) | NoPendulum::TooCloseToSeparatrix => &["velocity"],
+        NoPendulum::TooCloseToTop(_) => &["angle"],
+        _ => &[],
+    };
+    let exception = refusal::<PendulumError>(error);
+    let set = exception.value(py).setattr("parameters", parameters.to_vec());
+    set.err().unwrap_or(exception)
 }
 
 /// A motion, prepared.
@@ -30,11 +41,13 @@ type Numbers<'py> = Bound<'py, PyArray1<f64>>;
 
 #[pymethods]
 impl NativeMotion {
+    /// A motion from its angle and velocity.
     #[new]
-    fn new(length: f64, gravity: f64, angle: GivenAngle, velocity: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let velocity = quantity(velocity, Dimension::AngularVelocity)?;
-        let pendulum = Pendulum::new(length, gravity).map_err(refusal::<PendulumError>)?;
-        Ok(Self(pendulum.launched(angle.0, velocity).map_err(refusal::<PendulumError>)?))
+    fn new(py: Python<'_>, length: f64, gravity: f64, start: (Given, Given)) -> PyResult<Self> {
+        let angle = angle(py, "angle", &start.0)?;
+        let velocity = quantity(py, "velocity", &start.1, Dimension::AngularVelocity)?;
+        let pendulum = Pendulum::new(length, gravity).map_err(|error| refused(py, &error))?;
+        Ok(Self(pendulum.launched(angle, velocity).map_err(|error| refused(py, &error))?))
     }
 
     #[getter]

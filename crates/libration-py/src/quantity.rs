@@ -1,50 +1,66 @@
 //! Angles, lengths and accelerations as Python gives them: numbers in SI units, or texts with units.
 
 use std::ffi::CString;
+use std::fmt::Display;
 
 use libration::quantity::{Angle, BareRadians, Dimension, parse};
-use pyo3::exceptions::{PyTypeError, PyUserWarning};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 
 use crate::errors::{QuantityError, refusal};
 
-/// An angle: radians, or a text such as `60deg` or `pi-1e-6`.
-#[derive(Clone, Copy)]
-pub(crate) struct GivenAngle(pub(crate) Angle);
+/// A number or a text, as `_numbers.number` passes them on.
+#[derive(FromPyObject)]
+pub(crate) enum Given {
+    Text(String),
+    Number(f64),
+}
 
-impl<'a, 'py> FromPyObject<'a, 'py> for GivenAngle {
-    type Error = PyErr;
-    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        let angle = match given.extract::<String>() {
-            Ok(text) => {
-                say_if_bare(given.py(), &text)?;
-                text.parse()
-            }
-            Err(_) => Angle::from_radians(number(&given, "an angle, such as 1.0 or \"60deg\"")?),
-        };
-        Ok(Self(angle.map_err(refusal::<QuantityError>)?))
-    }
+/// An angle: radians, or a text such as `60deg` or `pi-1e-6`.
+pub(crate) fn angle(py: Python<'_>, parameter: &str, given: &Given) -> PyResult<Angle> {
+    let angle = match given {
+        Given::Text(text) => {
+            warn_of_bare_radians(py, text)?;
+            text.parse()
+        }
+        Given::Number(radians) => {
+            warn_of_whole_radians(py, &radians.to_string())?;
+            Angle::from_radians(*radians)
+        }
+    };
+    angle.map_err(|error| about(py, parameter, error))
+}
+
+/// Warns of a number that may have been meant as degrees: those that were calculated are rarely whole.
+pub(crate) fn warn_of_whole_radians(py: Python<'_>, text: &str) -> PyResult<()> {
+    let is_whole = text.parse::<f64>().is_ok_and(|radians| radians.fract().abs() <= 0.0);
+    if is_whole { warn_of_bare_radians(py, text) } else { Ok(()) }
 }
 
 /// Warns of a text without a unit that may have been meant as degrees.
-fn say_if_bare(py: Python<'_>, text: &str) -> PyResult<()> {
+fn warn_of_bare_radians(py: Python<'_>, text: &str) -> PyResult<()> {
     let Some(doubt) = BareRadians::in_text(text) else { return Ok(()) };
     let message = CString::new(doubt.to_string())?;
-    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &message, 2)
+    let level = py.import("libration._numbers")?.call_method0("outside")?.extract()?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &message, level)
 }
 
 /// A quantity in SI units: a number, or a text with a unit, such as `99.4cm`.
-pub(crate) fn quantity(given: &Bound<'_, PyAny>, dimension: Dimension) -> PyResult<f64> {
-    match given.extract::<String>() {
-        Ok(text) => Ok(parse(&text, dimension).map_err(refusal::<QuantityError>)?.value),
-        Err(_) => number(given, &format!("{dimension}, such as {}", dimension.examples())),
+pub(crate) fn quantity(
+    py: Python<'_>,
+    parameter: &str,
+    given: &Given,
+    dimension: Dimension,
+) -> PyResult<f64> {
+    match given {
+        Given::Text(text) => Ok(parse(text, dimension).map_err(|error| about(py, parameter, error))?.value),
+        Given::Number(value) => Ok(*value),
     }
 }
 
-/// Any object with a `__float__`.
-fn number(given: &Bound<'_, PyAny>, wanted: &str) -> PyResult<f64> {
-    given.extract().map_err(|_| {
-        let kind = given.get_type().name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
-        PyTypeError::new_err(format!("got {kind}: give {wanted}"))
-    })
+/// The error in an argument, which it names as `UsageError` does.
+fn about(py: Python<'_>, parameter: &str, error: impl Display) -> PyErr {
+    let exception = refusal::<QuantityError>(format!("{parameter}: {error}"));
+    let set = exception.value(py).setattr("parameters", (parameter,));
+    set.err().unwrap_or(exception)
 }

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{SimulationError, refusal};
 use crate::progress::CallProgress;
+use crate::quantity::warn_of_whole_radians;
 
 /// Arguments: equations or a key, values of parameters, names and values of the start, events with their directions, the event that ends the motion,
 /// the tolerance.
@@ -47,6 +48,9 @@ pub(crate) fn simulate(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(NativeSimulation, Option<PyErr>)> {
     let asked = Asked::new(&question)?;
+    for (_, value) in question.2.iter().filter(|(name, _)| asked.model.is_angle(name)) {
+        warn_of_whole_radians(py, value)?;
+    }
     let times = times.as_slice()?;
     let progress = CallProgress::new(progress);
     let Followed { outcome, dense, is_full } = py.detach(|| asked.followed(times, &progress));

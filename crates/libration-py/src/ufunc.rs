@@ -1,4 +1,4 @@
-//! NumPy's universal functions over batches of the library, and the only unsafe code of this crate.
+//! NumPy's universal functions over batches of the library; with `ufunc_types` the only unsafe code of this crate.
 //!
 //! NumPy calls a loop with the first address, the step in bytes and the count of each array. The loop copies a block of the inputs to the stack,
 //! calls the batch, and copies its outputs back, so that the batch has slices of `f64` whatever the arrays are, and outputs that are the inputs, or
@@ -21,6 +21,8 @@ use libration::elliptic::LengthMismatch;
 use numpy::npyffi::{NPY_TYPES, PY_UFUNC_API, PyUFuncGenericFunction, npy_intp};
 use pyo3::prelude::*;
 
+use crate::ufunc_types::choose_types;
+
 /// A function of N numbers with M values, over slices of one length.
 pub(crate) type Batch<const N: usize, const M: usize> =
     fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthMismatch>;
@@ -33,7 +35,7 @@ const MIDDLE_BLOCK: usize = 256;
 /// Block for calls with one number or a few.
 const SMALL_BLOCK: usize = 8;
 
-/// The batch as an `np.ufunc` with loops for `float32` and `float64`.
+/// The batch as an `np.ufunc` with loops for `float32` and `float64`, between which `ufunc_types` chooses.
 pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     py: Python<'py>,
     name: &'static CStr,
@@ -48,7 +50,7 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     // SAFETY: the loops are of NumPy's type, and their data what they expect; loops, data, types, name and documentation live as long as the
     // process, and there are as many as is said: two loops, each with a type for every input and output. What comes back is a new
     // reference, or null with an exception set.
-    unsafe {
+    let ufunc = unsafe {
         let found = PY_UFUNC_API.PyUFunc_FromFuncAndData(
             py,
             loops.as_mut_ptr(),
@@ -62,8 +64,10 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
             documentation.as_ptr(),
             0,
         );
-        Bound::from_owned_ptr_or_err(py, found)
-    }
+        Bound::from_owned_ptr_or_err(py, found)?
+    };
+    choose_types(&ufunc);
+    Ok(ufunc)
 }
 
 /// `PyUFunc_None` of NumPy: reductions have no first value.

@@ -12,7 +12,7 @@ from ..answer import Answer, answer
 def stability(
     system: Given,
     *,
-    map: Given,
+    map: Values,
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
     drive_periods: Given | None = None,
@@ -36,7 +36,7 @@ def stability(
     system : number or text
         A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
         "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
-    map : number or text, or several
+    map : dict
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.

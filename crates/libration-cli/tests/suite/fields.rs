@@ -392,7 +392,7 @@ fn a_command_is_named_by_its_words_and_an_unknown_one_refused() {
     assert!(text("fields fit trace").starts_with("libration fit trace --json\n"));
     let output = libration("fields derive");
     assert_eq!(output.status.code(), Some(2));
-    assert!(message(&output).contains("`derive` has no output with fields"), "{}", message(&output));
+    assert!(message(&output).contains("`derive` has no result with fields"), "{}", message(&output));
 }
 
 #[test]

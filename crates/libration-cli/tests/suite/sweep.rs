@@ -223,7 +223,7 @@ fn questions_that_cannot_be_are_refused_before_anything_is_written() {
         ("period|--over|amplitude=1,2|--keep|speed", "the results have no `speed`"),
         ("period|--over|amplitude=1,2|--over|amplitude=1,2", "each axis once"),
         ("period|{status}|--over|status=1,2", "every sweep"),
-        ("derive|--over|road=elliptic", "not a command with numbers"),
+        ("derive|--over|road=elliptic", "not a query with numbers"),
         ("period 60deg|--over|length=1:2:1", "leave out the quotes"),
         ("period|--over|amplitude=1,2|--shard|3/2", "which of how many"),
     ];

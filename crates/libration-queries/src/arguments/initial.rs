@@ -135,7 +135,7 @@ fn missing(model: &Model) -> QueryError {
     };
     let examples: Vec<String> = model.coordinates().iter().map(example).collect();
     usage(format!(
-        "the initial state is missing: give it, such as <--initial> \"{}\"; the state variables are {}",
+        "the initial state is missing: give it, such as <--initial={}>; the state variables are {}",
         examples.join(","),
         model.state_names().join(", ")
     ))

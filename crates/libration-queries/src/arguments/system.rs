@@ -70,7 +70,7 @@ impl SystemOptions {
         match model.open_parameters().into_iter().find(|name| !open.contains(&name.as_str())) {
             Some(name) => Err(QueryError::usage(
                 option("set"),
-                format!("`{name}` has no value: give it one, such as <--set> {name}=0.1"),
+                format!("`{name}` has no value: give it one, such as <--set={name}=0.1>"),
             )),
             None => Ok(model),
         }
@@ -218,7 +218,7 @@ pub(crate) fn with_idle_drive(reason: impl Display, model: &Model) -> String {
         [] => reason.to_string(),
         [name, ..] => {
             format!(
-                "nothing drives the system, since {name} = 0: give a drive, such as <--set> {name}=0.1; without one {reason}"
+                "nothing drives the system, since {name} = 0: give a drive, such as <--set={name}=0.1>; without one {reason}"
             )
         }
     }

@@ -137,7 +137,7 @@ impl Derive {
     fn derivation(&self) -> Result<(Derivation, bool), QueryError> {
         if self.amplitude.is_none() && !self.pendulum.is_default() {
             let reason =
-                "<--length> and <--gravity> show their numbers at an amplitude: add <--amplitude> 40deg";
+                "<--length> and <--gravity> show their numbers at an amplitude: add <--amplitude=40deg>";
             return Err(QueryError::misuse(reason));
         }
         self.series.refuse(self.method)?;

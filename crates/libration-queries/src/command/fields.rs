@@ -89,7 +89,7 @@ impl FieldsQuestion {
             let mut names: Vec<&str> = all_fields().iter().map(|it| it.command).collect();
             names.dedup();
             let reason = format!(
-                "`{}` has no output with fields; the commands that have are {}",
+                "`{}` has no result with fields; the commands that have are {}",
                 asked.join(" "),
                 names.join(", ")
             );

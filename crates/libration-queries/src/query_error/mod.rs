@@ -11,7 +11,7 @@ pub(crate) use echo::excerpt;
 pub(crate) use parameter::{Parameter, argument, option};
 pub(crate) use text::in_command_words;
 
-use clap::error::ErrorKind::MissingRequiredArgument;
+use clap::error::ErrorKind::{InvalidValue, MissingRequiredArgument};
 use clap::error::{ContextKind, ContextValue};
 use libration::oscillator::Remedy;
 use libration::quantity::Angle;
@@ -164,7 +164,13 @@ impl QueryError {
         let parameters = refused_parameters(error);
         let reason = match std::error::Error::source(error) {
             Some(reason) => reason.to_string(),
+            None if error.kind() == MissingRequiredArgument && parameters.len() > 1 => {
+                "one of them is required".to_owned()
+            }
             None if error.kind() == MissingRequiredArgument => "required, and not given".to_owned(),
+            None if error.kind() == InvalidValue => {
+                unknown_value(error).unwrap_or_else(|| first_paragraphs(error))
+            }
             None => first_paragraphs(error),
         };
         let about = if parameters.is_empty() { About::Nothing } else { About::Parameters(parameters) };
@@ -304,7 +310,7 @@ impl From<Error> for QueryError {
 fn sentence(remedy: Remedy) -> &'static str {
     match remedy {
         Remedy::Simulation => "<libration simulate> follows the motion",
-        Remedy::SlowFlow => "<libration expand> with <--damping-order> 2 gives the rate of the amplitude",
+        Remedy::SlowFlow => "<libration expand> with <--damping-order=2> gives the rate of the amplitude",
         Remedy::Backbone => "<libration backbone> finds the frequency at any amplitude",
         Remedy::NormalModes => "<libration modes> computes normal modes",
         Remedy::Expansion => "<libration expand> has the series without its derivation, if there is one",
@@ -348,10 +354,19 @@ fn refused_parameters(error: &clap::Error) -> Vec<Parameter> {
     match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(usage)) => Parameter::of_usage(usage).into_iter().collect(),
         Some(ContextValue::Strings(usages)) => {
-            usages.iter().filter_map(|it| Parameter::of_usage(it)).collect()
+            usages.iter().flat_map(|it| Parameter::all_of_usage(it)).collect()
         }
         _ => vec![],
     }
+}
+
+/// The reason for a value that is not among those of a parameter.
+fn unknown_value(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue) else { return None };
+    let Some(ContextValue::Strings(valid)) = error.get(ContextKind::ValidValue) else { return None };
+    let (last, others) = valid.split_last()?;
+    let all = if others.is_empty() { last.clone() } else { format!("{} or {last}", others.join(", ")) };
+    Some(format!("unknown value `{given}`: give {all}"))
 }
 
 /// The message of clap without usage and advice.

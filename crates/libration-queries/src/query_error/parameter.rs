@@ -39,6 +39,17 @@ impl Parameter {
         }
     }
 
+    /// The parameters of which a group is written in a usage line: `<AMPLITUDE|--from-file <FILE>>`.
+    pub(super) fn all_of_usage(usage: &str) -> Vec<Self> {
+        if !usage.contains("|--") {
+            return Self::of_usage(usage).into_iter().collect();
+        }
+        let alternatives = usage.trim_matches(['<', '>']).split('|');
+        alternatives
+            .filter_map(|it| Self::of_usage(it).or_else(|| Self::of_usage(&format!("<{it}>"))))
+            .collect()
+    }
+
     /// The name in the help of the command: `--over`, `OSCILLATOR|EQUATION`.
     #[must_use]
     pub fn in_help(&self) -> String {

@@ -1,6 +1,6 @@
 //! Messages that name parameters and queries, for front ends with words of their own.
 //!
-//! In the text of a message `<--over>` marks an option and `<libration expand>` a query.
+//! In the text of a message `<--over>` marks an option, `<--order=3>` an option with a value, and `<libration expand>` a query.
 
 use super::parameter::Parameter;
 use serde_json::{Value, json};
@@ -13,6 +13,7 @@ pub(super) struct Text(Vec<Part>);
 enum Part {
     Plain(String),
     Option(Parameter),
+    Setting(Parameter, String),
     Query(String),
 }
 
@@ -22,6 +23,16 @@ pub trait Words {
     fn parameter(&self, parameter: &Parameter) -> String;
     /// The name of a query, of which these are the words: `fit trace`.
     fn query(&self, words: &str) -> String;
+    /// A parameter with its value, which is in quotes where a shell needs them.
+    fn setting(&self, parameter: &Parameter, value: &str) -> String {
+        format!("{} {}", self.parameter(parameter), quoted(value))
+    }
+}
+
+/// The value of a setting as a shell takes it.
+fn quoted(value: &str) -> String {
+    let is_plain = value.chars().all(|it| it.is_ascii_alphanumeric() || "=.-_".contains(it));
+    if is_plain { value.to_owned() } else { format!("\"{value}\"") }
 }
 
 /// The words of the command line.
@@ -65,10 +76,14 @@ impl Text {
     }
 
     pub(super) fn to_json(&self) -> Vec<Value> {
-        let parts = self.0.iter().map(|part| match part {
-            Part::Plain(text) => Value::from(super::clean(text)),
-            Part::Option(parameter) => json!({ "parameter": parameter.in_help() }),
-            Part::Query(query) => json!({ "query": query }),
+        let named = |parameter: &Parameter| json!({ "parameter": parameter.in_help() });
+        let parts = self.0.iter().flat_map(|part| match part {
+            Part::Plain(text) => vec![Value::from(super::clean(text))],
+            Part::Option(parameter) => vec![named(parameter)],
+            Part::Setting(parameter, value) => {
+                vec![named(parameter), Value::from(super::clean(&format!(" {}", quoted(value))))]
+            }
+            Part::Query(query) => vec![json!({ "query": query })],
         });
         parts.collect()
     }
@@ -77,6 +92,7 @@ impl Text {
         let parts = self.0.iter().map(|part| match part {
             Part::Plain(text) => text.clone(),
             Part::Option(parameter) => words.parameter(parameter),
+            Part::Setting(parameter, value) => words.setting(parameter, value),
             Part::Query(query) => words.query(query),
         });
         parts.collect()
@@ -96,8 +112,15 @@ fn mark(text: &str) -> Option<(Part, usize)> {
         name.starts_with(|it: char| it.is_ascii_lowercase())
             && name.chars().all(|it| it.is_ascii_lowercase() || it.is_ascii_digit() || it == more)
     };
-    if let Some(name) = inner.strip_prefix("--").filter(|name| is_name(name, '-')) {
-        return Parameter::of_usage(&format!("--{name}")).map(|it| (Part::Option(it), end + 1));
+    let (option, value) =
+        inner.split_once('=').map_or((inner, None), |(option, value)| (option, Some(value)));
+    if option.strip_prefix("--").is_some_and(|name| is_name(name, '-')) {
+        let parameter = Parameter::of_usage(option)?;
+        let part = match value {
+            Some(value) => Part::Setting(parameter, value.to_owned()),
+            None => Part::Option(parameter),
+        };
+        return Some((part, end + 1));
     }
     let query = inner.strip_prefix("libration ").filter(|query| is_name(query, ' '))?;
     Some((Part::Query(query.to_owned()), end + 1))

@@ -157,6 +157,32 @@ fn messages_name_parameters_by_data_alone() {
 }
 
 #[test]
+fn settings_groups_and_choices_are_in_the_words_of_each_front_end() {
+    let chain = ["simulate", "double_pendulum", "--times", "1"];
+    for (words, command, other) in [
+        (&["decay", "60deg"] as &[&str], "such as --linear 0.1;", "such as [linear] 0.1;"),
+        (&chain, "such as --initial \"theta1=60deg,theta2=60deg\";", "such as [initial] \"theta1=60deg"),
+        (&["simulate", "x''=-k*x", "--initial", "x=1", "--times", "1"], "--set k=0.1", "[set] k=0.1"),
+        (
+            &["period"],
+            "AMPLITUDE, --from-file, --period, --ratio and --excess: one of them is required",
+            "[amplitudes], [from-file], [period], [ratio] and [excess]: one of them is required",
+        ),
+        (&["motion"], "ANGLE: required, and not given", "[angle]: required, and not given"),
+        (
+            &["section", "lorenz", "--direction", "up"],
+            "--direction: unknown value `up`: give rising, falling or any",
+            "[direction]: unknown value `up`: give rising, falling or any",
+        ),
+    ] {
+        let error = error(words);
+        let (one, two) = (error.to_string(), error.in_words(&OtherWords));
+        assert!(one.contains(command), "{one}");
+        assert!(two.contains(other), "{two}");
+    }
+}
+
+#[test]
 fn errors_have_a_kind_a_suggestion_and_the_item_that_is_wrong() {
     let error_of = |words: &[&str]| error(words);
     let usage = error_of(&["period", "60degg"]);

@@ -34,7 +34,7 @@ impl DampingOptions {
         });
         let terms: Vec<PowerLawTerm> = named.chain(self.power.iter().copied()).collect();
         if terms.is_empty() {
-            let reason = "give <--dry>, <--linear>, <--quadratic>, <--cubic> or <--power>, such as <--linear> 0.1; \
+            let reason = "give <--dry>, <--linear>, <--quadratic>, <--cubic> or <--power>, such as <--linear=0.1>; \
                           without damping use <libration motion>";
             return Err(QueryError::usage("damping", reason));
         }

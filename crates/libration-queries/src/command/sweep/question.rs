@@ -82,7 +82,7 @@ impl Template {
         unplaced: &Axis,
     ) -> Result<Vec<String>, QueryError> {
         if asked.command.get_arguments().all(|argument| argument.get_id() != "system") {
-            let options: Vec<String> = options(asked.command).map(|name| format!("--{name}")).collect();
+            let options: Vec<String> = options(asked.command).map(|name| format!("<--{name}>")).collect();
             let reason = format!(
                 "`{0}` is not an option of `{1}`, which are {2}; or write {{{0}}} in the command where its values go",
                 unplaced.name,
@@ -124,7 +124,7 @@ fn asked<'a>(command: &'a Command, words: &[String]) -> Result<Asked<'a>, QueryE
         format!("`{first}` came as one word: leave out the quotes around the command")
     } else {
         format!(
-            "`{first}` is not a command with numbers in its output: begin with one such as lyapunov or period"
+            "`{first}` is not a query with numbers in its result: begin with one such as lyapunov or period"
         )
     };
     Err(QueryError::usage(argument("COMMAND"), reason))

@@ -37,8 +37,8 @@ fn options_stay_before_two_dashes() {
 fn axes_without_a_place_are_refused() {
     let refused = |words, axes: &[&str]| template(words, axes).unwrap_err().to_string();
     assert!(refused("period 60deg", &["B=1,2"]).contains("`B` is not an option of `period`"));
-    assert!(refused("completions bash", &["B=1,2"]).contains("not a command with numbers"));
-    assert!(refused("nonsense", &["B=1,2"]).contains("not a command with numbers"));
+    assert!(refused("completions bash", &["B=1,2"]).contains("not a query with numbers"));
+    assert!(refused("nonsense", &["B=1,2"]).contains("not a query with numbers"));
 }
 
 #[test]

@@ -1,0 +1,103 @@
+//! Types of the elements with which a ufunc computes, by those of its arguments.
+//!
+//! # Method
+//! NumPy alone would take the first loop to which all arguments can be cast safely: for integers of 8 and 16 bits, booleans and `float16` that of
+//! `float32`, to which it would round the Python numbers that are given with them. Here arguments without single precision among them are computed
+//! in `float64`, and texts and objects are refused by the name of their argument. NumPy decides on other types, and where the caller requests one.
+#![expect(unsafe_code, reason = "a function that NumPy calls with its own structures")]
+
+use std::ffi::{CStr, c_int};
+
+use numpy::npyffi::{
+    NPY_CASTING, NPY_TYPES, PY_ARRAY_API, PY_UFUNC_API, PyArray_Descr, PyArrayObject, PyUFuncObject,
+};
+use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
+use pyo3::ffi::PyObject;
+use pyo3::prelude::*;
+
+/// Lets the ufunc choose its types by [`resolve`].
+pub(crate) fn choose_types(ufunc: &Bound<'_, PyAny>) {
+    let ufunc = ufunc.as_ptr().cast::<PyUFuncObject>();
+    // SAFETY: NumPy has made the ufunc, and reads the field when the ufunc is called, which needs the interpreter as this does.
+    unsafe { (*ufunc).fields.type_resolver = Some(resolve) };
+}
+
+/// Types for all arguments and results; -1 with an exception set where there are none.
+///
+/// # Safety
+/// NumPy's of a `type_resolver`: attached to the interpreter, with as many operands and places for types as the ufunc has arguments and results.
+unsafe extern "C" fn resolve(
+    ufunc: *mut PyUFuncObject,
+    casting: NPY_CASTING,
+    operands: *mut *mut PyArrayObject,
+    requested: *mut PyObject,
+    types: *mut *mut PyArray_Descr,
+) -> c_int {
+    // SAFETY: as the caller has it; an operand that is not null is an array.
+    let (py, inputs, count) = unsafe {
+        let (py, of) = (Python::assume_attached(), &(*ufunc).fields);
+        let operand = |i| Bound::from_borrowed_ptr_or_opt(py, (*operands.add(i)).cast());
+        let array = |i| Some(operand(i)?.cast_into_unchecked::<PyUntypedArray>());
+        let inputs: Option<Vec<_>> = (0..usize::try_from(of.nin).unwrap_or(0)).map(array).collect();
+        (py, inputs.unwrap_or_default(), usize::try_from(of.nargs).unwrap_or(0))
+    };
+    if let Some(wrong) = inputs.iter().position(|input| is_text(input) || is_object(input)) {
+        // SAFETY: the name and the documentation of a ufunc live as long as it.
+        let documentation = unsafe { CStr::from_ptr((*ufunc).fields.doc) }.to_string_lossy();
+        refusal(&documentation, wrong, &inputs[wrong]).restore(py);
+        return -1;
+    }
+    if requested.is_null() && !inputs.is_empty() && inputs.iter().all(is_double) {
+        for i in 0..count {
+            // SAFETY: as the caller has it; each place gets a reference of its own.
+            unsafe { *types.add(i) = PY_ARRAY_API.PyArray_DescrFromType(py, NPY_TYPES::NPY_DOUBLE as c_int) };
+        }
+        return 0;
+    }
+    // SAFETY: as the caller has it.
+    unsafe { PY_UFUNC_API.PyUFunc_DefaultTypeResolver(py, ufunc, casting, operands, requested, types) }
+}
+
+type Input<'py> = Bound<'py, PyUntypedArray>;
+
+fn is_among(input: &Input<'_>, types: &[NPY_TYPES]) -> bool {
+    types.iter().any(|it| *it as c_int == input.dtype().num())
+}
+
+fn is_text(input: &Input<'_>) -> bool {
+    is_among(input, &[NPY_TYPES::NPY_STRING, NPY_TYPES::NPY_UNICODE])
+}
+
+fn is_object(input: &Input<'_>) -> bool {
+    is_among(input, &[NPY_TYPES::NPY_OBJECT])
+}
+
+/// Booleans, integers of any size, half and double precision.
+fn is_double(input: &Input<'_>) -> bool {
+    let integers = NPY_TYPES::NPY_BOOL as c_int..=NPY_TYPES::NPY_ULONGLONG as c_int;
+    integers.contains(&input.dtype().num()) || is_among(input, &[NPY_TYPES::NPY_HALF, NPY_TYPES::NPY_DOUBLE])
+}
+
+fn refusal(documentation: &str, argument: usize, input: &Input<'_>) -> PyErr {
+    let mut names = documentation.lines().filter_map(|line| line.strip_suffix(" : array_like"));
+    let name = names.nth(argument).unwrap_or("argument");
+    PyTypeError::new_err(if is_text(input) {
+        let text = first(input)
+            .and_then(|it| it.call_method0("item")?.repr())
+            .map_or("text".into(), |it| it.to_string());
+        format!(
+            "{name}: got {text}: give a number or an array of numbers, in SI units and radians: numpy.radians(60) for 60deg"
+        )
+    } else {
+        let kind =
+            first(input).and_then(|it| it.get_type().name()).map_or("objects".into(), |it| it.to_string());
+        format!(
+            "{name}: got {kind}: give a float or an array of floats, such as numpy.asarray(values, dtype=float)"
+        )
+    })
+}
+
+fn first<'py>(input: &Input<'py>) -> PyResult<Bound<'py, PyAny>> {
+    input.getattr("flat")?.get_item(0)
+}
