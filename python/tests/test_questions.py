@@ -67,7 +67,7 @@ PAIRS = [
         {"order": 3, "evaluate": 0.2},
         "expand quadratic --order 3 --evaluate 0.2",
     ),
-    (questions.oscillators, (["duffing", "pendulum"],), {}, "oscillators duffing pendulum"),
+    (questions.list_, (["duffing", "pendulum"],), {}, "list duffing pendulum"),
     (questions.backbone, (), {"amplitudes": np.array([0.5, 1.0])}, "backbone --amplitudes 0.5,1.0"),
     (
         questions.simulate,
@@ -75,7 +75,7 @@ PAIRS = [
         {"initial": {"theta": 1, "theta'": "0.5"}, "times": "0:2:0.5", "events": ["turning"]},
         "simulate pendulum --initial \"theta=1,theta'=0.5\" --times 0:2:0.5 --events turning",
     ),
-    (questions.systems, (), {}, "systems"),
+    (questions.list_, (), {}, "list"),
     (questions.modes, ("double_pendulum",), {"set": {"m2": 2}}, "modes double_pendulum --set m2=2"),
     (
         questions.orbit,

@@ -88,7 +88,12 @@ impl Words for PythonWords {
     }
 
     fn query(&self, words: &str) -> String {
-        format!("questions.{}", words.replace(' ', "_"))
+        // `list` is a type of Python.
+        if words == "list" {
+            "questions.list_".to_owned()
+        } else {
+            format!("questions.{}", words.replace(' ', "_"))
+        }
     }
 }
 

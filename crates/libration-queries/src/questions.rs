@@ -47,7 +47,7 @@ pub enum ParameterKind {
     Flag,
 }
 
-/// All questions with their parameters, in the order of the help.
+/// All questions in the help with their parameters, in the order of the help.
 ///
 /// # Examples
 /// ```
@@ -60,26 +60,28 @@ pub enum ParameterKind {
 pub fn questions() -> Vec<Question> {
     let mut command = command([]);
     command.build();
-    leaves(&command, "")
+    leaves(&command, "", |it| !it.is_hide_set())
 }
 
 /// The name of the argument whose value is called so in the help, in the question that the words of a command line ask.
 pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
-    let asked = questions().into_iter().filter(|it| it.words == one || it.words == two);
+    let mut command = command([]);
+    command.build();
+    let asked = leaves(&command, "", |_| true).into_iter().filter(|it| it.words == one || it.words == two);
     let question = asked.max_by_key(|it| it.words.len())?;
     let is_it = |it: &Parameter| it.kind == ParameterKind::Argument && it.value == value;
     question.parameters.into_iter().find(is_it).map(|it| it.name)
 }
 
-/// The commands below this one that can be asked by themselves.
-fn leaves(command: &Command, words: &str) -> Vec<Question> {
-    let below = command.get_subcommands().filter(|it| it.get_name() != "help");
+/// The commands below this one that can be asked by themselves, as far as they are shown.
+fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec<Question> {
+    let below = command.get_subcommands().filter(|it| it.get_name() != "help" && is_shown(it));
     let each = below.flat_map(|it| {
         let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
         let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
-        itself.into_iter().chain(leaves(it, &words)).collect::<Vec<_>>()
+        itself.into_iter().chain(leaves(it, &words, is_shown)).collect::<Vec<_>>()
     });
     each.collect()
 }

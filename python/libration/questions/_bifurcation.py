@@ -36,8 +36,8 @@ def bifurcation(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     over : dict
         The parameter and its values, from A to B in steps, such as A=1:1.5:0.01.
     set : dict, optional

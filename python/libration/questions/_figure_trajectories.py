@@ -33,13 +33,13 @@ def figure_trajectories(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     length : number or text, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration
-        systems> says].
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration list``
+        says].
     gravity : number or text, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, or several, optional

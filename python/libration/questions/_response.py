@@ -39,8 +39,8 @@ def response(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     over : dict
         The parameter and its range, such as omega=0.3:1.4.
     set : dict, optional

@@ -34,8 +34,8 @@ def stability(
     Parameters
     ----------
     system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     map : number or text, or several
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional

@@ -70,7 +70,7 @@ pub(crate) fn help(words: &[String]) -> String {
 fn subcommands(help: &str) -> Vec<String> {
     // The command itself lists them in groups with titles.
     let is_list = |line: &&str| !line.is_empty() || !help.contains("\nCommands:\n");
-    let begins = |line: &str| line == "Commands:" || line.starts_with("Usage: libration <COMMAND>");
+    let begins = |line: &str| line == "Commands:" || line.starts_with("Usage: libration [OPTIONS] <COMMAND>");
     let list = help.lines().skip_while(|line| !begins(line)).skip(1);
     let list = list.take_while(|line| *line != "Options:").take_while(is_list);
     let names = list.filter(|line| line.starts_with("  ") && !line.starts_with("   "));

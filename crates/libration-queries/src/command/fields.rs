@@ -2,8 +2,8 @@
 
 use super::{
     backbone, bifurcation, decay, expand, figure, fit_gates, fit_lengths, fit_periods, fit_response,
-    fit_trace, formulas, fourier, inspect, lyapunov, melnikov, modes, motion, orbit, oscillators, paper,
-    period, plan, resonance, response, section, simulate, stability, sweep, systems,
+    fit_trace, formulas, fourier, inspect, list, lyapunov, melnikov, modes, motion, orbit, oscillators,
+    paper, period, plan, resonance, response, section, simulate, stability, sweep, systems,
 };
 use crate::output::description::{Answers, Description, Row, descriptions};
 use crate::output::field::{Field, Fields};
@@ -48,6 +48,7 @@ fn catalogue() -> Vec<Answers> {
         formulas::answers(),
         decay::answers(),
         expand::answers(),
+        list::answers(),
         oscillators::answers(),
         backbone::answers(),
         simulate::answers(),

@@ -15,6 +15,7 @@ pub(crate) mod fit_trace;
 mod formulas;
 mod fourier;
 mod inspect;
+mod list;
 mod lyapunov;
 mod melnikov;
 mod modes;
@@ -86,7 +87,7 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
         &[
             ("expand", "exact perturbation series of frequency and harmonics"),
             ("backbone", "frequency against amplitude: orbits, series, exact"),
-            ("oscillators", "built-in oscillators: equations, parameters, sources"),
+            ("list", "built-in oscillators and systems: equations, sources"),
         ],
     ),
     (
@@ -102,7 +103,6 @@ const GROUPS: &[(&str, &[(&str, &str)])] = &[
             ("bifurcation", "bifurcation diagram"),
             ("lyapunov", "largest Lyapunov exponent"),
             ("melnikov", "Melnikov function: thresholds of chaos, resonances"),
-            ("systems", "built-in systems: equations, parameters, sources"),
         ],
     ),
     (
@@ -207,9 +207,12 @@ enum Question {
     Formulas(formulas::Formulas),
     Decay(decay::Decay),
     Expand(expand::Expand),
+    List(list::List),
+    #[command(hide = true)]
     Oscillators(oscillators::Oscillators),
     Backbone(backbone::Backbone),
     Simulate(Box<simulate::Simulate>),
+    #[command(hide = true)]
     Systems(systems::Systems),
     Modes(modes::Modes),
     Orbit(orbit::OrbitQuestion),
@@ -273,6 +276,7 @@ impl Libration {
             Question::Decay(question) => question.answer(out),
             Question::Expand(question) => question.answer(out),
             Question::Formulas(question) => question.answer(out),
+            Question::List(question) => question.answer(out),
             Question::Oscillators(question) => question.answer(out),
             Question::Backbone(question) => question.answer(out),
             Question::Simulate(question) => question.answer(out),

@@ -1,0 +1,202 @@
+//! `libration list`: the oscillators and systems that are known by name.
+
+use super::{oscillators, systems};
+use crate::output::description::Answers;
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use crate::output::table::{Column, Table};
+use crate::output::{Form, FormOptions};
+use crate::query_error::{QueryError, argument};
+use libration::catalogue::UnknownKey;
+use libration::oscillator::{self, NamedOscillator};
+use libration::systems::{self as models, NamedSystem};
+use serde_json::Value;
+use std::io::{self, Write};
+
+/// The built-in oscillators and systems: equations of motion, parameters, sources
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration list                          # keys and titles
+  libration list systems
+  libration list duffing double_pendulum  # equations, parameters, sources
+  libration list --json
+
+`libration expand` and `libration backbone` take the keys of oscillators,
+`simulate`, `modes`, `section`, `bifurcation` and `lyapunov` the keys of systems
+and of oscillators; --set NAME=VALUE sets a parameter. By default the systems
+have no damping and no driving, and the angular frequency of small swings is 1.
+Any other oscillator or system is given by its equations.")]
+pub(crate) struct List {
+    /// The catalogues `oscillators` and `systems`, or keys of their entries [default: both catalogues]
+    #[arg(value_name = "CATALOGUE|KEY")]
+    entries: Vec<String>,
+    #[command(flatten)]
+    form: FormOptions,
+}
+
+/// Entries of both catalogues.
+#[derive(Default)]
+struct Chosen {
+    oscillators: Vec<&'static NamedOscillator>,
+    systems: Vec<&'static NamedSystem>,
+}
+
+const OSCILLATORS: &str = "oscillators";
+const SYSTEMS: &str = "systems";
+
+impl List {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        let chosen = self.chosen()?;
+        match self.form.form() {
+            Form::Json => write_json(out, &chosen)?,
+            Form::Csv => of_entry().write_csv(out, &chosen.entries())?,
+            Form::Table if self.has_keys() => write_sheets(out, &chosen)?,
+            Form::Table => write_tables(out, &chosen)?,
+        }
+        Ok(())
+    }
+
+    fn has_keys(&self) -> bool {
+        self.entries.iter().any(|word| ![OSCILLATORS, SYSTEMS].contains(&word.trim()))
+    }
+
+    /// The entries of each word, none of them twice.
+    fn chosen(&self) -> Result<Chosen, QueryError> {
+        let mut chosen = Chosen::default();
+        if self.entries.is_empty() {
+            chosen.add(OSCILLATORS)?;
+            chosen.add(SYSTEMS)?;
+        }
+        self.entries.iter().try_for_each(|word| chosen.add(word.trim()))?;
+        Ok(chosen)
+    }
+}
+
+impl Chosen {
+    fn add(&mut self, word: &str) -> Result<(), QueryError> {
+        match word {
+            OSCILLATORS => oscillator::catalogue().iter().for_each(|it| self.add_oscillator(it)),
+            SYSTEMS => models::catalogue().for_each(|it| self.add_system(it)),
+            key => match (NamedOscillator::by_key(key), NamedSystem::by_key(key)) {
+                (Err(oscillator), Err(system)) => return Err(unknown(&oscillator, &system)),
+                (oscillator, system) => {
+                    oscillator.into_iter().for_each(|it| self.add_oscillator(it));
+                    system.into_iter().for_each(|it| self.add_system(it));
+                }
+            },
+        }
+        Ok(())
+    }
+
+    fn add_oscillator(&mut self, named: &'static NamedOscillator) {
+        if self.oscillators.iter().all(|it| it.key != named.key) {
+            self.oscillators.push(named);
+        }
+    }
+
+    fn add_system(&mut self, named: &'static NamedSystem) {
+        if self.systems.iter().all(|it| it.key != named.key) {
+            self.systems.push(named);
+        }
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let oscillators = self.oscillators.iter().map(|it| Entry::Oscillator(it));
+        oscillators.chain(self.systems.iter().map(|it| Entry::System(it))).collect()
+    }
+}
+
+fn unknown(oscillator: &UnknownKey, system: &UnknownKey) -> QueryError {
+    let reason = format!(
+        "no oscillator and no system has the key `{}`; the nearest oscillators are {}, the nearest systems {}; <libration list> shows all keys",
+        oscillator.key,
+        oscillator.near.join(", "),
+        system.near.join(", ")
+    );
+    QueryError::usage(argument("CATALOGUE|KEY"), reason)
+}
+
+/// An entry of either catalogue.
+enum Entry {
+    Oscillator(&'static NamedOscillator),
+    System(&'static NamedSystem),
+}
+
+impl Entry {
+    /// One of two texts.
+    fn text(
+        &self,
+        of_oscillator: impl Fn(&NamedOscillator) -> String,
+        of_system: impl Fn(&NamedSystem) -> String,
+    ) -> Value {
+        match self {
+            Self::Oscillator(named) => of_oscillator(named).into(),
+            Self::System(named) => of_system(named).into(),
+        }
+    }
+}
+
+/// The columns of CSV.
+fn of_entry() -> Fields<Entry> {
+    type Of = Field<Entry>;
+    let fields = [
+        Of::value("catalogue", "", "oscillators or systems", |it| {
+            it.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
+        }),
+        Of::value("key", "", "short name that commands take", |it| {
+            it.text(|it| it.key.to_owned(), |it| it.key.to_owned())
+        }),
+        Of::value("title", "", "usual name", |it| {
+            it.text(|it| it.title.to_owned(), |it| it.title.to_owned())
+        }),
+        Of::value("equations", "", "equations of motion, with ; between them", |it| {
+            it.text(|it| it.equation.to_owned(), |it| it.equations.to_owned())
+        }),
+        Of::value("parameters", "", "parameters with their default values", |it| {
+            it.text(oscillators::defaults, systems::defaults)
+        }),
+        Of::value("domain", "", "what it holds for, where it oscillates", |it| {
+            it.text(|it| it.domain.to_owned(), |it| it.domain.to_owned())
+        }),
+        Of::value("source", "", "where the equations are from", |it| {
+            it.text(|it| it.source.to_owned(), |it| it.source.to_owned())
+        }),
+    ];
+    Fields::from(fields.map(Of::only_csv))
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [oscillators::described(), systems::described()].concat();
+    vec![Answers { command: "list", option: "", json, csv: of_entry().described_in_csv() }]
+}
+
+fn write_json(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    json::begin_document(out, Record::new())?;
+    oscillators::write_list(out, &chosen.oscillators)?;
+    systems::write_list(out, &chosen.systems)?;
+    json::end_document(out, Record::new())
+}
+
+fn write_sheets(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    oscillators::write_sheets(out, &chosen.oscillators)?;
+    if !chosen.oscillators.is_empty() && !chosen.systems.is_empty() {
+        writeln!(out)?;
+    }
+    systems::write_sheets(out, &chosen.systems)
+}
+
+/// The keys and titles of each catalogue that is not empty.
+fn write_tables(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    let oscillators = chosen.oscillators.iter().map(|it| (it.key, it.title)).collect();
+    let systems = chosen.systems.iter().map(|it| (it.key, it.title)).collect();
+    let tables: [(&str, Vec<_>); 2] = [("oscillator", oscillators), ("system", systems)];
+    for (place, (title, entries)) in tables.iter().filter(|it| !it.1.is_empty()).enumerate() {
+        if place > 0 {
+            writeln!(out)?;
+        }
+        let mut table = Table::new(vec![Column::words(*title), Column::words("title")]);
+        entries.iter().try_for_each(|it| table.row(out, vec![it.0.to_owned(), it.1.to_owned()]))?;
+        table.finish(out)?;
+    }
+    Ok(())
+}
