@@ -68,12 +68,12 @@ def test_uncertainties_are_used_or_left_out_with_a_warning(question, it):
 
 MEASURED = {
     "fit periods": {"length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length"}
-    | {"air-density", "stretch", "linear-damping"},
+    | {"air-density", "stretch", "linear"},
     "fit lengths": {"bob-radius"},
-    "plan": {"length", "linear-damping"},
+    "plan": {"length", "linear"},
 }
 MEASURED["period"] = {"period", "ratio", "excess"}
-MEASURED["fit trace"] = MEASURED["fit periods"] - {"linear-damping"}
+MEASURED["fit trace"] = MEASURED["fit periods"] - {"linear"}
 MEASURED["fit gates"] = MEASURED["fit periods"] | {"diameter", "gate-distance"}
 
 
@@ -97,7 +97,7 @@ def test_the_command_accepts_the_uncertainties_that_are_used():
         rod_length=uncertainties.ufloat(0.99, 0.001),
         air_density=uncertainties.ufloat(1.2, 0.02),
         stretch=uncertainties.ufloat(1e-4, 1e-5),
-        linear_damping=uncertainties.ufloat(0.03, 0.001),
+        linear=uncertainties.ufloat(0.03, 0.001),
     )
     spreads = {it["input"]: it["uncertainty"] for it in fit["budget_inputs"]}
     assert spreads["length"] == 5e-4 and len([it for it in spreads.values() if it]) >= 6

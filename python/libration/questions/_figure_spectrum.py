@@ -12,7 +12,7 @@ def figure_spectrum(
     *,
     amplitudes: Given | None = None,
     lowest: Given | None = None,
-    highest: Given | None = None,
+    harmonics: Given | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
     height: Given | None = None,
@@ -26,8 +26,8 @@ def figure_spectrum(
         The amplitudes [default: 30deg,90deg,150deg,179deg].
     lowest : number or text, optional
         The smallest coefficient shown, in radians [default: 1e-16].
-    highest : number or text, optional
-        The highest harmonic shown [default: 41].
+    harmonics : number or text, optional
+        The highest harmonic [default: 41].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

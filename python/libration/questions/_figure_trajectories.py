@@ -18,8 +18,8 @@ def figure_trajectories(
     initial: Values | Sequence[Values] | None = None,
     over: Values | Sequence[str] | None = None,
     from_: Given | None = None,
-    until: Given | None = None,
-    show: Given | None = None,
+    to: Given | None = None,
+    axis: Given | None = None,
     axes: Given | None = None,
     spectrum: Given | None = None,
     size: Literal["page", "column", "slide"] | None = None,
@@ -49,10 +49,10 @@ def figure_trajectories(
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
     from_ : number or text, optional
         The first time that is drawn, in seconds or with a unit [default: 0].
-    until : number or text, optional
+    to : number or text, optional
         The last time that is drawn [default: 60].
-    show : number or text, optional
-        The state variable that is drawn against time [default: the first coordinate].
+    axis : number or text, optional
+        The state variable that the picture shows [default: the first coordinate].
     axes : number or text, or several, optional
         Draw one state variable against another, such as theta,theta'.
     spectrum : number or text, optional

@@ -32,12 +32,12 @@ def fit_gates(
     angle_scale: Given | None = None,
     clock: Given | None = None,
     correlation: Given | None = None,
-    linear_damping: Given | None = None,
+    linear: Given | None = None,
     time: Given | None = None,
     time_unit: Given | None = None,
     angle: Given | None = None,
     angular_velocity: Given | None = None,
-    unit: Given | None = None,
+    angle_unit: Given | None = None,
     counts_per_turn: Given | None = None,
     x: Given | None = None,
     y: Given | None = None,
@@ -109,7 +109,7 @@ def fit_gates(
         been taken for 30.
     correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : number or text, optional
+    linear : number or text, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
         [default: not corrected].
     time : number or text, optional
@@ -120,7 +120,7 @@ def fit_gates(
         Column of angles, by number or name.
     angular_velocity : number or text, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : number or text, optional
+    angle_unit : number or text, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
     counts_per_turn : number or text, optional
         Angles are encoder counts, with this many per turn.

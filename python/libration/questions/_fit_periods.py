@@ -35,7 +35,7 @@ def fit_periods(
     angle_scale: Given | None = None,
     clock: Given | None = None,
     correlation: Given | None = None,
-    linear_damping: Given | None = None,
+    linear: Given | None = None,
     progress: Say = False,
 ) -> Fit:
     """Measured periods against amplitude: T0 under the exact law and every other, a test of the
@@ -98,7 +98,7 @@ def fit_periods(
         been taken for 30.
     correlation : number or text, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : number or text, optional
+    linear : number or text, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
         [default: not corrected].
     progress : bool or callable

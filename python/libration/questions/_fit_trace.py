@@ -36,7 +36,7 @@ def fit_trace(
     time_unit: Given | None = None,
     angle: Given | None = None,
     angular_velocity: Given | None = None,
-    unit: Given | None = None,
+    angle_unit: Given | None = None,
     counts_per_turn: Given | None = None,
     x: Given | None = None,
     y: Given | None = None,
@@ -118,7 +118,7 @@ def fit_trace(
         Column of angles, by number or name.
     angular_velocity : number or text, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : number or text, optional
+    angle_unit : number or text, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
     counts_per_turn : number or text, optional
         Angles are encoder counts, with this many per turn.

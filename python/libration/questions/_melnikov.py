@@ -14,7 +14,7 @@ def melnikov(
     *,
     set: Values | Sequence[str] | None = None,
     over: Values | Sequence[str] | None = None,
-    orders: Given | None = None,
+    max_drive_periods: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
     width: Given | None = None,
@@ -37,7 +37,7 @@ def melnikov(
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     over : dict, optional
         A parameter and the range in which to look for thresholds, such as A=0:1.
-    orders : number or text, optional
+    max_drive_periods : number or text, optional
         The largest number of periods of the drive, q, of a resonance p:q [default: 5].
     figure : str or path, optional
         Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png

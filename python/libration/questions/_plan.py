@@ -13,7 +13,7 @@ def plan(
     angle_noise: Given,
     rate: Given,
     amplitudes: Given | None = None,
-    linear_damping: Given | None = None,
+    linear: Given | None = None,
     angle_scale: Given | None = None,
     clock: Given | None = None,
     gravity: Given | None = None,
@@ -41,7 +41,7 @@ def plan(
     amplitudes : number or text, or several, optional
         Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default:
         5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
-    linear_damping : number or text, optional
+    linear : number or text, optional
         Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default:
         none].
     angle_scale : number or text, optional

@@ -30,6 +30,7 @@ mod list;
 mod melnikov;
 mod modes;
 mod motion;
+mod options;
 mod paper;
 mod period;
 mod plan;

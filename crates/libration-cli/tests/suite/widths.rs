@@ -74,7 +74,7 @@ pub(crate) const QUESTIONS: [&str; 61] = [
     "figure|phase|--output|FILE",
     "inspect|examples/swing_synthetic.csv",
     "inspect|examples/gate_synthetic.csv",
-    "inspect|examples/phone/swing.txt|--unit|rad|--spectrum",
+    "inspect|examples/phone/swing.txt|--angle-unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",
