@@ -1,6 +1,7 @@
 //! Commands with their parameters, for programs that put the words of a command line together themselves.
 
 use crate::command::command;
+use crate::command::parameter_type::ParameterType;
 use clap::{Arg, ArgAction, Command};
 use std::ffi::OsString;
 
@@ -24,6 +25,8 @@ pub struct Parameter {
     pub name: String,
     /// Kind of the parameter.
     pub kind: ParameterKind,
+    /// Type of its value.
+    pub value_type: ParameterType,
     /// Placeholder of its value in the help: `NAME=VALUE`, `FILE`; empty for a flag.
     pub value: String,
     /// `true` if the command fails without it.
@@ -53,7 +56,7 @@ pub enum ParameterKind {
 /// ```
 /// let decay = libration_queries::questions().into_iter().find(|it| it.words == "decay").ok_or("no decay")?;
 /// let cycles = decay.parameters.iter().find(|it| it.name == "cycles").ok_or("no cycles")?;
-/// assert_eq!(cycles.value, "CYCLES");
+/// assert_eq!((cycles.value.as_str(), cycles.value_type), ("CYCLES", libration_queries::ParameterType::Integer));
 /// # Ok::<(), &str>(())
 /// ```
 #[must_use]
@@ -111,6 +114,7 @@ fn parameter(arg: &Arg) -> Parameter {
     Parameter {
         name: arg.get_long().map_or_else(|| arg.get_id().to_string(), str::to_owned),
         kind,
+        value_type: ParameterType::of(arg),
         value: value.unwrap_or_default(),
         is_required: arg.is_required_set(),
         is_repeated: takes_value

@@ -1,6 +1,6 @@
-//! Names of options: one name has one meaning, and one meaning one name.
+//! Names of options, of which one name has one meaning and one meaning one name, and types of parameters.
 
-use libration_queries::{ParameterKind, questions};
+use libration_queries::{ParameterKind, ParameterType, questions};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Options whose help differs between queries, with the meaning that all have in common. Readers of tables have names of their own.
@@ -74,4 +74,63 @@ fn a_meaning_has_one_option() {
     }
     names.retain(|_, names| names.len() > 1);
     assert!(names.is_empty(), "{names:?}");
+}
+
+/// Parameters that are read as text, with the notation that a type would say.
+const TEXTS: &[(&str, &str)] = &[
+    ("about", "a number or an angle; coordinates with values"),
+    ("amplitudes", "a list or range of numbers or of angles, as the variable of the equation has it"),
+    ("axes", "two coordinates"),
+    ("columns", "columns of a table; formulas with names"),
+    ("command", "words of a command"),
+    ("entries", "catalogues or keys"),
+    ("evaluate", "a number or an angle, as the variable of the equation has it"),
+    ("events", "kinds of events or formulas"),
+    ("initial", "coordinates with values"),
+    ("keep", "a path in JSON"),
+    ("label", "part of a label"),
+    ("letters", "names of parameters"),
+    ("question", "words of a command"),
+    ("run", "a run by its name or number, or several"),
+    ("sensitivity", "names of parameters and coordinates"),
+    ("set", "parameters with values"),
+    ("small", "the name of a parameter"),
+    ("to", "a number or an angle, as the variable of the equation has it"),
+    ("until", "an equation or a formula"),
+];
+
+#[test]
+fn parameters_have_types() {
+    let parameters = questions().into_iter().flat_map(|it| it.parameters);
+    let texts: BTreeSet<String> =
+        parameters.filter(|it| it.value_type == ParameterType::Text).map(|it| it.name).collect();
+    let expected: BTreeSet<String> = TEXTS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert_eq!(texts, expected, "parameters without a type, and those that are known to be text");
+}
+
+#[test]
+fn types_are_those_of_the_values() {
+    let questions = questions();
+    let of = |words: &str, name: &str| {
+        let query = questions.iter().find(|it| it.words == words).unwrap();
+        query.parameters.iter().find(|it| it.name == name).unwrap().value_type
+    };
+    for (words, name, expected) in [
+        ("motion", "angle", ParameterType::Angle),
+        ("motion", "velocity", ParameterType::Number),
+        ("motion", "times", ParameterType::Numbers),
+        ("motion", "animate", ParameterType::Flag),
+        ("motion", "figure", ParameterType::File),
+        ("motion", "size", ParameterType::Choice),
+        ("period", "length", ParameterType::Quantity),
+        ("period", "formulas", ParameterType::Key),
+        ("orbit", "system", ParameterType::Equation),
+        ("orbit", "hold", ParameterType::Coordinate),
+        ("orbit", "drive-periods", ParameterType::Integer),
+        ("section", "at", ParameterType::Formula),
+        ("response", "over", ParameterType::Range),
+        ("inspect", "angle", ParameterType::Column),
+    ] {
+        assert_eq!(of(words, name), expected, "{words} {name}");
+    }
 }

@@ -1,5 +1,6 @@
 //! Choice of a system: a key of a catalogue or equations of motion, with values for their parameters.
 
+use super::names::EquationText;
 use super::reading;
 use super::text::{gravity, length};
 use super::values::{borrowed, values};
@@ -14,7 +15,7 @@ use std::fmt::Display;
 pub(crate) struct SystemOptions {
     /// A key from `libration list`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
     #[arg(value_name = "SYSTEM|EQUATION")]
-    system: String,
+    system: EquationText,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,

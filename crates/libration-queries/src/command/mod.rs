@@ -24,6 +24,7 @@ mod orbit;
 mod oscillators;
 pub(crate) mod page;
 mod paper;
+pub(crate) mod parameter_type;
 mod period;
 mod plan;
 mod resonance;

@@ -59,7 +59,7 @@ const USAGE: &str = "libration plan --g-to <PART> --length <LENGTH> --angle-nois
 
 /// The amplitudes to choose from.
 #[derive(Clone, Debug)]
-struct Choices(Vec<Amplitude>);
+pub(super) struct Choices(Vec<Amplitude>);
 
 /// More than these nobody tries.
 const MOST: usize = 1000;

@@ -2,8 +2,8 @@
 
 use super::PictureOptions;
 use crate::arguments::{
-    self, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range, place_in_state,
-    places_in_state,
+    self, CoordinateName, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range,
+    place_in_state, places_in_state,
 };
 use crate::figure::chart::Picture;
 use crate::figure::parameters::{Angles, of_model, of_start, said};
@@ -49,13 +49,13 @@ pub(super) struct Trajectories {
     to: f64,
     /// The state variable that the picture shows [default: the first coordinate]
     #[arg(long, alias = "show", value_name = "NAME", conflicts_with_all = ["axes", "spectrum"])]
-    axis: Option<String>,
+    axis: Option<CoordinateName>,
     /// Draw one state variable against another, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", conflicts_with = "spectrum")]
     axes: Option<String>,
     /// Draw the spectrum of a state variable, such as theta
     #[arg(long, value_name = "NAME")]
-    spectrum: Option<String>,
+    spectrum: Option<CoordinateName>,
     #[command(flatten)]
     pub(super) options: PictureOptions,
 }
@@ -88,7 +88,7 @@ impl Trajectories {
         let runs = self.runs()?;
         let model = &runs[0].model;
         let axis = |place| StateAxis::new(model, place);
-        let one = |argument: Parameter, name: &Option<String>| {
+        let one = |argument: Parameter, name: &Option<CoordinateName>| {
             name.as_deref().map(|name| place_in_state(model, &argument, name).map(axis)).transpose()
         };
         let axes =

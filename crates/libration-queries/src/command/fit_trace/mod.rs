@@ -17,7 +17,7 @@ use crate::query_error::QueryError;
 use answer::Answer;
 use input::{Input, Measured};
 use libration_lab::fit::trace::TraceOptions;
-use model::DampingChoice;
+pub(super) use model::DampingChoice;
 use std::io::Write;
 use std::path::PathBuf;
 
