@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple, SupportsFloat, TypeAlias
+from typing import Any, NamedTuple, Protocol, SupportsFloat, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,9 +61,26 @@ Value: TypeAlias = str | SupportsFloat | Fraction
 """A number, in SI units where it has a unit, or a text such as ``"60deg"`` or ``"1/2"``."""
 Given: TypeAlias = Value | Sequence[Value] | NDArray[Any]
 """One or several, or a text as the command takes it, such as ``"0:10:0.1"``."""
+Angle: TypeAlias = Value
+"""In radians, or a text with its unit, such as ``"60deg"``."""
+Quantity: TypeAlias = Value
+"""In SI units, or a text with its unit and uncertainty, such as ``"0.57m±0.004m"``."""
+Coordinate: TypeAlias = str
+"""The name of a coordinate or velocity."""
 Values: TypeAlias = Mapping[str, Given] | str
 """By name."""
 Path: TypeAlias = str | os.PathLike[str]
+
+
+class Symbolic(Protocol):
+    """An expression or equation of SymPy."""
+
+    @property
+    def free_symbols(self) -> Any: ...
+
+
+Equation: TypeAlias = str | Symbolic
+"""A key of the catalogue, or equations as text or of SymPy."""
 Columns: TypeAlias = Mapping[str, Any] | Table
 """Columns in place of a file: a DataFrame of pandas, or arrays by names with units, such as
 ``{"t (s)": t, "angle (deg)": angle}``.
@@ -96,6 +113,8 @@ class Parameter(NamedTuple):
     is_repeated: bool
     choices: list[str]
     meaning: str
+    value_type: str
+    """Such as "integer"; `libration_queries::ParameterType` lists them."""
     is_measured: bool = False
     """True for a measured quantity, whose uncertainty goes into the results."""
 

@@ -67,7 +67,7 @@ def read(file: Path | Columns, **reading: Given | bool) -> Recording:
     file : str or path or mapping or pandas.DataFrame
         The file, or columns by names with units, such as ``{"t (s)": t, "theta (deg)": angle}``.
     **reading
-        Settings in place of detected ones, such as ``angle=2, unit="deg"``: the parameters of
+        Settings in place of detected ones, such as ``angle=2, angle_unit="deg"``: the parameters of
         `libration.questions.inspect`, with the same names.
 
     Returns

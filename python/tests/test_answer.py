@@ -162,9 +162,9 @@ def test_all_pictures_are_tested():
 
 def test_what_has_no_picture_says_so():
     with pytest.raises(
-        TypeError, match="no plot of the result of `systems`: there are some of period, motion"
+        TypeError, match="no plot of the result of `list`: there are some of period, motion"
     ):
-        lb.systems("lorenz").plot()
+        lb.list_("lorenz").plot()
 
 
 def test_the_picture_of_the_command_is_there_too(decay, tmp_path):

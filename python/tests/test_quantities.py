@@ -16,7 +16,7 @@ from libration._ask import asked, catalogue
 matplotlib.use("agg")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 # Values that are texts, names or files.
-OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND")
+OTHERS = ("FILE", "DIR", "KEY", "COLUMN", "UNIT", "SHEET", "RUN", "HEADER", "COMMAND", "QUESTION", "CATALOGUE")
 NUMBERS = [
     (question, it)
     for question in catalogue().values()
@@ -35,7 +35,7 @@ def given(it, value):
 
 
 def test_every_query_with_a_number_is_here():
-    without = {"oscillators", "systems", "fields", "completions", "page"}
+    without = {"list", "fields", "completions", "page"}
     without |= {"sweep join", "sweep status"}
     assert {question.words for question, _ in NUMBERS} == catalogue().keys() - without
 
@@ -72,12 +72,12 @@ def test_uncertainties_are_used_or_left_out_with_a_warning(question, it):
 
 MEASURED = {
     "fit periods": {"length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length"}
-    | {"air-density", "stretch", "linear-damping"},
+    | {"air-density", "stretch", "linear"},
     "fit lengths": {"bob-radius"},
-    "plan": {"length", "linear-damping"},
+    "plan": {"length", "linear"},
 }
 MEASURED["period"] = {"period", "ratio", "excess"}
-MEASURED["fit trace"] = MEASURED["fit periods"] - {"linear-damping"}
+MEASURED["fit trace"] = MEASURED["fit periods"] - {"linear"}
 MEASURED["fit gates"] = MEASURED["fit periods"] | {"diameter", "gate-distance"}
 
 
@@ -101,7 +101,7 @@ def test_the_command_accepts_the_uncertainties_that_are_used():
         rod_length=uncertainties.ufloat(0.99, 0.001),
         air_density=uncertainties.ufloat(1.2, 0.02),
         stretch=uncertainties.ufloat(1e-4, 1e-5),
-        linear_damping=uncertainties.ufloat(0.03, 0.001),
+        linear=uncertainties.ufloat(0.03, 0.001),
     )
     spreads = {it["input"]: it["uncertainty"] for it in fit["budget_inputs"]}
     assert spreads["length"] == 5e-4 and len([it for it in spreads.values() if it]) >= 6

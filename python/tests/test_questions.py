@@ -67,7 +67,7 @@ PAIRS = [
         {"order": 3, "evaluate": 0.2},
         "expand quadratic --order 3 --evaluate 0.2",
     ),
-    (questions.oscillators, (["duffing", "pendulum"],), {}, "oscillators duffing pendulum"),
+    (questions.list_, (["duffing", "pendulum"],), {}, "list duffing pendulum"),
     (questions.backbone, (), {"amplitudes": np.array([0.5, 1.0])}, "backbone --amplitudes 0.5,1.0"),
     (
         questions.simulate,
@@ -75,7 +75,7 @@ PAIRS = [
         {"initial": {"theta": 1, "theta'": "0.5"}, "times": "0:2:0.5", "events": ["turning"]},
         "simulate pendulum --initial \"theta=1,theta'=0.5\" --times 0:2:0.5 --events turning",
     ),
-    (questions.systems, (), {}, "systems"),
+    (questions.list_, (), {}, "list"),
     (questions.modes, ("double_pendulum",), {"set": {"m2": 2}}, "modes double_pendulum --set m2=2"),
     (
         questions.orbit,
@@ -92,8 +92,8 @@ PAIRS = [
     (
         questions.melnikov,
         ("driven_pendulum",),
-        {"set": {"c": 0.1, "omega": 1}, "over": "A=0:1", "orders": 3},
-        "melnikov driven_pendulum --set c=0.1 --set omega=1 --over A=0:1 --orders 3",
+        {"set": {"c": 0.1, "omega": 1}, "over": "A=0:1", "max_drive_periods": 3},
+        "melnikov driven_pendulum --set c=0.1 --set omega=1 --over A=0:1 --max-drive-periods 3",
     ),
     (
         questions.response,
@@ -234,7 +234,7 @@ def test_every_question_is_asked_both_ways():
 def test_pictures_are_those_of_the_command(words, tmp_path):
     given = {
         "spectrum": {"amplitudes": ["60deg"]},
-        "trajectories": {"system": "pendulum", "initial": {"theta": 1}, "until": 9},
+        "trajectories": {"system": "pendulum", "initial": {"theta": 1}, "to": 9},
         "series": {"order": 9},
     }
     options = given.get(words.split()[1], {})
@@ -243,7 +243,7 @@ def test_pictures_are_those_of_the_command(words, tmp_path):
         "order": ["--order", "9"],
         "system": ["pendulum"],
         "initial": ["--initial", "theta=1"],
-        "until": ["--until", "9"],
+        "to": ["--to", "9"],
     }
     line = [*words.split(), *(word for name in options for word in typed[name])]
     picture = getattr(questions, words.replace(" ", "_"))(**options)

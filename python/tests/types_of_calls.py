@@ -59,7 +59,7 @@ assert_type(lb.backbone("duffing", amplitudes=np.linspace(0.1, 1, 3)), lb.Answer
 assert_type(lb.figure.errors(formulas=["bernoulli"]), lb.Picture)
 assert_type(lb.derive("elliptic"), lb.Derivation)
 assert_type(lb.paper("black-vel").wrong, lb.Rows)
-recording = lb.lab.read("swing.csv", angle=2, unit="deg")
+recording = lb.lab.read("swing.csv", angle=2, angle_unit="deg")
 assert_type(recording, lb.lab.Recording)
 assert_type(lb.lab.fit_trace(recording, length="0.57m±0.004m"), lb.lab.Fit)
 assert_type(lb.expand("pendulum").code("rust"), str)

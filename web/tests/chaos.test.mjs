@@ -14,7 +14,7 @@ test("pictures and verdict are the command's", () =>
     const asked = [
       ["bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=1:1.5:0.05", "--points", "10", "--figure", "-"],
       ["section", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--points", "300", "--figure", "-"],
-      ["figure", "trajectories", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--until", "100", "--output", "-"],
+      ["figure", "trajectories", ...at, "--initial", "theta=0.2", "--initial", "theta=0.2001", "--to", "100", "--output", "-"],
       ["lyapunov", ...at, "--initial", "theta=0.2", "--intervals", "100", "--figure", "-"],
       ["orbit", ...at, "--initial", "theta=0.2", "--figure", "-"],
     ];
@@ -227,7 +227,7 @@ test("a cusp is told where folds meet, and a parameter of the map has no value b
 
 test("Melnikov's thresholds are the command's, beside where the manifolds touch", () =>
   visit(`chaos?set=c%3D1/4&initial=theta%3D0.2&${QUICK}&thresholds=A%3D0.1:1`, async (room) => {
-    const words = ["melnikov", "driven_pendulum", "--set", "c=1/4", "--over", "A=0.1:1", "--orders", "5"];
+    const words = ["melnikov", "driven_pendulum", "--set", "c=1/4", "--over", "A=0.1:1", "--max-drive-periods", "5"];
     const { thresholds, resonances } = answer(...words);
     const found = part(room, "Melnikov's thresholds");
     const said = await found.innerText();

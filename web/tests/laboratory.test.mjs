@@ -89,10 +89,10 @@ test("what a file leaves open is decided by a press", () =>
   visit("laboratory", async (room) => {
     await give(room, "phone/swing.txt");
     assert.match((await errors(room)).join(), /it is not clear what column 2 holds/);
-    await room.getByRole("button", { name: "--unit rad/s" }).click();
+    await room.getByRole("button", { name: "--angle-unit rad/s" }).click();
     await settled(room);
     assert.equal(new URL(room.url()).hash, "#laboratory?unit=rad/s");
-    assert.equal((await inWords(room)).replaceAll("swing.txt", ""), reported(["fit", "trace", "phone/swing.txt", "--unit", "rad/s"]).replaceAll("phone/swing.txt", ""));
+    assert.equal((await inWords(room)).replaceAll("swing.txt", ""), reported(["fit", "trace", "phone/swing.txt", "--angle-unit", "rad/s"]).replaceAll("phone/swing.txt", ""));
   }));
 
 test("several files are one pendulum, and each can be taken away", () =>

@@ -118,7 +118,12 @@ impl Words for PythonWords {
     }
 
     fn query(&self, words: &str) -> String {
-        format!("questions.{}", words.replace(' ', "_"))
+        // `list` is a type of Python.
+        if words == "list" {
+            "questions.list_".to_owned()
+        } else {
+            format!("questions.{}", words.replace(' ', "_"))
+        }
     }
 }
 
@@ -148,8 +153,8 @@ pub(crate) fn program(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 }
 
 /// Name, kind ("argument", "option" or "flag"), what stands for the value, whether it is required and may be given several times, the
-/// choices, the meaning.
-type Given = (String, &'static str, String, bool, bool, Vec<String>, String);
+/// choices, the meaning, the type of the value.
+type Given = (String, &'static str, String, bool, bool, Vec<String>, String, &'static str);
 
 /// All questions: words, what is asked, remarks, parameters.
 #[pyfunction]
@@ -160,7 +165,8 @@ pub(crate) fn questions() -> Vec<(String, String, String, Vec<Given>)> {
             ParameterKind::Option => "option",
             ParameterKind::Flag => "flag",
         };
-        (it.name, kind, it.value, it.is_required, it.is_repeated, it.choices, it.meaning)
+        let value_type = it.value_type.name();
+        (it.name, kind, it.value, it.is_required, it.is_repeated, it.choices, it.meaning, value_type)
     };
     let asked = libration_queries::questions().into_iter();
     asked.map(|it| (it.words, it.about, it.remarks, it.parameters.into_iter().map(given).collect())).collect()

@@ -57,6 +57,7 @@ mod run;
 mod sweep;
 
 pub use command::command;
+pub use command::parameter_type::ParameterType;
 pub use host::{Host, InputFile};
 pub use query_error::parameter::Parameter as QueryParameter;
 pub use query_error::text::Words;

@@ -1,6 +1,7 @@
 //! Commands with their parameters, for programs that put the words of a command line together themselves.
 
 use crate::command::command;
+use crate::command::parameter_type::ParameterType;
 use clap::{Arg, ArgAction, Command};
 use std::ffi::OsString;
 
@@ -24,6 +25,8 @@ pub struct Parameter {
     pub name: String,
     /// Kind of the parameter.
     pub kind: ParameterKind,
+    /// Type of its value.
+    pub value_type: ParameterType,
     /// Placeholder of its value in the help: `NAME=VALUE`, `FILE`; empty for a flag.
     pub value: String,
     /// `true` if the command fails without it.
@@ -47,39 +50,41 @@ pub enum ParameterKind {
     Flag,
 }
 
-/// All questions with their parameters, in the order of the help.
+/// All questions in the help with their parameters, in the order of the help.
 ///
 /// # Examples
 /// ```
 /// let decay = libration_queries::questions().into_iter().find(|it| it.words == "decay").ok_or("no decay")?;
 /// let cycles = decay.parameters.iter().find(|it| it.name == "cycles").ok_or("no cycles")?;
-/// assert_eq!(cycles.value, "CYCLES");
+/// assert_eq!((cycles.value.as_str(), cycles.value_type), ("CYCLES", libration_queries::ParameterType::Integer));
 /// # Ok::<(), &str>(())
 /// ```
 #[must_use]
 pub fn questions() -> Vec<Question> {
     let mut command = command([]);
     command.build();
-    leaves(&command, "")
+    leaves(&command, "", |it| !it.is_hide_set())
 }
 
 /// The name of the argument whose value is called so in the help, in the question that the words of a command line ask.
 pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     let word = |place: usize| words.get(place).and_then(|it| it.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
-    let asked = questions().into_iter().filter(|it| it.words == one || it.words == two);
+    let mut command = command([]);
+    command.build();
+    let asked = leaves(&command, "", |_| true).into_iter().filter(|it| it.words == one || it.words == two);
     let question = asked.max_by_key(|it| it.words.len())?;
     let is_it = |it: &Parameter| it.kind == ParameterKind::Argument && it.value == value;
     question.parameters.into_iter().find(is_it).map(|it| it.name)
 }
 
-/// The commands below this one that can be asked by themselves.
-fn leaves(command: &Command, words: &str) -> Vec<Question> {
-    let below = command.get_subcommands().filter(|it| it.get_name() != "help");
+/// The commands below this one that can be asked by themselves, as far as they are shown.
+fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec<Question> {
+    let below = command.get_subcommands().filter(|it| it.get_name() != "help" && is_shown(it));
     let each = below.flat_map(|it| {
         let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
         let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
-        itself.into_iter().chain(leaves(it, &words)).collect::<Vec<_>>()
+        itself.into_iter().chain(leaves(it, &words, is_shown)).collect::<Vec<_>>()
     });
     each.collect()
 }
@@ -109,6 +114,7 @@ fn parameter(arg: &Arg) -> Parameter {
     Parameter {
         name: arg.get_long().map_or_else(|| arg.get_id().to_string(), str::to_owned),
         kind,
+        value_type: ParameterType::of(arg),
         value: value.unwrap_or_default(),
         is_required: arg.is_required_set(),
         is_repeated: takes_value

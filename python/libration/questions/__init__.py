@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from ._formulas import formulas
     from ._fourier import fourier
     from ._inspect import inspect
+    from ._list_ import list_
     from ._lyapunov import lyapunov
     from ._melnikov import melnikov
     from ._modes import modes
     from ._motion import motion
     from ._orbit import orbit
-    from ._oscillators import oscillators
     from ._paper import paper
     from ._period import period
     from ._plan import plan
@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from ._sweep import sweep
     from ._sweep_join import sweep_join
     from ._sweep_status import sweep_status
-    from ._systems import systems
 
 __all__ = [
     "backbone",
@@ -65,12 +64,12 @@ __all__ = [
     "formulas",
     "fourier",
     "inspect",
+    "list_",
     "lyapunov",
     "melnikov",
     "modes",
     "motion",
     "orbit",
-    "oscillators",
     "paper",
     "period",
     "plan",
@@ -82,7 +81,6 @@ __all__ = [
     "sweep",
     "sweep_join",
     "sweep_status",
-    "systems",
 ]
 
 if not TYPE_CHECKING:

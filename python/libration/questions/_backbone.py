@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Equation, Given, Path, Quantity, Say, Values
 from ..answer import Answer, answer
 
 
 def backbone(
-    oscillator: Given | None = None,
+    oscillator: Equation | None = None,
     *,
     amplitudes: Given,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
-    order: Given | None = None,
+    order: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """The frequency of an oscillator against its amplitude: from orbits, from the perturbation
@@ -31,7 +31,7 @@ def backbone(
 
     Parameters
     ----------
-    oscillator : number or text, optional
+    oscillator : equation, optional
         A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
         "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     amplitudes : number or text, or several
@@ -40,17 +40,17 @@ def backbone(
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
         The equilibrium, where there are several [default: the stable one nearest to zero].
-    order : number or text, optional
+    order : int, optional
         The order of the perturbation series [default: 9].
     figure : str or path, optional
         Draw the curves to FILE.svg or FILE.png instead of listing the points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say
+from .._ask import Angle, Path, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
 def decay(
-    amplitude: Given,
+    amplitude: Angle,
     *,
-    dry: Given | None = None,
-    linear: Given | None = None,
-    quadratic: Given | None = None,
-    cubic: Given | None = None,
-    power: Given | None = None,
-    cycles: Given | None = None,
-    until: Given | None = None,
-    order: Given | None = None,
-    damping_order: Given | None = None,
+    dry: Value | None = None,
+    linear: Value | None = None,
+    quadratic: Value | None = None,
+    cubic: Value | None = None,
+    power: str | Sequence[str] | None = None,
+    cycles: int | None = None,
+    until: Value | None = None,
+    order: int | None = None,
+    damping_order: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
-    omega0: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    length: Quantity | None = None,
+    gravity: Quantity | None = None,
+    omega0: Value | None = None,
     progress: Say = False,
 ) -> Answer:
     """The decay of a damped pendulum, cycle by cycle.
@@ -38,27 +39,27 @@ def decay(
 
     Parameters
     ----------
-    amplitude : number or text
+    amplitude : angle
         The release angle, such as 60deg, 1.2rad or pi-1e-6.
-    dry : number or text, optional
+    dry : float or str, optional
         Dry friction, a constant deceleration in rad/s².
-    linear : number or text, optional
+    linear : float or str, optional
         Viscous damping, proportional to the velocity, in 1/s.
-    quadratic : number or text, optional
+    quadratic : float or str, optional
         Damping proportional to the square of the velocity, in 1/rad.
-    cubic : number or text, optional
+    cubic : float or str, optional
         Damping proportional to the cube of the velocity, in s/rad².
-    power : number or text, or several, optional
+    power : str, or several, optional
         Damping proportional to any power of the velocity, such as 1.5:0.1; may be given several
         times.
-    cycles : number or text, optional
+    cycles : int, optional
         Number of cycles to follow, if the motion lasts that long [default: 20].
-    until : number or text, optional
+    until : float or str, optional
         Follow the cycles completed by this time, such as 60s; plain numbers are seconds.
-    order : number or text, optional
+    order : int, optional
         Compare with the slow flow too, its amplitude law to this power of the amplitude (whole
         powers of the velocity).
-    damping_order : number or text, optional
+    damping_order : int, optional
         Power of the damping to which the slow flow is expanded [default: 2].
     figure : str or path, optional
         Draw amplitude and period against time to FILE.svg or FILE.png instead of listing the
@@ -66,17 +67,17 @@ def decay(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
-    length : number or text, optional
+    length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : number or text, optional
+    gravity : quantity, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
-    omega0 : number or text, optional
+    omega0 : float or str, optional
         The frequency ω0 = √(g/l) of small swings, such as 1rad/s, instead of length and gravity.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

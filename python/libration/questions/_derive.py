@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values, text
+from .._ask import Angle, Equation, Given, Path, Quantity, Say, Values, text
 
 
 def derive(
-    oscillator: Given | None = None,
+    oscillator: Equation | None = None,
     *,
     method: Literal["elliptic", "formulas", "perturbation", "averaging", "limit-cycle"],
-    order: Given | None = None,
-    damping_order: Given | None = None,
+    order: int | None = None,
+    damping_order: int | None = None,
     small: Given | None = None,
-    gauge: Given | None = None,
+    gauge: str | None = None,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
-    amplitude: Given | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    amplitude: Angle | None = None,
+    length: Quantity | None = None,
+    gravity: Quantity | None = None,
     exercises: bool = False,
     format: Literal["markdown", "latex", "html", "ipynb"] | None = None,
     output: Path | None = None,
@@ -33,30 +33,30 @@ def derive(
 
     Parameters
     ----------
-    oscillator : number or text, optional
+    oscillator : equation, optional
         Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for
         averaging ``damped_pendulum``, for limit-cycle ``van_der_pol``].
     method : {"elliptic", "formulas", "perturbation", "averaging", "limit-cycle"}
         The derivation.
-    order : number or text, optional
+    order : int, optional
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a
         limit cycle 4].
-    damping_order : number or text, optional
+    damping_order : int, optional
         Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
     small : number or text, optional
         Averaging, limit-cycle: which letter is small, where several have no value.
-    gauge : number or text, optional
+    gauge : str, optional
         Perturbation: what the expansion parameter means, such as energy or A1=1,A3=-1 [default:
         fundamental].
     set : dict, optional
         Series: the value of a parameter; may be given several times.
     about : number or text, optional
         Perturbation: which equilibrium, where there are several.
-    amplitude : number or text, optional
+    amplitude : angle, optional
         Show the numbers at this amplitude, such as 40deg; for other oscillators, a plain number.
-    length : number or text, optional
+    length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : number or text, optional
+    gravity : quantity, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
     exercises : bool

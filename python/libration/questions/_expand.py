@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .._ask import Given, Say, Values
+from .._ask import Equation, Given, Say, Values
 from ..answer import Answer, answer
 
 
 def expand(
-    oscillator: Given | None = None,
+    oscillator: Equation | None = None,
     *,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
     letters: Given | None = None,
-    order: Given | None = None,
-    gauge: Given | None = None,
-    damping_order: Given | None = None,
+    order: int | None = None,
+    gauge: str | None = None,
+    damping_order: int | None = None,
     small: Given | None = None,
     evaluate: Given | None = None,
-    quantity: Given | None = None,
+    quantity: str | None = None,
     progress: Say = False,
 ) -> Answer:
     """Exact series for an oscillator's frequency, harmonics and period, to any order.
@@ -42,7 +42,7 @@ def expand(
 
     Parameters
     ----------
-    oscillator : number or text, optional
+    oscillator : equation, optional
         A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
         "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     set : dict, optional
@@ -51,12 +51,12 @@ def expand(
         The equilibrium, where there are several [default: the stable one nearest to zero].
     letters : number or text, or several, optional
         Parameters of a built-in oscillator that stay letters, with commas between.
-    order : number or text, optional
+    order : int, optional
         The highest power of the expansion parameter [default: 7; 31 with ``evaluate``, 15 where no
         powers vanish].
-    gauge : number or text, optional
+    gauge : str, optional
         Meaning of the expansion parameter [default: fundamental, of a slow flow ``x_max``].
-    damping_order : number or text, optional
+    damping_order : int, optional
         Give the slow flow under weak damping or excitation to this power of its strength [default:
         2].
     small : number or text, optional
@@ -66,7 +66,7 @@ def expand(
         Evaluate the series term by term at this amplitude, the largest displacement from the
         equilibrium, such as 0.5, or 40deg where the variable is an angle; for a limit cycle, at
         this value of its parameter.
-    quantity : number or text, optional
+    quantity : str, optional
         The quantity to evaluate: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3, the
         coefficient of cos 3Ωt or sin 3Ωt [default: period].
     progress : bool or callable

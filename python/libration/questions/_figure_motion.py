@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Given, Say
+from .._ask import Given, Quantity, Say, Value
 from ..picture import Picture, drawn
 
 
 def figure_motion(
     *,
     amplitudes: Given | None = None,
-    periods: Given | None = None,
+    periods: Value | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
     """The angle in time after release from several amplitudes, beside the small-angle cosine.
@@ -23,15 +23,15 @@ def figure_motion(
     ----------
     amplitudes : number or text, or several, optional
         Angles of release [default: 30deg,90deg,150deg,179deg].
-    periods : number or text, optional
+    periods : float or str, optional
         Number of small-angle periods to show [default: 2].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Given, Say
+from .._ask import Given, Quantity, Say
 from ..picture import Picture, drawn
 
 
@@ -13,8 +13,8 @@ def figure_phase(
     amplitudes: Given | None = None,
     energies: Given | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
     """The phase portrait: librations, the separatrix, and rotations.
@@ -23,15 +23,15 @@ def figure_phase(
     ----------
     amplitudes : number or text, or several, optional
         Amplitudes of the librations [default: 30deg,75deg,120deg,160deg].
-    energies : number or text, or several, optional
+    energies : float or str, or several, optional
         Energies of the rotations, E/(2mgl), each above 1 [default: 1.3,2].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

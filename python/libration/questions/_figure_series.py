@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Say, Values
+from .._ask import Equation, Given, Quantity, Say, Value, Values
 from ..picture import Picture, drawn
 
 
 def figure_series(
-    oscillator: Given | None = None,
+    oscillator: Equation | None = None,
     *,
     set: Values | Sequence[str] | None = None,
     about: Given | None = None,
-    order: Given | None = None,
-    quantity: Given | None = None,
+    order: int | None = None,
+    quantity: str | None = None,
     amplitudes: Given | None = None,
     to: Given | None = None,
-    lowest: Given | None = None,
+    lowest: Value | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
     """The error of a perturbation series against the amplitude, with its radius of convergence, or
@@ -29,17 +29,17 @@ def figure_series(
 
     Parameters
     ----------
-    oscillator : number or text, optional
+    oscillator : equation, optional
         A key of the catalogue, such as ``pendulum`` or ``van_der_pol``, or an equation, such as
         "x'' + x + x^3 = 0" or "\\ddot{x} + \\sin x = 0" [default: pendulum].
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : number or text, optional
         The equilibrium, where there are several [default: the stable one nearest to zero].
-    order : number or text, optional
+    order : int, optional
         The order of the expansion; partial sums are shown up to the powers 2, 4, 8, … below it
         [default: 33].
-    quantity : number or text, optional
+    quantity : str, optional
         The quantity that is expanded: period (T/T0), frequency (Ω/ω0), or a harmonic, such as a3
         [default: period].
     amplitudes : number or text, or several, optional
@@ -47,15 +47,15 @@ def figure_series(
         such as 30deg,90deg,150deg.
     to : number or text, optional
         The largest amplitude shown [default: a fifth beyond the radius of convergence].
-    lowest : number or text, optional
+    lowest : float or str, optional
         The smallest error shown [default: 1e-14].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Given, Say
+from .._ask import Given, Quantity, Say, Value
 from ..picture import Picture, drawn
 
 
 def figure_spectrum(
     *,
     amplitudes: Given | None = None,
-    lowest: Given | None = None,
-    highest: Given | None = None,
+    lowest: Value | None = None,
+    harmonics: int | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
     """The harmonics of the angle at several amplitudes.
@@ -24,17 +24,17 @@ def figure_spectrum(
     ----------
     amplitudes : number or text, or several, optional
         The amplitudes [default: 30deg,90deg,150deg,179deg].
-    lowest : number or text, optional
+    lowest : float or str, optional
         The smallest coefficient shown, in radians [default: 1e-16].
-    highest : number or text, optional
-        The highest harmonic shown [default: 41].
+    harmonics : int, optional
+        The highest harmonic [default: 41].
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Say, Values
+from .._ask import Coordinate, Equation, Given, Quantity, Say, Value, Values
 from ..picture import Picture, drawn
 
 
 def figure_trajectories(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    length: Value | None = None,
+    gravity: Value | None = None,
     initial: Values | Sequence[Values] | None = None,
     over: Values | Sequence[str] | None = None,
-    from_: Given | None = None,
-    until: Given | None = None,
-    show: Given | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
+    axis: Coordinate | None = None,
     axes: Given | None = None,
-    spectrum: Given | None = None,
+    spectrum: Coordinate | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Picture:
     """Motions of any system in one picture: against time, in the plane of two state variables, or
@@ -32,38 +32,38 @@ def figure_trajectories(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    length : number or text, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration
-        systems> says].
-    gravity : number or text, optional
+    length : float or str, optional
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration list``
+        says].
+    gravity : float or str, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, or several, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
         at rest; give it several times for several motions.
     over : dict, optional
         A parameter and its values, with a motion for each, such as c=0.05,0.2,2 or A=1:1.2:0.1.
-    from_ : number or text, optional
+    from_ : float or str, optional
         The first time that is drawn, in seconds or with a unit [default: 0].
-    until : number or text, optional
+    to : float or str, optional
         The last time that is drawn [default: 60].
-    show : number or text, optional
-        The state variable that is drawn against time [default: the first coordinate].
+    axis : coordinate, optional
+        The state variable that the picture shows [default: the first coordinate].
     axes : number or text, or several, optional
         Draw one state variable against another, such as theta,theta'.
-    spectrum : number or text, optional
+    spectrum : coordinate, optional
         Draw the spectrum of a state variable, such as theta.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say
+from .._ask import Angle, Columns, Given, Path, Quantity, Say, Value
 from ..answer import answer
 from ..fit import Fit
 
@@ -13,46 +14,46 @@ def fit_gates(
     file: Path | Columns,
     *,
     signals: Literal["edges", "passages"] | None = None,
-    diameter: Given | None = None,
+    diameter: Quantity | None = None,
     shape: Literal["ball", "flag"] | None = None,
-    gate_distance: Given | None = None,
-    amplitude: Given | None = None,
+    gate_distance: Quantity | None = None,
+    amplitude: Angle | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
-    length: Given | None = None,
-    bob_radius: Given | None = None,
-    bob_mass: Given | None = None,
-    bob_density: Given | None = None,
-    rod_mass: Given | None = None,
-    rod_length: Given | None = None,
-    air_density: Given | None = None,
-    stretch: Given | None = None,
-    angle_scale: Given | None = None,
-    clock: Given | None = None,
-    correlation: Given | None = None,
-    linear_damping: Given | None = None,
-    time: Given | None = None,
-    time_unit: Given | None = None,
-    angle: Given | None = None,
-    angular_velocity: Given | None = None,
-    unit: Given | None = None,
-    counts_per_turn: Given | None = None,
-    x: Given | None = None,
-    y: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    length: Quantity | None = None,
+    bob_radius: Quantity | None = None,
+    bob_mass: Quantity | None = None,
+    bob_density: Quantity | None = None,
+    rod_mass: Quantity | None = None,
+    rod_length: Quantity | None = None,
+    air_density: Quantity | None = None,
+    stretch: Quantity | None = None,
+    angle_scale: Value | None = None,
+    clock: Value | None = None,
+    correlation: str | Sequence[str] | None = None,
+    linear: Quantity | None = None,
+    time: int | str | None = None,
+    time_unit: str | None = None,
+    angle: int | str | None = None,
+    angular_velocity: int | str | None = None,
+    angle_unit: str | None = None,
+    counts_per_turn: Value | None = None,
+    x: int | str | None = None,
+    y: int | str | None = None,
     pivot: Given | None = None,
-    uncertainty: Given | None = None,
-    gate: Given | None = None,
-    from_: Given | None = None,
-    to: Given | None = None,
+    uncertainty: int | str | None = None,
+    gate: int | str | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
     even_times: bool = False,
     times_as_written: bool = False,
     run: Given | None = None,
-    sheet: Given | None = None,
+    sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     decimal: Literal["point", "comma"] | None = None,
-    header: Given | None = None,
+    header: int | str | None = None,
     progress: Say = False,
 ) -> Fit:
     """Times of a photogate: periods, T0 and gravity; double triggers and missed passages are
@@ -65,79 +66,79 @@ def fit_gates(
     signals : {"edges", "passages"}, optional
         Meaning of the times: edges (blocked, free, …) or whole passages [default: detected from
         their pattern].
-    diameter : number or text, optional
+    diameter : quantity, optional
         Diameter of what passes the gate with its middle [default: the bob is what passes it, by its
         radius, cut where the gate is].
     shape : {"ball", "flag"}, optional
         Shape of what has this diameter: a ball, or a flat flag with edges parallel to the rod
         [default: ball].
-    gate_distance : number or text, optional
+    gate_distance : quantity, optional
         Distance of the gate from the pivot [default: the length of the pendulum].
-    amplitude : number or text, optional
+    amplitude : angle, optional
         Amplitude of the release, a quarter period before the first passage, such as 20deg.
     figure : str or path, optional
         Draw the periods against time to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
-    length : number or text, optional
+    length : quantity, optional
         From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
         gravity.
-    bob_radius : number or text, optional
+    bob_radius : quantity, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
-    bob_mass : number or text, optional
+    bob_mass : quantity, optional
         Mass of the bob, such as 42.0g±0.5g.
-    bob_density : number or text, optional
+    bob_density : quantity, optional
         Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
-    rod_mass : number or text, optional
+    rod_mass : quantity, optional
         Mass of the rod or string.
-    rod_length : number or text, optional
+    rod_length : quantity, optional
         From the pivot to the end of the rod [default: to the surface of the bob].
-    air_density : number or text, optional
+    air_density : quantity, optional
         Density of the air [default: 1.20(2)kg/m^3].
-    stretch : number or text, optional
+    stretch : quantity, optional
         Stretch of the string under the hanging bob.
-    angle_scale : number or text, optional
+    angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
-    clock : number or text, optional
+    clock : float or str, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
         been taken for 30.
-    correlation : number or text, or several, optional
+    correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : number or text, optional
+    linear : quantity, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
         [default: not corrected].
-    time : number or text, optional
+    time : int or str, optional
         Column of times, by number or name.
-    time_unit : number or text, optional
+    time_unit : str, optional
         Unit of times: s, ms, us, min.
-    angle : number or text, optional
+    angle : int or str, optional
         Column of angles, by number or name.
-    angular_velocity : number or text, optional
+    angular_velocity : int or str, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : number or text, optional
+    angle_unit : str, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
-    counts_per_turn : number or text, optional
+    counts_per_turn : float or str, optional
         Angles are encoder counts, with this many per turn.
-    x : number or text, optional
+    x : int or str, optional
         Column of horizontal positions, instead of an angle.
-    y : number or text, optional
+    y : int or str, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
         Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
         fitted.
-    uncertainty : number or text, optional
+    uncertainty : int or str, optional
         Column of uncertainties of the angles or angular velocities.
-    gate : number or text, optional
+    gate : int or str, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
-    from_ : number or text, optional
+    from_ : float or str, optional
         Ignore rows before this time, on the clock of the file.
-    to : number or text, optional
+    to : float or str, optional
         Ignore rows after this time.
     even_times : bool
         Take the times in the file to be rounded, and use the equally spaced ones they come from.
@@ -145,13 +146,13 @@ def fit_gates(
         Use the times as written, even where they look like rounded, equally spaced ones.
     run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
-    sheet : number or text, optional
+    sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the cells.
     decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
-    header : number or text, optional
+    header : int or str, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

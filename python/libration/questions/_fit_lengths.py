@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say
+from .._ask import Angle, Columns, Given, Path, Quantity, Say, Value
 from ..answer import answer
 from ..fit import Fit
 
@@ -14,18 +14,18 @@ def fit_lengths(
     *,
     columns: Given | None = None,
     length_unit: Literal["m", "cm", "mm", "in"] | None = None,
-    amplitude: Given | None = None,
+    amplitude: Angle | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
-    periods_per_row: Given | None = None,
+    periods_per_row: Value | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     header: Literal["detect", "present", "absent"] | None = None,
-    bob_radius: Given | None = None,
-    clock: Given | None = None,
+    bob_radius: Quantity | None = None,
+    clock: Value | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Fit:
     """Measured periods against length: gravity, and the offset common to all lengths.
@@ -40,23 +40,23 @@ def fit_lengths(
         names].
     length_unit : {"m", "cm", "mm", "in"}, optional
         Unit of the lengths and of their uncertainties [default: that of the header, else m].
-    amplitude : number or text, optional
+    amplitude : angle, optional
         The amplitude of all swings, such as 10deg [default: negligible].
     amplitude_unit : {"rad", "deg"}, optional
         Unit of a column of amplitudes [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
-    periods_per_row : number or text, optional
+    periods_per_row : float or str, optional
         Each time spans this many periods [default: as the header says, such as 10T or half period,
         else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
-    bob_radius : number or text, optional
+    bob_radius : quantity, optional
         Radius of the bob, a sphere, whose moment of inertia is then part of every law; without it a
         radius of gyration is fitted.
-    clock : number or text, optional
+    clock : float or str, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
         been taken for 30.
     figure : str or path, optional
@@ -64,10 +64,10 @@ def fit_lengths(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say
+from .._ask import Columns, Given, Path, Quantity, Say, Value
 from ..answer import answer
 from ..fit import Fit
 
@@ -15,27 +16,27 @@ def fit_periods(
     columns: Given | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
-    periods_per_row: Given | None = None,
+    periods_per_row: Value | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     header: Literal["detect", "present", "absent"] | None = None,
-    reject_outliers: Given | None = None,
-    formulas: Given | None = None,
+    reject_outliers: Value | None = None,
+    formulas: str | Sequence[str] | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
-    length: Given | None = None,
-    bob_radius: Given | None = None,
-    bob_mass: Given | None = None,
-    bob_density: Given | None = None,
-    rod_mass: Given | None = None,
-    rod_length: Given | None = None,
-    air_density: Given | None = None,
-    stretch: Given | None = None,
-    angle_scale: Given | None = None,
-    clock: Given | None = None,
-    correlation: Given | None = None,
-    linear_damping: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    length: Quantity | None = None,
+    bob_radius: Quantity | None = None,
+    bob_mass: Quantity | None = None,
+    bob_density: Quantity | None = None,
+    rod_mass: Quantity | None = None,
+    rod_length: Quantity | None = None,
+    air_density: Quantity | None = None,
+    stretch: Quantity | None = None,
+    angle_scale: Value | None = None,
+    clock: Value | None = None,
+    correlation: str | Sequence[str] | None = None,
+    linear: Quantity | None = None,
     progress: Say = False,
 ) -> Fit:
     """Measured periods against amplitude: T0 under the exact law and every other, a test of the
@@ -53,52 +54,52 @@ def fit_periods(
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad].
     half_periods : bool
         The times are half periods, from one side to the other.
-    periods_per_row : number or text, optional
+    periods_per_row : float or str, optional
         Each time spans this many periods [default: as the header says, such as 10T or half period,
         else 1].
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the columns [default: detected].
     header : {"detect", "present", "absent"}, optional
         Whether the first row names the columns [default: detect].
-    reject_outliers : number or text, optional
+    reject_outliers : float or str, optional
         Leave out rows more than this many robust standard deviations from the exact law.
-    formulas : number or text, or several, optional
+    formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     figure : str or path, optional
         Draw the data, the laws and the residuals to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
-    length : number or text, optional
+    length : quantity, optional
         From the pivot to the centre of the bob, with its uncertainty, such as 0.57m±0.004m: gives
         gravity.
-    bob_radius : number or text, optional
+    bob_radius : quantity, optional
         Radius of the bob, a sphere, such as 20.0(1)mm.
-    bob_mass : number or text, optional
+    bob_mass : quantity, optional
         Mass of the bob, such as 42.0g±0.5g.
-    bob_density : number or text, optional
+    bob_density : quantity, optional
         Density of the bob, such as 7.85g/cm^3 [default: by its mass and radius].
-    rod_mass : number or text, optional
+    rod_mass : quantity, optional
         Mass of the rod or string.
-    rod_length : number or text, optional
+    rod_length : quantity, optional
         From the pivot to the end of the rod [default: to the surface of the bob].
-    air_density : number or text, optional
+    air_density : quantity, optional
         Density of the air [default: 1.20(2)kg/m^3].
-    stretch : number or text, optional
+    stretch : quantity, optional
         Stretch of the string under the hanging bob.
-    angle_scale : number or text, optional
+    angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles, such as 0.01 or 1%.
-    clock : number or text, optional
+    clock : float or str, optional
         Relative uncertainty of the clock or frame rate, such as 0.1% where 29.97 frames/s may have
         been taken for 30.
-    correlation : number or text, or several, optional
+    correlation : str, or several, optional
         Correlation coefficient of two inputs, such as length,bob-radius=0.9.
-    linear_damping : number or text, optional
+    linear : quantity, optional
         Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2)
         [default: not corrected].
     progress : bool or callable

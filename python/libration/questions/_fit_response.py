@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say
+from .._ask import Columns, Given, Path, Quantity, Say
 from ..answer import answer
 from ..fit import Fit
 
@@ -23,8 +23,8 @@ def fit_response(
     measured: Literal["peak", "fundamental"] | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Fit:
     """Amplitudes and phases of a driven oscillator against frequency: natural frequency, damping
@@ -62,10 +62,10 @@ def fit_response(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from .._ask import Given, Say
+from collections.abc import Sequence
+
+from .._ask import Angle, Say, Value
 from ..answer import Answer, answer
 
 
 def formulas(
     *,
-    amplitude: Given | None = None,
-    tolerance: Given | None = None,
+    amplitude: Angle | None = None,
+    tolerance: Value | None = None,
     crossovers: bool = False,
-    formulas: Given | None = None,
+    formulas: str | Sequence[str] | None = None,
     progress: Say = False,
 ) -> Answer:
     """The catalogue of formulas for the period: which one is good enough, how far each holds, where
@@ -19,13 +21,13 @@ def formulas(
 
     Parameters
     ----------
-    amplitude : number or text, optional
+    amplitude : angle, optional
         List only formulas within the tolerance at this amplitude and all smaller ones.
-    tolerance : number or text, optional
+    tolerance : float or str, optional
         Largest acceptable fractional error of the period, such as 1e-3 or 0.1%.
     crossovers : bool
         List the amplitudes at which one formula becomes better than another.
-    formulas : number or text, or several, optional
+    formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from .._ask import Given, Say
+from .._ask import Angle, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
 def fourier(
-    angle: Given,
+    angle: Angle,
     *,
-    velocity: Given | None = None,
-    harmonics: Given | None = None,
-    tolerance: Given | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    velocity: Value | None = None,
+    harmonics: int | None = None,
+    tolerance: Value | None = None,
+    length: Quantity | None = None,
+    gravity: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """The Fourier coefficients of the angle and of the velocity.
@@ -23,18 +23,18 @@ def fourier(
 
     Parameters
     ----------
-    angle : number or text
+    angle : angle
         The starting angle, such as 60deg, 1.2rad or pi-1e-6.
-    velocity : number or text, optional
+    velocity : float or str, optional
         The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default:
         0rad/s].
-    harmonics : number or text, optional
+    harmonics : int, optional
         Number of harmonics to list.
-    tolerance : number or text, optional
+    tolerance : float or str, optional
         List all harmonics of the angle that are at least this large, in radians [default: 1e-16].
-    length : number or text, optional
+    length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : number or text, optional
+    gravity : quantity, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
     progress : bool or callable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say
+from .._ask import Columns, Given, Path, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
@@ -13,32 +13,32 @@ def inspect(
     *,
     values: bool = False,
     spectrum: bool = False,
-    harmonics: Given | None = None,
-    swings: Given | None = None,
+    harmonics: int | None = None,
+    swings: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
-    time: Given | None = None,
-    time_unit: Given | None = None,
-    angle: Given | None = None,
-    angular_velocity: Given | None = None,
-    unit: Given | None = None,
-    counts_per_turn: Given | None = None,
-    x: Given | None = None,
-    y: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    time: int | str | None = None,
+    time_unit: str | None = None,
+    angle: int | str | None = None,
+    angular_velocity: int | str | None = None,
+    angle_unit: str | None = None,
+    counts_per_turn: Value | None = None,
+    x: int | str | None = None,
+    y: int | str | None = None,
     pivot: Given | None = None,
-    uncertainty: Given | None = None,
-    gate: Given | None = None,
-    from_: Given | None = None,
-    to: Given | None = None,
+    uncertainty: int | str | None = None,
+    gate: int | str | None = None,
+    from_: Value | None = None,
+    to: Value | None = None,
     even_times: bool = False,
     times_as_written: bool = False,
     run: Given | None = None,
-    sheet: Given | None = None,
+    sheet: int | str | None = None,
     delimiter: Literal["comma", "semicolon", "tab", "space"] | None = None,
     decimal: Literal["point", "comma"] | None = None,
-    header: Given | None = None,
+    header: int | str | None = None,
     progress: Say = False,
 ) -> Answer:
     """The contents of a file of measurements: its columns with quantities and units, its faults,
@@ -57,46 +57,46 @@ def inspect(
         radians.
     spectrum : bool
         Measure the harmonics of the swings, each beside that of the pendulum.
-    harmonics : number or text, optional
+    harmonics : int, optional
         The highest harmonic [default: 7].
-    swings : number or text, optional
+    swings : int, optional
         Number of swings in a window, three at least [default: 5].
     figure : str or path, optional
         Draw the spectrum with the pendulum's harmonics to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
-    time : number or text, optional
+    time : int or str, optional
         Column of times, by number or name.
-    time_unit : number or text, optional
+    time_unit : str, optional
         Unit of times: s, ms, us, min.
-    angle : number or text, optional
+    angle : int or str, optional
         Column of angles, by number or name.
-    angular_velocity : number or text, optional
+    angular_velocity : int or str, optional
         Column of angular velocities, such as those of a gyroscope.
-    unit : number or text, optional
+    angle_unit : str, optional
         Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s.
-    counts_per_turn : number or text, optional
+    counts_per_turn : float or str, optional
         Angles are encoder counts, with this many per turn.
-    x : number or text, optional
+    x : int or str, optional
         Column of horizontal positions, instead of an angle.
-    y : number or text, optional
+    y : int or str, optional
         Column of vertical positions.
     pivot : number or text, or several, optional
         Position of the pivot, in the unit of the positions, such as 0.1,1.5; otherwise a circle is
         fitted.
-    uncertainty : number or text, optional
+    uncertainty : int or str, optional
         Column of uncertainties of the angles or angular velocities.
-    gate : number or text, optional
+    gate : int or str, optional
         Column of the photogate's state, 1 or blocked, 0 or unblocked.
-    from_ : number or text, optional
+    from_ : float or str, optional
         Ignore rows before this time, on the clock of the file.
-    to : number or text, optional
+    to : float or str, optional
         Ignore rows after this time.
     even_times : bool
         Take the times in the file to be rounded, and use the equally spaced ones they come from.
@@ -104,13 +104,13 @@ def inspect(
         Use the times as written, even where they look like rounded, equally spaced ones.
     run : number or text, or several, optional
         The run: its name, or its number as in ``Run #3``; several as 1,2,6.
-    sheet : number or text, optional
+    sheet : int or str, optional
         Sheet of a workbook or file of an archive, by number or name.
     delimiter : {"comma", "semicolon", "tab", "space"}, optional
         Separator of the cells.
     decimal : {"point", "comma"}, optional
         Decimal point or decimal comma.
-    header : number or text, optional
+    header : int or str, optional
         Line that names the columns: detect, present, absent, or its number.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

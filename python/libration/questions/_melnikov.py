@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Equation, Path, Quantity, Say, Values
 from ..answer import Answer, answer
 
 
 def melnikov(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
     over: Values | Sequence[str] | None = None,
-    orders: Given | None = None,
+    max_drive_periods: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its
@@ -30,14 +30,14 @@ def melnikov(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     over : dict, optional
         A parameter and the range in which to look for thresholds, such as A=0:1.
-    orders : number or text, optional
+    max_drive_periods : int, optional
         The largest number of periods of the drive, q, of a resonance p:q [default: 5].
     figure : str or path, optional
         Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png
@@ -45,10 +45,10 @@ def melnikov(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Coordinate, Equation, Given, Path, Quantity, Say, Values
 from ..answer import Answer, answer
 
 
 def modes(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
     about: Values | None = None,
-    follow: Given | None = None,
+    follow: int | None = None,
     amplitudes: Given | None = None,
-    coordinate: Given | None = None,
+    coordinate: Coordinate | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """The normal modes of a system about an equilibrium: frequencies and shapes, exact where
@@ -31,30 +31,30 @@ def modes(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
         Coordinates near the equilibrium in question, such as x=1,theta=180deg; the others are taken
         at rest.
-    follow : number or text, optional
+    follow : int, optional
         Follow the mode with this number, from 1, to large amplitudes, as periodic orbits with their
         stability.
     amplitudes : number or text, or several, optional
         Amplitudes of the followed mode: a list or a range, such as 10deg:90deg:10deg or 0.1,0.5.
-    coordinate : number or text, optional
+    coordinate : coordinate, optional
         The coordinate whose amplitude is meant [default: the first].
     figure : str or path, optional
         Draw the shapes to FILE.svg or FILE.png.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

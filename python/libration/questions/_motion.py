@@ -2,36 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say
+from .._ask import Angle, Given, Path, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
 def motion(
-    angle: Given,
+    angle: Angle,
     *,
-    velocity: Given | None = None,
+    velocity: Value | None = None,
     times: Given | None = None,
     times_from: Path | None = None,
-    compare: Given | None = None,
+    compare: str | Sequence[str] | None = None,
     figure: Path | None = None,
     animate: bool = False,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    length: Quantity | None = None,
+    gravity: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """Angle and velocity in time, from any starting angle and velocity.
 
     Parameters
     ----------
-    angle : number or text
+    angle : angle
         The starting angle, such as 60deg, 1.2rad or pi-1e-6; beyond the top, whole turns are
         counted.
-    velocity : number or text, optional
+    velocity : float or str, optional
         The starting velocity, such as 0.3rad/s or 20deg/s; plain numbers are rad/s [default:
         0rad/s].
     times : number or text, or several, optional
@@ -39,7 +40,7 @@ def motion(
         steps].
     times_from : str or path, optional
         Read the times from a file, one per line; - for standard input.
-    compare : number or text, or several, optional
+    compare : str, or several, optional
         Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7.
     figure : str or path, optional
         Draw the motion to FILE.svg or FILE.png instead of listing it.
@@ -48,14 +49,14 @@ def motion(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
-    length : number or text, optional
+    length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : number or text, optional
+    gravity : quantity, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
     progress : bool or callable

@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Coordinate, Equation, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
 def orbit(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
-    period: Given | None = None,
-    drive_periods: Given | None = None,
-    hold: Given | None = None,
+    period: Value | None = None,
+    drive_periods: int | None = None,
+    hold: Coordinate | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors.
@@ -30,20 +30,20 @@ def orbit(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
-    period : number or text, optional
+    period : float or str, optional
         A guess of the period, in seconds; of a driven system the period of the answer.
-    drive_periods : number or text, optional
+    drive_periods : int, optional
         Number of periods of the drive in one period of the orbit, for subharmonic orbits [default:
         1].
-    hold : number or text, optional
+    hold : coordinate, optional
         The coordinate whose value at the start is kept, of a family of orbits near a guess
         [default: the farthest from zero].
     figure : str or path, optional
@@ -51,10 +51,10 @@ def orbit(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

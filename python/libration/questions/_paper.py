@@ -8,8 +8,8 @@ from ..answer import Answer, answer
 
 def paper(
     *,
-    only: Given | None = None,
-    document: Given | None = None,
+    only: str | None = None,
+    document: str | None = None,
     label: Given | None = None,
     progress: Say = False,
 ) -> Answer:
@@ -22,9 +22,9 @@ def paper(
 
     Parameters
     ----------
-    only : number or text, optional
+    only : str, optional
         Show only statements with this verdict.
-    document : number or text, optional
+    document : str, optional
         Show only one document: black-vel or cote.
     label : number or text, optional
         Show only labels that contain this number or these words, such as 25, C2 or "Fig. 1".

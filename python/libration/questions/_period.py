@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say
+from .._ask import Given, Path, Quantity, Say
 from ..answer import Answer, answer
 
 
@@ -15,10 +16,10 @@ def period(
     period: Given | None = None,
     ratio: Given | None = None,
     excess: Given | None = None,
-    formulas: Given | None = None,
+    formulas: str | Sequence[str] | None = None,
     sort: Literal["error", "catalogue"] | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    length: Quantity | None = None,
+    gravity: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """The exact period at one or more amplitudes, or the amplitude of a period, and every published
@@ -30,21 +31,21 @@ def period(
         Angles such as 60deg, 1.2rad or pi-1e-6, or ranges such as 1deg:179deg:1deg.
     from_file : str or path, optional
         Read the amplitudes from a file, one per line; - for standard input.
-    period : number or text, or several, optional
+    period : quantity, or several, optional
         The amplitude that has this period, such as 2.1s or 2.10(1)s: with an uncertainty, the
         amplitude has one too.
-    ratio : number or text, or several, optional
+    ratio : quantity, or several, optional
         The amplitude whose period is this multiple of that of small swings, T/T₀.
-    excess : number or text, or several, optional
+    excess : quantity, or several, optional
         The amplitude whose period exceeds that of small swings by this part of it, T/T₀ − 1; keeps
         all digits of small amplitudes.
-    formulas : number or text, or several, optional
+    formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     sort : {"error", "catalogue"}, optional
         The order of the formulas [default: error].
-    length : number or text, optional
+    length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
-    gravity : number or text, optional
+    gravity : quantity, optional
         Acceleration of free fall, such as 9.81m/s^2; plain numbers are m/s² [default:
         9.80665m/s^2].
     progress : bool or callable

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from .._ask import Given, Say
+from .._ask import Angle, Given, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
 def plan(
     *,
-    g_to: Given,
-    length: Given,
-    angle_noise: Given,
-    rate: Given,
+    g_to: Value,
+    length: Quantity,
+    angle_noise: Angle,
+    rate: Value,
     amplitudes: Given | None = None,
-    linear_damping: Given | None = None,
-    angle_scale: Given | None = None,
-    clock: Given | None = None,
-    gravity: Given | None = None,
+    linear: Quantity | None = None,
+    angle_scale: Value | None = None,
+    clock: Value | None = None,
+    gravity: Value | None = None,
     progress: Say = False,
 ) -> Answer:
     """Plan a measurement of g: from which amplitude, how many swings, how well the length must be
@@ -30,25 +30,25 @@ def plan(
 
     Parameters
     ----------
-    g_to : number or text
+    g_to : float or str
         The relative standard uncertainty of g that is wanted, such as 1e-3 or 0.1%.
-    length : number or text
+    length : quantity
         From the pivot to the centre of the bob, with its uncertainty, such as 1.0000(5)m.
-    angle_noise : number or text
+    angle_noise : angle
         Standard deviation of the angle in a row, such as 0.2deg.
-    rate : number or text
+    rate : float or str
         Rows per second, such as 60.
     amplitudes : number or text, or several, optional
         Amplitudes to choose from, such as 5deg,20deg or 5deg:60deg:5deg [default:
         5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg].
-    linear_damping : number or text, optional
+    linear : quantity, optional
         Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default:
         none].
-    angle_scale : number or text, optional
+    angle_scale : float or str, optional
         Relative uncertainty of the scale of all angles [default: 1%].
-    clock : number or text, optional
+    clock : float or str, optional
         Relative uncertainty of the clock or frame rate [default: 0].
-    gravity : number or text, optional
+    gravity : float or str, optional
         Acceleration of free fall, about [default: 9.80665m/s^2].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

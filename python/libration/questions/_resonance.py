@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Equation, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
 def resonance(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
     about: Values | None = None,
     initial: Values | None = None,
-    order: Given | None = None,
-    detuning: Given | None = None,
+    order: int | None = None,
+    detuning: Value | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """Slow changes of the modes of a system near rest: the normal form with its resonances, and the
@@ -32,9 +32,9 @@ def resonance(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     about : dict, optional
@@ -43,9 +43,9 @@ def resonance(
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
-    order : number or text, optional
+    order : int, optional
         Up to which order in the amplitudes [default: 3].
-    detuning : number or text, optional
+    detuning : float or str, optional
         Divisors below this part of the least frequency are taken for resonances [default: 0.1].
     figure : str or path, optional
         Draw the amplitudes in time to FILE.svg or FILE.png instead of listing the terms; needs
@@ -53,10 +53,10 @@ def resonance(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

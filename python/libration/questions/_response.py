@@ -5,28 +5,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Coordinate, Equation, Given, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
 def response(
-    system: Given,
+    system: Equation,
     *,
     over: Values | Sequence[str],
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
-    drive_periods: Given | None = None,
-    turns: Given | None = None,
+    drive_periods: int | None = None,
+    turns: int | None = None,
     orders: Given | None = None,
-    at: Given | None = None,
-    generations: Given | None = None,
-    coordinate: Given | None = None,
-    digits: Given | None = None,
-    sweeps: Given | None = None,
+    at: Value | None = None,
+    generations: int | None = None,
+    coordinate: Coordinate | None = None,
+    digits: int | None = None,
+    sweeps: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """The periodic answers of a driven system, or limit cycles, over a parameter: amplitude,
@@ -38,9 +38,9 @@ def response(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     over : dict
         The parameter and its range, such as omega=0.3:1.4.
     set : dict, optional
@@ -48,25 +48,25 @@ def response(
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
-    drive_periods : number or text, optional
+    drive_periods : int, optional
         Number of periods of the drive in one period of the response, for subharmonic responses
         [default: 1].
-    turns : number or text, optional
+    turns : int, optional
         Number of turns of the angle of ``coordinate`` in one period, for rotating responses;
         backwards where negative.
-    orders : number or text, or several, optional
+    orders : float or str, or several, optional
         Look for sub- and superharmonic answers too: how many oscillations in how many periods of
         the drive, such as 1/3,1/2.
-    at : number or text, optional
+    at : float or str, optional
         The value at which answers are looked for, for curves that close within the range [default:
         the ends of the range].
-    generations : number or text, optional
+    generations : int, optional
         Number of successive losses of symmetry and period doublings that are followed [default: 2].
-    coordinate : number or text, optional
+    coordinate : coordinate, optional
         The coordinate whose amplitude is meant [default: the first].
-    digits : number or text, optional
+    digits : int, optional
         Compute the parameter at special points to this number of digits, up to 100.
-    sweeps : number or text, optional
+    sweeps : int, optional
         Sweep the parameter slowly up and down through N values by integration, too [default: 48
         where a picture is drawn, else none].
     figure : str or path, optional
@@ -74,10 +74,10 @@ def response(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

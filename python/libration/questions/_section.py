@@ -5,55 +5,55 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Equation, Given, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
 def section(
-    system: Given,
+    system: Equation,
     *,
     set: Values | Sequence[str] | None = None,
     initial: Values | Sequence[Values] | None = None,
-    period: Given | None = None,
-    phase: Given | None = None,
-    at: Given | None = None,
+    period: Value | None = None,
+    phase: Value | None = None,
+    at: Equation | None = None,
     direction: Literal["rising", "falling", "any"] | None = None,
-    skip: Given | None = None,
-    points: Given | None = None,
-    tolerance: Given | None = None,
+    skip: int | None = None,
+    points: int | None = None,
+    tolerance: Value | None = None,
     fold: bool = False,
     axes: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """Poincaré section: the state once per drive period, or whenever a formula crosses zero.
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, or several, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0; those not given start
         at rest; give it several times for several motions.
-    period : number or text, optional
+    period : float or str, optional
         Take a point once per period of this length, in seconds [default: the period of the drive].
-    phase : number or text, optional
+    phase : float or str, optional
         Take it at this fraction of the period, from 0 to 1 [default: 0].
-    at : number or text, optional
+    at : formula, optional
         Take a point whenever this formula of coordinates, velocities and t changes its sign.
     direction : {"rising", "falling", "any"}, optional
         Direction in which the formula crosses zero [default: rising].
-    skip : number or text, optional
+    skip : int, optional
         Number of points to discard as transient [default: 100; 0 with ``at``].
-    points : number or text, optional
+    points : int, optional
         Number of points to record.
-    tolerance : number or text, optional
+    tolerance : float or str, optional
         The relative error allowed in each step [default: 1e-12].
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
@@ -64,10 +64,10 @@ def section(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

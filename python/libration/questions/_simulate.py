@@ -5,24 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Say, Values
+from .._ask import Columns, Equation, Given, Path, Quantity, Say, Value, Values
 from ..answer import Answer, answer
 
 
 def simulate(
-    system: Given,
+    system: Equation,
     *,
     times: Given,
     set: Values | Sequence[str] | None = None,
-    length: Given | None = None,
-    gravity: Given | None = None,
+    length: Value | None = None,
+    gravity: Value | None = None,
     initial: Values | None = None,
     each: Path | Columns | None = None,
-    tolerance: Given | None = None,
+    tolerance: Value | None = None,
     events: Given | None = None,
     until: Given | None = None,
     direction: Literal["any", "rising", "falling"] | None = None,
-    count: Given | None = None,
+    count: int | None = None,
     columns: Values | Sequence[str] | None = None,
     sensitivity: Given | None = None,
     no_errors: bool = False,
@@ -30,8 +30,8 @@ def simulate(
     axes: Given | None = None,
     animate: bool = False,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     output: Path | None = None,
     resume: Path | None = None,
     progress: Say = False,
@@ -40,18 +40,18 @@ def simulate(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
     times : number or text, or several
         Times START:STOP:STEP or t1,t2,…, in seconds or with a unit, leading away from 0, or
         ascending through it; negative ones run backward.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
-    length : number or text, optional
-        Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration
-        systems> says].
-    gravity : number or text, optional
+    length : float or str, optional
+        Length of the rods of a named pendulum, such as 1m or 57cm [default: what ``libration list``
+        says].
+    gravity : float or str, optional
         Acceleration of free fall of a named pendulum, such as 9.81m/s^2.
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
@@ -59,7 +59,7 @@ def simulate(
     each : str or path or columns, optional
         One motion for each line of a CSV file (- for standard input) whose first line names
         parameters and initial values, and may have a column ``name``.
-    tolerance : number or text, optional
+    tolerance : float or str, optional
         The relative error allowed in each step, for all coordinates or each by its name: 1e-12,
         "phi=1e-6", "1e-12, phi=1e-6" [default: 1e-12].
     events : number or text, or several, optional
@@ -70,7 +70,7 @@ def simulate(
         ``times`` says how long it is waited for.
     direction : {"any", "rising", "falling"}, optional
         Direction of the passages that count for ``until``: rising, falling, or any [default: any].
-    count : number or text, optional
+    count : int, optional
         End the motion at the n-th passage that counts for ``until`` [default: 1].
     columns : dict, optional
         Formulas of the state, the time t and the parameters as further columns, such as "energy =
@@ -91,10 +91,10 @@ def simulate(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     output : str or path, optional
         Write the answer to a file, which is replaced only when complete, or to a stream; the

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Given, Path, Say, Values
+from .._ask import Equation, Given, Path, Quantity, Say, Values
 from ..answer import Answer, answer
 
 
 def stability(
-    system: Given,
+    system: Equation,
     *,
     map: Values,
     set: Values | Sequence[str] | None = None,
     initial: Values | None = None,
-    drive_periods: Given | None = None,
-    generations: Given | None = None,
-    lines: Given | None = None,
+    drive_periods: int | None = None,
+    generations: int | None = None,
+    lines: int | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
-    width: Given | None = None,
-    height: Given | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
     progress: Say = False,
 ) -> Answer:
     """Stability over two parameters: edges of a state of rest, curves of folds, symmetry breakings
@@ -33,21 +33,21 @@ def stability(
 
     Parameters
     ----------
-    system : number or text
-        A key from <libration systems> or ``libration oscillators``, or equations of motion, such as
-        "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y".
-    map : dict
+    system : equation
+        A key from ``libration list``, or equations of motion, such as "x'' = y - x; y'' = x - y",
+        or of the first order, such as "x' = x - x*y; y' = x*y - y".
+    map : number or text, or several
         Two parameters and their ranges, such as omega=1:3,a=0:0.5.
     set : dict, optional
         The value of a parameter: a number, or a formula such as 1/2; may be given several times.
     initial : dict, optional
         Coordinates and velocities at the start, such as theta=60deg,theta'=0, or x[i]=sin(pi*i/33)
         for all of a chain; those not given start at rest.
-    drive_periods : number or text, optional
+    drive_periods : int, optional
         Number of periods of the drive in one period of the response [default: 1].
-    generations : number or text, optional
+    generations : int, optional
         Number of successive losses of symmetry and period doublings that are followed [default: 1].
-    lines : number or text, optional
+    lines : int, optional
         Number of lines each way on which driven motions are followed; 0 for rest alone [default:
         3].
     figure : str or path, optional
@@ -55,10 +55,10 @@ def stability(
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].
-    width : number or text, optional
+    width : quantity, optional
         Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
         ``size``].
-    height : number or text, optional
+    height : quantity, optional
         Height of the picture [default: chosen to suit the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

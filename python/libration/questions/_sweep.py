@@ -13,8 +13,8 @@ def sweep(
     over: Values | Sequence[str],
     output: Path,
     keep: Given | None = None,
-    shard: Given | None = None,
-    chunk: Given | None = None,
+    shard: str | None = None,
+    chunk: int | None = None,
     progress: Say = False,
 ) -> str:
     """Ask a question at all points of a grid, in chunks that survive interruptions.
@@ -35,9 +35,9 @@ def sweep(
         Keep this number of the answer, by its way in JSON: exponent, results[0].ratio,
         samples[-1].state[0], points[0:100].state[1], with a name as angle=samples[-1].state[0]
         [default: all that stand alone].
-    shard : number or text, optional
+    shard : str, optional
         Answer this part of the sweep only, such as 3/64.
-    chunk : number or text, optional
+    chunk : int, optional
         Number of points in a chunk, at most [default: about 256 chunks].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

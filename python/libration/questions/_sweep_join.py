@@ -20,7 +20,7 @@ def sweep_join(
 
     Parameters
     ----------
-    directories : {Path | Sequence[Path}
+    directories : str or path, or several
         The directories of the shards; one where all have written to the same.
     output : str or path, optional
         The file, whose ending says its form: .csv or .json [default: CSV on the standard output].

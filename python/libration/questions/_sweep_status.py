@@ -17,7 +17,7 @@ def sweep_status(
 
     Parameters
     ----------
-    directories : {Path | Sequence[Path}
+    directories : str or path, or several
         The directories of the shards; one where all write to the same.
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.

@@ -63,7 +63,8 @@ export function pythonLine({ question, arguments: places = [], options = [] }: C
   const keyword = (name: string) => (name === "from" || name === "lambda" ? `${name}_` : name.replaceAll("-", "_"));
   const named = Array.from(values, ([name, all]) => `${keyword(name)}=${pythonValue(all)}`);
   const positional = places.length > 1 ? [pythonValue(places)] : places.map((place) => pythonText(place));
-  return `questions.${question.replaceAll(" ", "_")}(${[...positional, ...named].join(", ")})`;
+  const name = question === "list" ? "list_" : question.replaceAll(" ", "_");
+  return `questions.${name}(${[...positional, ...named].join(", ")})`;
 }
 
 function pythonValue(values: readonly (string | true)[]): string {

@@ -3,7 +3,7 @@
 use crate::command::{json, libration, message};
 
 /// Arguments, exit status, parts of the message.
-const CASES: [(&str, i32, &[&str]); 53] = [
+const CASES: [(&str, i32, &[&str]); 54] = [
     ("period nan", 2, &["AMPLITUDE", "nan"]),
     ("period inf", 2, &["AMPLITUDE", "inf"]),
     ("period -inf", 2, &["AMPLITUDE", "-inf", "60deg"]),
@@ -65,6 +65,7 @@ const CASES: [(&str, i32, &[&str]); 53] = [
     ("section pendulum --initial theta=1 --period 1 --points 2 --axes theta,x", 2, &["--figure"]),
     ("bifurcation driven_pendulum --over A=1 --initial theta=1 --points 2 --axis x", 2, &["--figure"]),
     ("systems nothing", 2, &["KEY", "nothing"]),
+    ("list nothing", 2, &["CATALOGUE|KEY", "nothing", "libration list shows all keys"]),
     ("fit periods /nonexistent/file", 1, &["/nonexistent/file"]),
 ];
 
@@ -106,7 +107,7 @@ fn what_is_very_long_is_not_repeated_whole() {
         vec!["simulate", "pendulum", "--initial", "theta=1", "--times", "1", "--events", &long],
         vec!["modes", "pendulum", "--about", &long],
         vec!["paper", "--only", &long],
-        vec!["systems", &long],
+        vec!["list", &long],
         vec!["fit", "periods", &long],
         vec![&long],
     ];

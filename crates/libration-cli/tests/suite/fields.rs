@@ -249,7 +249,7 @@ const FURTHER: [&str; 57] = [
     "plan|--g-to|1e-3|--length|1.00(1)m|--angle-noise|0.2deg|--rate|60",
     "inspect|examples/period_table_synthetic.csv",
     "inspect|WEIGHTED|--values",
-    "inspect|examples/phone/swing.txt|--unit|rad|--spectrum",
+    "inspect|examples/phone/swing.txt|--angle-unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv",
     "fit|periods|examples/period_table_synthetic.csv|--length|1m±0.01m|--bob-radius|50mm±10mm|--correlation|length,bob-radius=1",
     "fit|gates|examples/gate_synthetic.csv",

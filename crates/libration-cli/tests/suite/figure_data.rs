@@ -148,7 +148,7 @@ fn orbits_of_the_phase_portrait() {
 
 #[test]
 fn harmonics_of_the_spectrum() {
-    let drawing = figure("spectrum|--amplitudes|90deg|--highest|9");
+    let drawing = figure("spectrum|--amplitudes|90deg|--harmonics|9");
     let q = (-PI).exp();
     let markers = drawing.markers(0, FIRST);
     assert_eq!(markers.len(), 5);
@@ -699,7 +699,7 @@ fn nome(amplitude: f64) -> f64 {
 #[test]
 fn the_spectrum_of_a_swing_has_its_harmonics() {
     let drawing = figure(
-        "trajectories|pendulum|--initial|theta=60deg|--initial|theta=170deg|--until|200|--spectrum|theta",
+        "trajectories|pendulum|--initial|theta=60deg|--initial|theta=170deg|--to|200|--spectrum|theta",
     );
     for (colour, degrees) in [(FIRST, 60.0_f64), (SECOND, 170.0)] {
         let amplitude = degrees.to_radians();
@@ -718,7 +718,7 @@ fn the_spectrum_of_a_swing_has_its_harmonics() {
 
 #[test]
 fn motions_from_several_starts_are_those_of_each() {
-    let drawing = figure("trajectories|pendulum|--initial|theta=30deg|--initial|theta=150deg|--until|20");
+    let drawing = figure("trajectories|pendulum|--initial|theta=30deg|--initial|theta=150deg|--to|20");
     for (colour, degrees) in [(FIRST, 30.0_f64), (SECOND, 150.0)] {
         let amplitude = degrees.to_radians();
         let points: Vec<Place> = drawing.curves(0, colour).concat();
@@ -735,7 +735,8 @@ fn motions_from_several_starts_are_those_of_each() {
 
 #[test]
 fn each_value_of_a_parameter_has_its_motion() {
-    let question = "figure trajectories damped_pendulum --over c=0,0.5 --initial theta=0.1 --from 10 --until 30 --output";
+    let question =
+        "figure trajectories damped_pendulum --over c=0,0.5 --initial theta=0.1 --from 10 --to 30 --output";
     let file = directory("data-over").join("figure.svg").display().to_string();
     let answer = json(&format!("{question} {file}"));
     let series = answer["series"].as_array().unwrap();

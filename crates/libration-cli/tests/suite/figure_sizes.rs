@@ -18,9 +18,9 @@ const PICTURES: [&str; 12] = [
     "series pendulum",
     "series duffing --amplitudes 0.5,0.9,1.1",
     "series van_der_pol --quantity frequency",
-    "trajectories damped_pendulum --over c=0.05,0.2,2 --initial theta=170deg --until 40s",
-    "trajectories double_pendulum --initial theta1=10deg --initial theta1=120deg,theta2=-30deg --until 20 --axes theta1,theta2",
-    "trajectories pendulum --initial theta=60deg --initial theta=170deg --until 100s --spectrum theta",
+    "trajectories damped_pendulum --over c=0.05,0.2,2 --initial theta=170deg --to 40s",
+    "trajectories double_pendulum --initial theta1=10deg --initial theta1=120deg,theta2=-30deg --to 20 --axes theta1,theta2",
+    "trajectories pendulum --initial theta=60deg --initial theta=170deg --to 100s --spectrum theta",
 ];
 
 /// The smallest side that is accepted, from the message that refuses a smaller one.

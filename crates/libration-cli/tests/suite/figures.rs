@@ -179,7 +179,7 @@ fn pictures_of_typed_equations_are_titled_by_them_and_have_one_unit() {
 #[test]
 fn what_grows_without_bound_has_no_spectrum() {
     let file = directory("unbounded").join("figure.svg").display().to_string();
-    let question = "figure trajectories pendulum --initial theta'=3 --until 100 --spectrum";
+    let question = "figure trajectories pendulum --initial theta'=3 --to 100 --spectrum";
     let output = libration(&format!("{question} theta --output {file}"));
     assert_eq!(output.status.code(), Some(1));
     // 41.44 turns of 2kK(k) with k = 2/3.

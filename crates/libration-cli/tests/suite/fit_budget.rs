@@ -103,13 +103,13 @@ fn damping_is_a_row_that_can_be_reached() {
     for question in [periods, gates] {
         let without = json(&format!("{question} --length 1m±1mm"));
         assert!(row(&without, "damping")["usual_size"].is_number());
-        let with = json(&format!("{question} --length 1m±1mm --linear-damping 0.2(1)/s"));
+        let with = json(&format!("{question} --length 1m±1mm --linear 0.2(1)/s"));
         let size = number(row(&with, "damping"), "correction");
         let t0 = number(input(&with, "period"), "value");
         assert!((size / (0.05 * t0 / PI).powi(2) - 1.0).abs() < 1e-6, "{size}");
         let ratio = number(&with, "gravity_m_per_s2") / number(&without, "gravity_m_per_s2");
         assert!((ratio - 1.0 - size).abs() < 1e-9);
-        let refused = libration(&format!("{question} --length 1m --linear-damping 0.2m"));
+        let refused = libration(&format!("{question} --length 1m --linear 0.2m"));
         assert_eq!(refused.status.code(), Some(2));
         assert!(message(&refused).contains("0.030(1)/s"), "{}", message(&refused));
     }

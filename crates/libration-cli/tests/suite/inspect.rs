@@ -54,13 +54,13 @@ fn what_a_file_leaves_open_is_asked_with_the_options_that_decide_it() {
     let path = file("inspect-open", &swing("t;phase"));
     let answer = json(&format!("inspect {}", path.display()));
     assert_eq!(answer["traces"].as_array().unwrap().len(), 0);
-    assert_eq!(answer["undecided"]["options"][0], "--unit rad");
+    assert_eq!(answer["undecided"]["options"][0], "--angle-unit rad");
     let sheet = text(&format!("inspect {}", path.display()));
     assert!(
-        sheet.contains("no trace yet: it is not clear what column 2 (`phase`) holds: give --unit"),
+        sheet.contains("no trace yet: it is not clear what column 2 (`phase`) holds: give --angle-unit"),
         "{sheet}"
     );
-    let decided = json(&format!("inspect {} --unit deg", path.display()));
+    let decided = json(&format!("inspect {} --angle-unit deg", path.display()));
     assert_eq!(decided["traces"][0]["rows"], 49);
 }
 
@@ -147,7 +147,7 @@ fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
         assert!(message(&output).contains(part), "{name}: {}", message(&output));
         assert!(output.stdout.is_empty(), "{name}");
     }
-    let unknown = libration("inspect swing.csv --unit furlong");
+    let unknown = libration("inspect swing.csv --angle-unit furlong");
     assert_eq!(unknown.status.code(), Some(2));
     assert!(message(&unknown).contains("rad, deg"), "{}", message(&unknown));
 }

@@ -54,7 +54,7 @@ fn zeros_and_resonances_are_told_in_words() {
     let weak = words("melnikov driven_pendulum --set c=0.1,omega=1,A=0.1");
     assert!(weak.contains("the manifolds do not cross; they cross above 3.19479 times"), "{weak}");
     assert!(words("melnikov damped_pendulum --set c=0.1").contains("nothing depends on the phase"));
-    assert!(words("melnikov x''+sin(x)=0.001*cos(4*t) --orders 6").contains("do not overlap"));
+    assert!(words("melnikov x''+sin(x)=0.001*cos(4*t) --max-drive-periods 6").contains("do not overlap"));
     assert!(weak.contains("1:3 libration 0.33333333 175.8765"), "{weak}");
 }
 

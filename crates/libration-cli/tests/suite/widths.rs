@@ -19,7 +19,7 @@ fn widest(text: &str) -> (usize, &str) {
     text.lines().map(|line| (line.chars().count(), line)).max().unwrap_or((0, ""))
 }
 
-pub(crate) const QUESTIONS: [&str; 59] = [
+pub(crate) const QUESTIONS: [&str; 61] = [
     "period|60deg",
     "period|10deg,60deg,150deg",
     "period|10deg,60deg|--formulas|bernoulli,kidd_fogg,denman,black_vel_2,black_vel_3",
@@ -39,6 +39,8 @@ pub(crate) const QUESTIONS: [&str; 59] = [
     "expand|pendulum|--evaluate|40deg",
     "expand|duffing|--evaluate|0.5|--quantity|a3",
     "expand|x''+x+sqrt(2)*x^3=0|--order|5",
+    "list",
+    "list|duffing|double_pendulum",
     "oscillators",
     "systems",
     "backbone|pendulum|--amplitudes|10deg,170deg,190deg",
@@ -72,7 +74,7 @@ pub(crate) const QUESTIONS: [&str; 59] = [
     "figure|phase|--output|FILE",
     "inspect|examples/swing_synthetic.csv",
     "inspect|examples/gate_synthetic.csv",
-    "inspect|examples/phone/swing.txt|--unit|rad|--spectrum",
+    "inspect|examples/phone/swing.txt|--angle-unit|rad|--spectrum",
     "fit|periods|examples/period_table_synthetic.csv|--length|0.994m±0.001m|--bob-radius|20mm|--bob-mass|42g",
     "fit|lengths|examples/lengths_synthetic.csv|--amplitude|10deg",
     "fit|response|examples/response_synthetic.csv",

@@ -123,7 +123,7 @@ impl fmt::Display for Choice {
             Self::TimeUnit => "time-unit",
             Self::Angle => "angle",
             Self::AngularVelocity => "angular-velocity",
-            Self::Unit => "unit",
+            Self::Unit => "angle-unit",
             Self::CountsPerTurn => "counts-per-turn",
             Self::X => "x",
             Self::Y => "y",

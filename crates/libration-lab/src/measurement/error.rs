@@ -241,7 +241,7 @@ pub enum MeasurementError {
 }
 
 impl MeasurementError {
-    /// The message, with choices written as a shell of the library has them: `name` gives `unit=` or `--unit `, and so on.
+    /// The message, with choices written as a shell of the library has them: `name` gives `angle-unit=` or `--angle-unit `, and so on.
     #[must_use]
     pub fn message(&self, name: &dyn Fn(Choice) -> String) -> String {
         match self {
@@ -257,7 +257,7 @@ impl MeasurementError {
     }
 }
 
-/// `unit=rad, deg or counts-per-turn=4000`, `angle=2 or 3 and unit=rad or deg`.
+/// `angle-unit=rad, deg or counts-per-turn=4000`, `angle=2 or 3 and angle-unit=rad or deg`.
 fn listed(choices: &[Suggestion], name: &dyn Fn(Choice) -> String) -> String {
     let mut text = String::new();
     let mut before: Option<Choice> = None;

@@ -146,7 +146,7 @@ fn counts_become_turns_and_jumps_are_taken_out() {
     let refused = traces(&file, &Choices::default()).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        "the unit of column 3 (`angle`) is not given: give unit=rad or deg or counts-per-turn=4000"
+        "the unit of column 3 (`angle`) is not given: give angle-unit=rad or deg or counts-per-turn=4000"
     );
     let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
     let values = found.traces[0].values();
@@ -218,7 +218,7 @@ fn a_file_without_a_header_says_what_must_be_said() {
     let file = "0.03 -1.148 0.1\n0.06 -1.159 0.2\n0.10 -1.204 0.1\n";
     let refused = traces(file, &Choices::default()).unwrap_err().to_string();
     assert!(
-        refused.ends_with("column 2, column 3: give angle=2 or 3 and unit=rad or deg, or x=2 and y=3"),
+        refused.ends_with("column 2, column 3: give angle=2 or 3 and angle-unit=rad or deg, or x=2 and y=3"),
         "{refused}"
     );
     let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
@@ -495,7 +495,7 @@ fn a_rotation_without_a_unit_is_not_taken_for_degrees() {
             .collect::<String>()
     );
     let refused = traces(&file, &Choices::default()).unwrap_err();
-    assert!(refused.to_string().contains("say unit=rad or deg"), "{refused}");
+    assert!(refused.to_string().contains("say angle-unit=rad or deg"), "{refused}");
 }
 
 /// Twenty thousand rows know the radius to a few hundredths, but an arc no higher than twice its scatter may be bent by anything.

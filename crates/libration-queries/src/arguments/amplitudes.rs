@@ -29,7 +29,7 @@ pub(crate) struct AmplitudeOptions {
 
 /// The angles one argument means.
 #[derive(Clone, Debug)]
-enum AngleSet {
+pub(crate) enum AngleSet {
     List(Vec<Angle>),
     Range(AngleRange),
 }

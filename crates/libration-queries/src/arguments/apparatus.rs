@@ -48,13 +48,13 @@ pub(crate) struct ApparatusOptions {
 #[command(next_help_heading = "Apparatus, for gravity and the budget of its uncertainty")]
 pub(crate) struct DampingOptions {
     /// Coefficient of linear damping, such as 0.030(1)/s: the amplitude falls as exp(-b t/2) [default: not corrected]
-    #[arg(long, value_name = "RATE", value_parser = text::rate_with_uncertainty, requires = "length")]
-    linear_damping: Option<Quantity>,
+    #[arg(long, alias = "linear-damping", value_name = "RATE", value_parser = text::rate_with_uncertainty, requires = "length")]
+    linear: Option<Quantity>,
 }
 
 impl DampingOptions {
     pub(crate) fn damping(self) -> PeriodDamping {
-        self.linear_damping.map_or(PeriodDamping::Unknown, PeriodDamping::Contained)
+        self.linear.map_or(PeriodDamping::Unknown, PeriodDamping::Contained)
     }
 }
 

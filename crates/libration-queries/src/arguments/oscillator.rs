@@ -1,5 +1,6 @@
 //! Choice of an oscillator: a key of the catalogue or an equation, with values for its parameters.
 
+use super::names::EquationText;
 use super::reading;
 use super::values::{borrowed, values};
 use crate::query_error::{Parameter, QueryError, argument, excerpt, option};
@@ -16,7 +17,7 @@ use libration::systems::NamedSystem;
 pub(crate) struct OscillatorOptions {
     /// A key of the catalogue, such as `pendulum` or `van_der_pol`, or an equation, such as "x'' + x + x^3 = 0" or "\ddot{x} + \sin x = 0"
     #[arg(value_name = "OSCILLATOR|EQUATION", default_value = "pendulum")]
-    oscillator: String,
+    oscillator: EquationText,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
@@ -90,7 +91,7 @@ impl Chosen {
 impl OscillatorOptions {
     /// The oscillator of this name or equation.
     pub(crate) fn new(oscillator: &str, set: &[String], about: Option<&str>) -> Self {
-        Self { oscillator: oscillator.to_owned(), set: set.to_vec(), about: about.map(str::to_owned) }
+        Self { oscillator: oscillator.to_owned().into(), set: set.to_vec(), about: about.map(str::to_owned) }
     }
 
     pub(crate) fn chosen(&self) -> Result<Chosen, QueryError> {

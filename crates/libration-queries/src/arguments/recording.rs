@@ -25,10 +25,10 @@ pub(crate) struct RecordingOptions {
     #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with_all = ["angle", "x", "y"])]
     angular_velocity: Option<Column>,
     /// Unit of angles or angular velocities: rad, deg, turn, rad/s, deg/s
-    #[arg(long, value_name = "UNIT", value_parser = unit)]
-    unit: Option<Unit>,
+    #[arg(long, alias = "unit", value_name = "UNIT", value_parser = unit)]
+    angle_unit: Option<Unit>,
     /// Angles are encoder counts, with this many per turn
-    #[arg(long, value_name = "N", value_parser = super::positive, conflicts_with = "unit")]
+    #[arg(long, value_name = "N", value_parser = super::positive, conflicts_with = "angle_unit")]
     counts_per_turn: Option<f64>,
     /// Column of horizontal positions, instead of an angle
     #[arg(long, value_name = "COLUMN", value_parser = column, conflicts_with = "angle")]
@@ -123,7 +123,7 @@ impl RecordingOptions {
             time_unit: self.time_unit,
             angle: self.angle.clone(),
             angular_velocity: self.angular_velocity.clone(),
-            unit: self.unit,
+            unit: self.angle_unit,
             counts_per_turn: self.counts_per_turn,
             x: self.x.clone(),
             y: self.y.clone(),

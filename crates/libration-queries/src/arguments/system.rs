@@ -1,5 +1,6 @@
 //! Choice of a system: a key of a catalogue or equations of motion, with values for their parameters.
 
+use super::names::EquationText;
 use super::reading;
 use super::text::{gravity, length};
 use super::values::{borrowed, values};
@@ -12,9 +13,9 @@ use std::fmt::Display;
 /// The system.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct SystemOptions {
-    /// A key from <libration systems> or `libration oscillators`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
+    /// A key from `libration list`, or equations of motion, such as "x'' = y - x; y'' = x - y", or of the first order, such as "x' = x - x*y; y' = x*y - y"
     #[arg(value_name = "SYSTEM|EQUATION")]
-    system: String,
+    system: EquationText,
     /// The value of a parameter: a number, or a formula such as 1/2; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
@@ -25,7 +26,7 @@ pub(crate) struct SystemOptions {
 pub(crate) struct PendulumSystemOptions {
     #[command(flatten)]
     system: SystemOptions,
-    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what <libration systems> says]
+    /// Length of the rods of a named pendulum, such as 1m or 57cm [default: what `libration list` says]
     #[arg(long, value_parser = length)]
     length: Option<f64>,
     /// Acceleration of free fall of a named pendulum, such as 9.81m/s^2
@@ -135,7 +136,7 @@ impl PendulumSystemOptions {
             return Ok(vec![]);
         }
         let named = NamedSystem::by_key(self.system.system.trim()).map_err(|_| {
-            let reason = "only the pendulums of <libration systems> accept it, such as damped_pendulum";
+            let reason = "only the pendulums of <libration list> accept it, such as damped_pendulum";
             QueryError::usage(argument, reason)
         })?;
         named.values_of(self.length, self.gravity).map_err(|error| match error {

@@ -1,6 +1,6 @@
 //! `libration derive`: worked derivations, every formula checked.
 
-use crate::arguments::{self, OscillatorOptions, PendulumOptions};
+use crate::arguments::{self, EquationText, OscillatorOptions, PendulumOptions};
 use crate::output::file;
 use crate::query_error::{QueryError, argument, option};
 use crate::{interrupt, parallel};
@@ -65,7 +65,7 @@ pub(crate) struct Derive {
 struct SeriesOptions {
     /// Series: a key of the catalogue, such as duffing, or an equation [default: pendulum, for averaging `damped_pendulum`, for limit-cycle `van_der_pol`]
     #[arg(value_name = "OSCILLATOR|EQUATION")]
-    oscillator: Option<String>,
+    oscillator: Option<EquationText>,
     /// Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4]
     #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
     order: Option<usize>,

@@ -1,216 +1,202 @@
-//! The list of all queries, in the groups of the help.
-//!
-//! A query is registered here and nowhere else: the help, the parameters as data, the fields and the run follow from its line.
+//! `libration list`: the oscillators and systems that are known by name.
 
-use super::{
-    backbone, bifurcation, decay, derive, expand, fields, figure, fit_gates, fit_lengths, fit_periods,
-    fit_response, fit_trace, formulas, fourier, inspect, lyapunov, melnikov, modes, motion, orbit,
-    oscillators, page, paper, period, plan, resonance, response, section, simulate, stability, sweep,
-    systems,
-};
+use super::{oscillators, systems};
 use crate::output::description::Answers;
-use crate::query_error::QueryError;
-use clap::{ArgMatches, Args, Command};
-use std::io::Write;
+use crate::output::field::{Field, Fields};
+use crate::output::json::{self, Record};
+use crate::output::table::{Column, Table};
+use crate::output::{Form, FormOptions};
+use crate::query_error::{QueryError, argument};
+use libration::catalogue::UnknownKey;
+use libration::oscillator::{self, NamedOscillator};
+use libration::systems::{self as models, NamedSystem};
+use serde_json::Value;
+use std::io::{self, Write};
 
-/// A query: its words, its line in the help, its parameters, its run, its fields.
-pub(crate) struct Query {
-    pub(crate) words: &'static str,
-    /// Empty for queries that share their first word, whose line is in `FAMILIES`.
-    pub(crate) line: &'static str,
-    pub(crate) with_parameters: fn(Command) -> Command,
-    pub(crate) write: WriteResult,
-    pub(crate) fields: fn() -> Vec<Answers>,
+/// The built-in oscillators and systems: equations of motion, parameters, sources
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  libration list                          # keys and titles
+  libration list systems
+  libration list duffing double_pendulum  # equations, parameters, sources
+  libration list --json
+
+`libration expand` and `libration backbone` take the keys of oscillators,
+`simulate`, `modes`, `section`, `bifurcation` and `lyapunov` the keys of systems
+and of oscillators; --set NAME=VALUE sets a parameter. By default the systems
+have no damping and no driving, and the angular frequency of small swings is 1.
+Any other oscillator or system is given by its equations.")]
+pub(crate) struct List {
+    /// The catalogues `oscillators` and `systems`, or keys of their entries [default: both catalogues]
+    #[arg(value_name = "CATALOGUE|KEY")]
+    entries: Vec<String>,
+    #[command(flatten)]
+    form: FormOptions,
 }
 
-/// Writes the result for parameters that were read.
-type WriteResult = Box<dyn Fn(&ArgMatches, &mut dyn Write) -> Result<(), QueryError>>;
-
-fn query<P: Args + 'static>(
-    words: &'static str,
-    line: &'static str,
-    write: fn(&P, &mut dyn Write) -> Result<(), QueryError>,
-    fields: fn() -> Vec<Answers>,
-) -> Query {
-    let write = move |matches: &ArgMatches, out: &mut dyn Write| {
-        write(&P::from_arg_matches(matches).map_err(|error| QueryError::refused(&error))?, out)
-    };
-    Query { words, line, with_parameters: P::augment_args, write: Box::new(write), fields }
+/// Entries of both catalogues.
+#[derive(Default)]
+struct Chosen {
+    oscillators: Vec<&'static NamedOscillator>,
+    systems: Vec<&'static NamedSystem>,
 }
 
-/// The titles of the help, each with its queries.
-pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
-    [
-        (
-            "Pendulum",
-            vec![
-                query(
-                    "period",
-                    "exact period, and every published formula with its error",
-                    period::Period::answer,
-                    period::answers,
-                ),
-                query("motion", "angle and velocity in time", motion::Motion::answer, motion::answers),
-                query(
-                    "fourier",
-                    "Fourier coefficients of angle and velocity",
-                    fourier::Fourier::answer,
-                    fourier::answers,
-                ),
-                query(
-                    "formulas",
-                    "period formulas: sources, accuracy, where each holds",
-                    formulas::Formulas::answer,
-                    formulas::answers,
-                ),
-                query(
-                    "decay",
-                    "decay of damped swings, cycle by cycle",
-                    decay::Decay::answer,
-                    decay::answers,
-                ),
-            ],
-        ),
-        (
-            "Oscillators and series",
-            vec![
-                query(
-                    "expand",
-                    "exact perturbation series of frequency and harmonics",
-                    expand::Expand::answer,
-                    expand::answers,
-                ),
-                query(
-                    "backbone",
-                    "frequency against amplitude: orbits, series, exact",
-                    backbone::Backbone::answer,
-                    backbone::answers,
-                ),
-                query(
-                    "oscillators",
-                    "built-in oscillators: equations, parameters, sources",
-                    oscillators::Oscillators::answer,
-                    oscillators::answers,
-                ),
-            ],
-        ),
-        (
-            "Motion and dynamics",
-            vec![
-                query(
-                    "simulate",
-                    "motion of any system in time, each state with its error",
-                    simulate::Simulate::answer,
-                    simulate::answers,
-                ),
-                query(
-                    "orbit",
-                    "periodic orbit: period, harmonics, Floquet multipliers",
-                    orbit::OrbitQuestion::answer,
-                    orbit::answers,
-                ),
-                query(
-                    "response",
-                    "periodic response over a parameter: folds, stability",
-                    response::ResponseQuestion::answer,
-                    response::answers,
-                ),
-                query(
-                    "stability",
-                    "stability over two parameters",
-                    stability::StabilityQuestion::answer,
-                    stability::answers,
-                ),
-                query(
-                    "modes",
-                    "normal modes, and how they change with the amplitude",
-                    modes::Modes::answer,
-                    modes::answers,
-                ),
-                query(
-                    "resonance",
-                    "slow exchange of energy between modes",
-                    resonance::ResonanceQuestion::answer,
-                    resonance::answers,
-                ),
-                query("section", "Poincaré section", section::PoincareQuestion::answer, section::answers),
-                query(
-                    "bifurcation",
-                    "bifurcation diagram",
-                    bifurcation::Bifurcation::answer,
-                    bifurcation::answers,
-                ),
-                query("lyapunov", "largest Lyapunov exponent", lyapunov::Lyapunov::answer, lyapunov::answers),
-                query(
-                    "melnikov",
-                    "Melnikov function: thresholds of chaos, resonances",
-                    melnikov::MelnikovQuestion::answer,
-                    melnikov::answers,
-                ),
-                query(
-                    "systems",
-                    "built-in systems: equations, parameters, sources",
-                    systems::Systems::answer,
-                    systems::answers,
-                ),
-            ],
-        ),
-        (
-            "Laboratory",
-            vec![
-                query(
-                    "inspect",
-                    "contents of a file of measurements: columns, units, faults",
-                    inspect::Inspect::answer,
-                    inspect::answers,
-                ),
-                query("fit periods", "", fit_periods::FitPeriods::answer, fit_periods::answers),
-                query("fit lengths", "", fit_lengths::FitLengths::answer, fit_lengths::answers),
-                query("fit gates", "", fit_gates::FitGates::answer, fit_gates::answers),
-                query("fit trace", "", fit_trace::FitTrace::answer, fit_trace::answers),
-                query("fit response", "", fit_response::FitResponse::answer, fit_response::answers),
-                query("plan", "plan of a measurement of g", plan::PlanQuestion::answer, plan::answers),
-            ],
-        ),
-        (
-            "Derivations",
-            vec![
-                query("derive", "worked derivation, every formula checked", derive::Derive::answer, Vec::new),
-                query(
-                    "paper",
-                    "equations of two published derivations, checked",
-                    paper::Paper::answer,
-                    paper::answers,
-                ),
-            ],
-        ),
-        (
-            "Tools",
-            vec![
-                query("figure", "pictures: SVG or PNG", figure::Figure::answer, figure::answers),
-                query("sweep", "any command over a parameter grid", sweep::Sweep::answer, sweep::answers),
-                query(
-                    "fields",
-                    "meaning and unit of every field of JSON and CSV",
-                    fields::FieldsQuestion::answer,
-                    fields::answers,
-                ),
-                query("page", "page for browsers, in one file", page::Page::answer, Vec::new),
-            ],
-        ),
-    ]
+const OSCILLATORS: &str = "oscillators";
+const SYSTEMS: &str = "systems";
+
+impl List {
+    pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
+        let chosen = self.chosen()?;
+        match self.form.form() {
+            Form::Json => write_json(out, &chosen)?,
+            Form::Csv => of_entry().write_csv(out, &chosen.entries())?,
+            Form::Table if self.has_keys() => write_sheets(out, &chosen)?,
+            Form::Table => write_tables(out, &chosen)?,
+        }
+        Ok(())
+    }
+
+    fn has_keys(&self) -> bool {
+        self.entries.iter().any(|word| ![OSCILLATORS, SYSTEMS].contains(&word.trim()))
+    }
+
+    /// The entries of each word, none of them twice.
+    fn chosen(&self) -> Result<Chosen, QueryError> {
+        let mut chosen = Chosen::default();
+        if self.entries.is_empty() {
+            chosen.add(OSCILLATORS)?;
+            chosen.add(SYSTEMS)?;
+        }
+        self.entries.iter().try_for_each(|word| chosen.add(word.trim()))?;
+        Ok(chosen)
+    }
 }
 
-/// Queries that share their first word: the word, its line in the help, what they do, examples.
-pub(crate) const FAMILIES: [[&str; 4]; 1] = [[
-    "fit",
-    "fit of periods, lengths, gate times, swings, responses",
-    "Fit the exact law to measured data: periods, lengths, gate times, whole swings or the response to a drive",
-    "Examples:
-  libration fit periods examples/period_table_synthetic.csv
-  libration fit lengths examples/lengths_synthetic.csv --amplitude 10deg
-  libration fit gates examples/gate_synthetic.csv --amplitude 0.9
-  libration fit trace examples/swing_synthetic.csv --length 0.56m±0.002m
-  libration fit response examples/response_synthetic.csv
-  libration inspect examples/swing_synthetic.csv   # what a file holds",
-]];
+impl Chosen {
+    fn add(&mut self, word: &str) -> Result<(), QueryError> {
+        match word {
+            OSCILLATORS => oscillator::catalogue().iter().for_each(|it| self.add_oscillator(it)),
+            SYSTEMS => models::catalogue().for_each(|it| self.add_system(it)),
+            key => match (NamedOscillator::by_key(key), NamedSystem::by_key(key)) {
+                (Err(oscillator), Err(system)) => return Err(unknown(&oscillator, &system)),
+                (oscillator, system) => {
+                    oscillator.into_iter().for_each(|it| self.add_oscillator(it));
+                    system.into_iter().for_each(|it| self.add_system(it));
+                }
+            },
+        }
+        Ok(())
+    }
+
+    fn add_oscillator(&mut self, named: &'static NamedOscillator) {
+        if self.oscillators.iter().all(|it| it.key != named.key) {
+            self.oscillators.push(named);
+        }
+    }
+
+    fn add_system(&mut self, named: &'static NamedSystem) {
+        if self.systems.iter().all(|it| it.key != named.key) {
+            self.systems.push(named);
+        }
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let oscillators = self.oscillators.iter().map(|it| Entry::Oscillator(it));
+        oscillators.chain(self.systems.iter().map(|it| Entry::System(it))).collect()
+    }
+}
+
+fn unknown(oscillator: &UnknownKey, system: &UnknownKey) -> QueryError {
+    let reason = format!(
+        "no oscillator and no system has the key `{}`; the nearest oscillators are {}, the nearest systems {}; <libration list> shows all keys",
+        oscillator.key,
+        oscillator.near.join(", "),
+        system.near.join(", ")
+    );
+    QueryError::usage(argument("CATALOGUE|KEY"), reason)
+}
+
+/// An entry of either catalogue.
+enum Entry {
+    Oscillator(&'static NamedOscillator),
+    System(&'static NamedSystem),
+}
+
+impl Entry {
+    /// One of two texts.
+    fn text(
+        &self,
+        of_oscillator: impl Fn(&NamedOscillator) -> String,
+        of_system: impl Fn(&NamedSystem) -> String,
+    ) -> Value {
+        match self {
+            Self::Oscillator(named) => of_oscillator(named).into(),
+            Self::System(named) => of_system(named).into(),
+        }
+    }
+}
+
+/// The columns of CSV.
+fn of_entry() -> Fields<Entry> {
+    type Of = Field<Entry>;
+    let fields = [
+        Of::value("catalogue", "", "oscillators or systems", |it| {
+            it.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
+        }),
+        Of::value("key", "", "short name that commands take", |it| {
+            it.text(|it| it.key.to_owned(), |it| it.key.to_owned())
+        }),
+        Of::value("title", "", "usual name", |it| {
+            it.text(|it| it.title.to_owned(), |it| it.title.to_owned())
+        }),
+        Of::value("equations", "", "equations of motion, with ; between them", |it| {
+            it.text(|it| it.equation.to_owned(), |it| it.equations.to_owned())
+        }),
+        Of::value("parameters", "", "parameters with their default values", |it| {
+            it.text(oscillators::defaults, systems::defaults)
+        }),
+        Of::value("domain", "", "what it holds for, where it oscillates", |it| {
+            it.text(|it| it.domain.to_owned(), |it| it.domain.to_owned())
+        }),
+        Of::value("source", "", "where the equations are from", |it| {
+            it.text(|it| it.source.to_owned(), |it| it.source.to_owned())
+        }),
+    ];
+    Fields::from(fields.map(Of::only_csv))
+}
+
+pub(crate) fn answers() -> Vec<Answers> {
+    let json = [oscillators::described(), systems::described()].concat();
+    vec![Answers { command: "list", option: "", json, csv: of_entry().described_in_csv() }]
+}
+
+fn write_json(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    json::begin_document(out, Record::new())?;
+    oscillators::write_list(out, &chosen.oscillators)?;
+    systems::write_list(out, &chosen.systems)?;
+    json::end_document(out, Record::new())
+}
+
+fn write_sheets(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    oscillators::write_sheets(out, &chosen.oscillators)?;
+    if !chosen.oscillators.is_empty() && !chosen.systems.is_empty() {
+        writeln!(out)?;
+    }
+    systems::write_sheets(out, &chosen.systems)
+}
+
+/// The keys and titles of each catalogue that is not empty.
+fn write_tables(out: &mut dyn Write, chosen: &Chosen) -> io::Result<()> {
+    let oscillators = chosen.oscillators.iter().map(|it| (it.key, it.title)).collect();
+    let systems = chosen.systems.iter().map(|it| (it.key, it.title)).collect();
+    let tables: [(&str, Vec<_>); 2] = [("oscillator", oscillators), ("system", systems)];
+    for (place, (title, entries)) in tables.iter().filter(|it| !it.1.is_empty()).enumerate() {
+        if place > 0 {
+            writeln!(out)?;
+        }
+        let mut table = Table::new(vec![Column::words(*title), Column::words("title")]);
+        entries.iter().try_for_each(|it| table.row(out, vec![it.0.to_owned(), it.1.to_owned()]))?;
+        table.finish(out)?;
+    }
+    Ok(())
+}

@@ -24,8 +24,10 @@ mod orbit;
 mod oscillators;
 pub(crate) mod page;
 mod paper;
+pub(crate) mod parameter_type;
 mod period;
 mod plan;
+mod registry;
 mod resonance;
 pub(crate) mod response;
 mod section;
@@ -45,7 +47,7 @@ use crate::query_error::QueryError;
 use clap::{ArgMatches, Command, FromArgMatches};
 use libration::systems::Model;
 use libration::taylor::Ensemble;
-use list::{FAMILIES, Query, groups};
+use registry::{FAMILIES, HIDDEN, Query, groups};
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::Write;
@@ -94,7 +96,8 @@ fn needing_a_command(command: Command) -> Command {
 }
 
 fn with_query(program: Command, query: Query) -> Command {
-    let described = |name: &'static str| (query.with_parameters)(Command::new(name));
+    let is_hidden = query.line == HIDDEN && family(&query).is_none();
+    let described = |name: &'static str| (query.with_parameters)(Command::new(name)).hide(is_hidden);
     match query.words.split_once(' ') {
         Some((family, name)) => program.mut_subcommand(family, |it| it.subcommand(described(name))),
         None => program.subcommand(described(query.words)),
@@ -124,8 +127,16 @@ fn help_template(further: &[Command]) -> String {
 
 /// The line of a query in the help, or of its family.
 fn help_line(query: &Query) -> String {
-    let family = FAMILIES.iter().find(|[word, ..]| query.words.split(' ').next() == Some(word));
-    family.map_or_else(|| line(query.words, query.line), |[word, text, ..]| line(word, text))
+    match (family(query), query.line) {
+        (Some([word, text, ..]), _) => line(word, text),
+        (None, HIDDEN) => String::new(),
+        (None, text) => line(query.words, text),
+    }
+}
+
+/// The family of a query, if it shares its first word with others.
+fn family(query: &Query) -> Option<&'static [&'static str; 4]> {
+    FAMILIES.iter().find(|[word, ..]| query.words.split(' ').next() == Some(word))
 }
 
 fn line(name: &str, text: &str) -> String {

@@ -1,7 +1,7 @@
-//! `libration oscillators`: the oscillators that are known by name.
+//! The oscillators that are known by name, and `libration oscillators`, the former name of `libration list oscillators`.
 
 use crate::arguments::KeyOptions;
-use crate::output::description::Answers;
+use crate::output::description::{Answers, Description};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{sheet, write_text};
@@ -30,13 +30,13 @@ pub(crate) struct Oscillators {
 impl Oscillators {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let chosen = self.keys.chosen(catalogue(), NamedOscillator::by_key)?;
-        let fields = of_oscillator();
         match self.form.form() {
             Form::Json => {
-                let records = chosen.into_iter().map(|named| fields.record(named));
-                json::document_with_list(out, Record::new(), "oscillators", records)?;
+                json::begin_document(out, Record::new())?;
+                write_list(out, &chosen)?;
+                json::end_document(out, Record::new())?;
             }
-            Form::Csv => fields.write_csv(out, chosen)?,
+            Form::Csv => of_oscillator().write_csv(out, chosen)?,
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
@@ -76,17 +76,34 @@ fn of_parameter() -> Fields<NamedParameter> {
     ])
 }
 
-fn defaults(named: &NamedOscillator) -> String {
+pub(super) fn defaults(named: &NamedOscillator) -> String {
     let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
     values.collect::<Vec<_>>().join(",")
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (of_oscillator().described("oscillators[]."), of_oscillator().described_in_csv());
-    vec![Answers { command: "oscillators", option: "", json, csv }]
+    vec![Answers {
+        command: "oscillators",
+        option: "",
+        json: described(),
+        csv: of_oscillator().described_in_csv(),
+    }]
 }
 
-fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
+/// The fields of the list in JSON.
+pub(super) fn described() -> Vec<Description> {
+    of_oscillator().described("oscillators[].")
+}
+
+/// Writes the list in an answer in JSON.
+pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
+    let (fields, mut list) = (of_oscillator(), json::List::default());
+    list.begin(out, "oscillators")?;
+    chosen.iter().try_for_each(|named| list.item(out, fields.record(*named)))?;
+    list.end(out)
+}
+
+pub(super) fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
     for (place, named) in chosen.iter().enumerate() {
         if place > 0 {
             writeln!(out)?;

@@ -21,7 +21,7 @@ use std::io::{self, Write};
   libration plan --g-to 0.01% --length 0.5m±10um --angle-noise 0.01deg \\
     --rate 240 --angle-scale 0.1% --clock 1e-6
   libration plan --g-to 2e-3 --length 57cm±1mm --angle-noise 1deg --rate 30 \\
-    --linear-damping 0.03/s --amplitudes 5deg:60deg:5deg --csv")]
+    --linear 0.03/s --amplitudes 5deg:60deg:5deg --csv")]
 pub(crate) struct PlanQuestion {
     /// The target relative standard uncertainty of g, such as 1e-3 or 0.1%
     #[arg(long, value_name = "PART", value_parser = arguments::part)]
@@ -39,8 +39,8 @@ pub(crate) struct PlanQuestion {
     #[arg(long, value_name = "A,A", default_value = "5deg,10deg,15deg,20deg,30deg,45deg,60deg,90deg", value_parser = amplitudes)]
     amplitudes: Choices,
     /// Coefficient of linear damping, such as 0.03/s: the amplitude falls as exp(-b t/2) [default: none]
-    #[arg(long, value_name = "RATE", value_parser = arguments::rate_with_uncertainty)]
-    linear_damping: Option<Quantity>,
+    #[arg(long, alias = "linear-damping", value_name = "RATE", value_parser = arguments::rate_with_uncertainty)]
+    linear: Option<Quantity>,
     /// Relative uncertainty of the scale of all angles
     #[arg(long, value_name = "PART", default_value = "1%", value_parser = arguments::part)]
     angle_scale: f64,
@@ -59,7 +59,7 @@ const USAGE: &str = "libration plan --g-to <PART> --length <LENGTH> --angle-nois
 
 /// The amplitudes to choose from.
 #[derive(Clone, Debug)]
-struct Choices(Vec<Amplitude>);
+pub(super) struct Choices(Vec<Amplitude>);
 
 /// Largest number of amplitudes.
 const MOST: usize = 1000;
@@ -87,7 +87,7 @@ impl PlanQuestion {
             gravity: self.gravity,
             angle_noise: self.angle_noise.radians(),
             rate: self.rate,
-            linear_damping: self.linear_damping.map_or(0.0, |damping| damping.value),
+            linear_damping: self.linear.map_or(0.0, |damping| damping.value),
             angle_scale: self.angle_scale,
             clock: self.clock,
         };

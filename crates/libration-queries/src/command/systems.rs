@@ -1,7 +1,7 @@
-//! `libration systems`: the systems that are known by name.
+//! The systems that are known by name, and `libration systems`, the former name of `libration list systems`.
 
 use crate::arguments::KeyOptions;
-use crate::output::description::Answers;
+use crate::output::description::{Answers, Description};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
 use crate::output::table::{paragraph, write_text};
@@ -32,13 +32,13 @@ pub(crate) struct Systems {
 impl Systems {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let chosen = self.keys.chosen(catalogue(), NamedSystem::by_key)?;
-        let fields = of_system();
         match self.form.form() {
             Form::Json => {
-                let records = chosen.into_iter().map(|named| fields.record(named));
-                json::document_with_list(out, Record::new(), "systems", records)?;
+                json::begin_document(out, Record::new())?;
+                write_list(out, &chosen)?;
+                json::end_document(out, Record::new())?;
             }
-            Form::Csv => fields.write_csv(out, chosen)?,
+            Form::Csv => of_system().write_csv(out, chosen)?,
             Form::Table => write_sheets(out, &chosen)?,
         }
         Ok(())
@@ -106,17 +106,29 @@ fn known(text: &'static str) -> Option<&'static str> {
     Some(text).filter(|text| !text.is_empty())
 }
 
-fn defaults(named: &NamedSystem) -> String {
+pub(super) fn defaults(named: &NamedSystem) -> String {
     let values = named.parameters.iter().map(|it| format!("{}={}", it.name, it.default));
     values.collect::<Vec<_>>().join(",")
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
-    let (json, csv) = (of_system().described("systems[]."), of_system().described_in_csv());
-    vec![Answers { command: "systems", option: "", json, csv }]
+    vec![Answers { command: "systems", option: "", json: described(), csv: of_system().described_in_csv() }]
 }
 
-fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
+/// The fields of the list in JSON.
+pub(super) fn described() -> Vec<Description> {
+    of_system().described("systems[].")
+}
+
+/// Writes the list in an answer in JSON.
+pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
+    let (fields, mut list) = (of_system(), json::List::default());
+    list.begin(out, "systems")?;
+    chosen.iter().try_for_each(|named| list.item(out, fields.record(*named)))?;
+    list.end(out)
+}
+
+pub(super) fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
     for (place, named) in chosen.iter().enumerate() {
         if place > 0 {
             writeln!(out)?;

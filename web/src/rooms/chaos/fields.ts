@@ -52,7 +52,7 @@ export function fields(): Field[] {
     choiceField({ key: "sweep", option: "--sweep", words: { label: sweep.label } }, [["", sweep.none], ["up", sweep.up], ["down", sweep.down], ["both", sweep.both]]),
     textField({ key: "value", words: words.value, initial: "1.2" }),
     textField({ key: "points", option: "--points", words: words.points, initial: "2000" }),
-    textField({ key: "until", option: "--until", words: words.until, initial: "100" }),
+    textField({ key: "until", option: "--to", words: words.until, initial: "100" }),
     textField({ key: "intervals", option: "--intervals", words: words.intervals, initial: "300" }),
     textField({ key: "response", option: "--over", words: words.response }),
     textField({ key: "orders", option: "--orders", words: words.orders }),
@@ -60,7 +60,7 @@ export function fields(): Field[] {
     textField({ key: "rest", option: "--initial", words: words.rest }),
     textField({ key: "lines", option: "--lines", words: words.lines, initial: "3" }),
     textField({ key: "thresholds", option: "--over", words: words.thresholds }),
-    textField({ key: "periods", option: "--orders", words: words.periods, initial: "5" }),
+    textField({ key: "periods", option: "--max-drive-periods", words: words.periods, initial: "5" }),
     textField({ key: "order", option: "--order", words: words.order }),
     textField({ key: "about", option: "--about", words: words.about }),
   ];

@@ -24,7 +24,7 @@ export class Questions {
   }
 
   neighbours(): Command {
-    return extended(this.chosen("figure trajectories", this.starts()), { until: this.#form.value("until") });
+    return extended(this.chosen("figure trajectories", this.starts()), { to: this.#form.value("until") });
   }
 
   lyapunov(): Command {
@@ -48,7 +48,7 @@ export class Questions {
 
   thresholds(): Command | undefined {
     const over = this.#form.value("thresholds");
-    return over === "" ? undefined : extended(this.#over(over, "melnikov", []), { over, orders: this.#form.value("periods") });
+    return over === "" ? undefined : extended(this.#over(over, "melnikov", []), { over, "max-drive-periods": this.#form.value("periods") });
   }
 
   exchange(): Command | undefined {

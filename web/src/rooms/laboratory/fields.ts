@@ -27,8 +27,8 @@ const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
   response: [...RESPONSE, "columns", "delimiter", "header"],
 };
 
-/** Options that have another meaning in another fit, by their fields. */
-const OPTIONS: Readonly<Partial<Record<Key, string>>> = { oscillator: "model", "response-unit": "amplitude-unit" };
+/** Options that have another meaning in another fit, or had another name, by their fields; links keep the names of fields. */
+const OPTIONS: Readonly<Partial<Record<Key, string>>> = { oscillator: "model", "response-unit": "amplitude-unit", unit: "angle-unit", "linear-damping": "linear" };
 
 /** The option of a field. */
 export function optionOf(key: string): string {

@@ -194,13 +194,14 @@ class LaboratoryRoom {
   }
 
   #choose(option: string, value: string): void {
-    if (!this.#fields.some(({ key }) => key === option)) return;
-    this.#form.put(option, value);
+    const field = this.#fields.find(({ key }) => optionOf(key) === option);
+    if (field === undefined) return;
+    this.#form.put(field.key, value);
     this.#update();
   }
 
   #go(option: string): void {
-    const field = this.#fields.find(({ key }) => key === option);
+    const field = this.#fields.find(({ key }) => optionOf(key) === option);
     field?.element.closest("details")?.setAttribute("open", "");
     field?.element.querySelector<HTMLElement>("input, select")?.focus();
   }

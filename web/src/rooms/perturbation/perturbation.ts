@@ -84,7 +84,7 @@ class PerturbationRoom {
 
   begin(): void {
     const offered = async (signal: AbortSignal) => {
-      const { value } = await read<Oscillators>(this.#engine, { question: "oscillators" }, signal);
+      const { value } = await read<Oscillators>(this.#engine, { question: "list", arguments: ["oscillators"] }, signal);
       this.#offer(value?.oscillators ?? []);
       await this.#answer(signal);
     };

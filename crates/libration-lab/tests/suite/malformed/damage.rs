@@ -139,11 +139,11 @@ impl Workbench {
         let [time, angle] = style.header;
         let first_line = format!("line {}", style.line_of(0) - 1);
         let has_header_words = !time.contains('"');
-        self.refuse("no header", style.file("", &rows), &["not clear", "unit=rad"]);
+        self.refuse("no header", style.file("", &rows), &["not clear", "angle-unit=rad"]);
         match style.degrees {
             // No pendulum swings to and fro by several turns.
             true => self.read("no units", with(&["t", "theta"]), style.truth()),
-            false => self.refuse("no units", with(&["t", "theta"]), &["not given", "unit=rad"]),
+            false => self.refuse("no units", with(&["t", "theta"]), &["not given", "angle-unit=rad"]),
         }
         self.refuse("an unknown unit", with(&["t/s", "theta/furlong"]), &["furlong"]);
         self.refuse(

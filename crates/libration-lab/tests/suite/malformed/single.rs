@@ -170,7 +170,7 @@ fn units() -> Vec<Case> {
         format!("{header}\n{}", (0..60).map(row).collect::<String>())
     };
     vec![
-        Case::refused("a small swing without a unit", swing("t/s,angle", 1.4), &["unit=rad or deg"]),
+        Case::refused("a small swing without a unit", swing("t/s,angle", 1.4), &["angle-unit=rad or deg"]),
         Case::refused(
             "whole numbers may be counts",
             "t/s,angle\n0,100\n0.1,-100\n0.2,100\n0.3,-100\n0.4,100\n0.5,-100\n",

@@ -3,8 +3,8 @@
 mod write;
 
 use crate::arguments::{
-    InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range, place_in_state,
-    section_failure,
+    CoordinateName, InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range,
+    place_in_state, section_failure,
 };
 use crate::figure::section::{StateAxis, Sweep};
 use crate::output::{FormOptions, announce};
@@ -54,7 +54,7 @@ pub(crate) struct Bifurcation {
     section: SectionOptions,
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME", requires = "figure")]
-    axis: Option<String>,
+    axis: Option<CoordinateName>,
     /// Draw the diagram to FILE.svg or FILE.png instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,

@@ -59,7 +59,7 @@ use std::io::Write;
   libration expand duffing --letters epsilon --order 9 --format c > duffing.c
   libration expand damped_pendulum --set n=2 --order 5 --damping-order 2
   libration expand \"x'' + c*(x^2 - 1)*x' + x + x^3 = 0\" --damping-order 3
-  libration oscillators                         # the built-in ones
+  libration list oscillators                    # the built-in ones
 
 Gauges: fundamental (ε is the coefficient of cos Ωt, of sin Ωt where the force
 is the opposite at -x with the same velocity), x_max, half_swing,

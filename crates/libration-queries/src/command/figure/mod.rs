@@ -30,7 +30,7 @@ use std::path::PathBuf;
   libration figure series duffing --amplitudes 0.5,0.9,1.1 --order 41 \\
     --output terms.png
   libration figure trajectories damped_pendulum --over c=0.05,0.2,2 \\
-    --initial theta=170deg --until 40s --output damping.svg")]
+    --initial theta=170deg --to 40s --output damping.svg")]
 pub(crate) struct Figure {
     #[command(subcommand)]
     picture: Subject,

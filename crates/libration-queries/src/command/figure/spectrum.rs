@@ -15,7 +15,7 @@ const HIGHEST: usize = 4000;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure spectrum --output spectrum.svg
-  libration figure spectrum --amplitudes 60deg,150deg,179deg --highest 61 \\
+  libration figure spectrum --amplitudes 60deg,150deg,179deg --harmonics 61 \\
     --output spectrum.png")]
 pub(super) struct Spectrum {
     /// The amplitudes
@@ -24,9 +24,9 @@ pub(super) struct Spectrum {
     /// The smallest coefficient shown, in radians
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     lowest: f64,
-    /// The highest harmonic shown
-    #[arg(long, default_value = "41", value_parser = arguments::count::<HIGHEST>)]
-    highest: usize,
+    /// The highest harmonic
+    #[arg(long, alias = "highest", default_value = "41", value_parser = arguments::count::<HIGHEST>)]
+    harmonics: usize,
     #[command(flatten)]
     pub(super) options: PictureOptions,
 }
@@ -38,8 +38,8 @@ impl Spectrum {
         let mut shown = vec![];
         for release in releases(&self.amplitudes)? {
             let motion = pendulum.released_from(release.angle).map_err(no_answer)?;
-            let mut harmonics = motion.harmonics(self.lowest, self.highest);
-            harmonics.terms.retain(|term| term.n <= self.highest);
+            let mut harmonics = motion.harmonics(self.lowest, self.harmonics);
+            harmonics.terms.retain(|term| term.n <= self.harmonics);
             shown.push((release.label, harmonics));
         }
         Ok(spectra(&shown, self.lowest))

@@ -2,8 +2,8 @@
 
 use super::PictureOptions;
 use crate::arguments::{
-    self, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range, place_in_state,
-    places_in_state,
+    self, CoordinateName, ParameterRange, PendulumSystemOptions, SeveralInitialOptions, parameter_range,
+    place_in_state, places_in_state,
 };
 use crate::figure::chart::Picture;
 use crate::figure::parameters::{Angles, of_model, of_start, said};
@@ -22,13 +22,13 @@ use libration::taylor::{
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   libration figure trajectories pendulum --initial theta=30deg \\
-    --initial theta=150deg --until 20s --output swings.svg
+    --initial theta=150deg --to 20s --output swings.svg
   libration figure trajectories damped_pendulum --over c=0.05,0.2,2 \\
-    --initial theta=170deg --until 40s --output damping.svg
+    --initial theta=170deg --to 40s --output damping.svg
   libration figure trajectories \"x'' = x - x^3\" --initial \"x=1,x'=0.2\" \\
-    --initial \"x=1,x'=0.9\" --until 30s --axes \"x,x'\" --output plane.svg
+    --initial \"x=1,x'=0.9\" --to 30s --axes \"x,x'\" --output plane.svg
   libration figure trajectories double_pendulum --initial theta1=10deg \\
-    --initial theta1=120deg --until 300s --spectrum theta1 \\
+    --initial theta1=120deg --to 300s --spectrum theta1 \\
     --output spectrum.svg
 
 Motions begin at t = 0. A spectrum has a line for each frequency of the motion,
@@ -45,17 +45,17 @@ pub(super) struct Trajectories {
     #[arg(long, value_name = "TIME", default_value = "0", value_parser = arguments::finite_time)]
     from: f64,
     /// The last time that is drawn
-    #[arg(long, value_name = "TIME", default_value = "60", value_parser = arguments::finite_time)]
-    until: f64,
-    /// The state variable that is drawn against time [default: the first coordinate]
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["axes", "spectrum"])]
-    show: Option<String>,
+    #[arg(long, alias = "until", value_name = "TIME", default_value = "60", value_parser = arguments::finite_time)]
+    to: f64,
+    /// The state variable that the picture shows [default: the first coordinate]
+    #[arg(long, alias = "show", value_name = "NAME", conflicts_with_all = ["axes", "spectrum"])]
+    axis: Option<CoordinateName>,
     /// Draw one state variable against another, such as theta,theta'
     #[arg(long, value_name = "NAME,NAME", conflicts_with = "spectrum")]
     axes: Option<String>,
     /// Draw the spectrum of a state variable, such as theta
     #[arg(long, value_name = "NAME")]
-    spectrum: Option<String>,
+    spectrum: Option<CoordinateName>,
     #[command(flatten)]
     pub(super) options: PictureOptions,
 }
@@ -80,23 +80,21 @@ struct Run {
 
 impl Trajectories {
     pub(super) fn picture(&self) -> Result<Picture, QueryError> {
-        if !(0.0 <= self.from && self.from < self.until) {
-            let reason = format!(
-                "{} s to {} s: give times from 0 on, the last after the first",
-                self.from, self.until
-            );
-            return Err(QueryError::usage(option("until"), reason));
+        if !(0.0 <= self.from && self.from < self.to) {
+            let reason =
+                format!("{} s to {} s: give times from 0 on, the last after the first", self.from, self.to);
+            return Err(QueryError::usage(option("to"), reason));
         }
         let runs = self.runs()?;
         let model = &runs[0].model;
         let axis = |place| StateAxis::new(model, place);
-        let one = |argument: Parameter, name: &Option<String>| {
+        let one = |argument: Parameter, name: &Option<CoordinateName>| {
             name.as_deref().map(|name| place_in_state(model, &argument, name).map(axis)).transpose()
         };
         let axes =
             self.axes.as_deref().map(|names| places_in_state(model, &option("axes"), names)).transpose()?;
         let (of_spectrum, show) =
-            (one(option("spectrum"), &self.spectrum)?, one(option("show"), &self.show)?);
+            (one(option("spectrum"), &self.spectrum)?, one(option("axis"), &self.axis)?);
         interrupt::listen()?;
         let picture = match (axes, &of_spectrum) {
             (Some(axes), _) => in_plane(model, &self.sampled(&runs)?, &axes.map(axis)),
@@ -133,10 +131,10 @@ impl Trajectories {
 
     /// The motions that are done before a cancellation.
     fn sampled(&self, runs: &[Run]) -> Result<Vec<Sampled>, QueryError> {
-        let time = |place: usize| self.from + (self.until - self.from) * (count(place) / count(POINTS - 1));
+        let time = |place: usize| self.from + (self.to - self.from) * (count(place) / count(POINTS - 1));
         done(runs, |run| {
             let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
-            run.integrate(self.until, &EFFORT, |step| {
+            run.integrate(self.to, &EFFORT, |step| {
                 while sampled.times.len() < POINTS && time(sampled.times.len()) <= step.end() {
                     let now = time(sampled.times.len());
                     sampled.times.push(now);
@@ -151,12 +149,12 @@ impl Trajectories {
     fn spectra(&self, runs: &[Run], shown: &StateAxis) -> Result<Vec<(String, Spectrum)>, QueryError> {
         done(runs, |run| {
             let mut motion = DenseSolution::default();
-            run.integrate(self.until, &Effort { most_steps: MOST_STEPS, ..EFFORT }, |step| {
+            run.integrate(self.to, &Effort { most_steps: MOST_STEPS, ..EFFORT }, |step| {
                 if step.end() > self.from {
                     motion.push(step);
                 }
             })?;
-            let spectrum = Spectrum::of_motion(&motion, shown.place, [self.from, self.until]);
+            let spectrum = Spectrum::of_motion(&motion, shown.place, [self.from, self.to]);
             Ok((run.label.clone(), spectrum.map_err(|error| no_spectrum(&error, run, shown))?))
         })
     }

@@ -17,7 +17,7 @@ use crate::query_error::QueryError;
 use answer::Answer;
 use input::{Input, Measured};
 use libration_lab::fit::trace::TraceOptions;
-use model::DampingChoice;
+pub(super) use model::DampingChoice;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ pub(crate) use fields::answers;
   libration fit trace examples/swing_synthetic.csv --robust \\
     --model linear+quadratic --from 2s --to 10s --figure fit.svg
   libration fit trace examples/swing_synthetic.csv --time 1 --angle 2 \\
-    --unit deg --json")]
+    --angle-unit deg --json")]
 pub(crate) struct FitTrace {
     #[command(flatten)]
     input: Input,

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 /// The damping that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum DampingChoice {
+pub(in crate::command) enum DampingChoice {
     /// All combinations, of which the data choose.
     Auto,
     /// The given model.

@@ -6,10 +6,10 @@ use libration_lab::measurement::Observable;
 /// The warning, with the options that help.
 pub(super) fn warning(warning: &Warning) -> String {
     let options = match warning {
-        Warning::AnglesAreRadians { .. } => "--unit rad",
-        Warning::AnglesAreDegrees { .. } => "--unit deg",
+        Warning::AnglesAreRadians { .. } => "--angle-unit rad",
+        Warning::AnglesAreDegrees { .. } => "--angle-unit deg",
         Warning::PivotContradicted { .. } => "--pivot",
-        Warning::PoorFit { .. } => "--from, --to, --unit",
+        Warning::PoorFit { .. } => "--from, --to, --angle-unit",
         Warning::FeedsEnergy { .. } => "--model",
         Warning::ImplausibleLength { .. } => "--time-unit",
         _ => return warning.to_string(),

@@ -27,11 +27,11 @@ pub(crate) fn answers() -> Vec<Answers> {
 #[command(after_help = "Examples:
   libration inspect examples/swing_synthetic.csv
   libration inspect examples/swing_synthetic.csv --spectrum
-  libration inspect examples/phone/swing.txt --unit rad --spectrum \\
+  libration inspect examples/phone/swing.txt --angle-unit rad --spectrum \\
     --harmonics 5 --figure spectrum.svg
   libration inspect examples/gate_synthetic.csv --json --values
-  libration inspect examples/swing_synthetic.csv --angle 2 --unit deg
-  printf '0 61\\n0.1 55\\n0.2 38\\n' | libration inspect - --angle 2 --unit deg
+  libration inspect examples/swing_synthetic.csv --angle 2 --angle-unit deg
+  printf '0 9\\n0.1 5\\n0.2 3\\n' | libration inspect - --angle 2 --angle-unit deg
   printf 't (s),x,y\\n0,5,0\\n1,4,1\\n2,5,0\\n' | libration inspect - --pivot 0,3")]
 pub(crate) struct Inspect {
     /// File of the instrument: text, Excel, or an archive of text files; - for standard input

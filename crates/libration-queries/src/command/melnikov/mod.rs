@@ -30,7 +30,7 @@ const MOST_PERIODS: usize = 1000;
   libration melnikov driven_pendulum --set A=0.3,c=0.1,omega=1 --json
   libration melnikov \"x'' + 0.1 x' + sin(x) = A cos(t) + A/3*cos(3t)\" \\
     --over A=0:1 --figure melnikov.svg
-  libration melnikov \"x'' + sin(x) = 0.05 cos(2t)\" --orders 10
+  libration melnikov \"x'' + sin(x) = 0.05 cos(2t)\" --max-drive-periods 10
 
 With --over the function and the resonances are those of the first threshold in
 the range, or of its end where there is none, and the manifolds themselves are
@@ -43,8 +43,8 @@ pub(crate) struct MelnikovQuestion {
     #[arg(long, value_name = "NAME=FROM:TO", value_parser = parameter_span)]
     over: Option<ParameterSpan>,
     /// The largest number of periods of the drive, q, of a resonance p:q
-    #[arg(long, value_name = "Q", default_value = "5", value_parser = count::<MOST_PERIODS>)]
-    orders: usize,
+    #[arg(long, alias = "orders", value_name = "Q", default_value = "5", value_parser = count::<MOST_PERIODS>)]
+    max_drive_periods: usize,
     /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg or FILE.png instead of listing them
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
@@ -104,7 +104,7 @@ impl MelnikovQuestion {
             None => model.equation().clone(),
         };
         let pendulum = PerturbedPendulum::new(&equation).map_err(failure)?;
-        let largest = u32::try_from(self.orders).unwrap_or(u32::MAX);
+        let largest = u32::try_from(self.max_drive_periods).unwrap_or(u32::MAX);
         let resonances =
             parallel::unless_cancelled("the resonances", |progress| pendulum.resonances(largest, progress));
         let resonances = resonances.and_then(Result::ok).ok_or_else(|| interrupted("resonances"))?;

@@ -1,6 +1,6 @@
 //! A mode followed in amplitude, as table, JSON and CSV.
 
-use crate::arguments::{coordinate, displacements};
+use crate::arguments::{CoordinateName, coordinate, displacements};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::number::{at_most, short, to_its_error};
@@ -26,7 +26,7 @@ pub(super) struct FollowOptions {
     amplitudes: Option<String>,
     /// The coordinate of the amplitude [default: the first]
     #[arg(long, value_name = "NAME", requires = "follow")]
-    coordinate: Option<String>,
+    coordinate: Option<CoordinateName>,
 }
 
 /// A followed mode.
@@ -40,7 +40,7 @@ pub(super) struct Followed {
 impl FollowOptions {
     /// The number of the coordinate.
     pub(super) fn coordinate(&self, model: &Model) -> Result<usize, QueryError> {
-        let named = |name: &String| coordinate(model, &option("coordinate"), name);
+        let named = |name: &CoordinateName| coordinate(model, &option("coordinate"), name);
         self.coordinate.as_ref().map_or(Ok(0), named)
     }
 

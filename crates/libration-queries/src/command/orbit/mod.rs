@@ -3,7 +3,9 @@
 mod fields;
 mod write;
 
-use crate::arguments::{InitialOptions, SystemOptions, coordinate, count, positive, with_idle_drive};
+use crate::arguments::{
+    CoordinateName, InitialOptions, SystemOptions, coordinate, count, positive, with_idle_drive,
+};
 use crate::output::number::count as number;
 use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
@@ -50,7 +52,7 @@ pub(crate) struct OrbitQuestion {
     drive_periods: usize,
     /// The coordinate whose value at the start is kept, in a family of orbits near a guess [default: the farthest from zero]
     #[arg(long, value_name = "NAME", requires = "period")]
-    hold: Option<String>,
+    hold: Option<CoordinateName>,
     /// Draw the orbit to FILE.svg or FILE.png, in time and in the plane of coordinate and velocity
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,

@@ -6,8 +6,8 @@ mod sweep_fields;
 mod write;
 
 use crate::arguments::{
-    InitialOptions, ParameterSpan, SystemOptions, constant, coordinate, count, parameter_span,
-    with_idle_drive,
+    CoordinateName, InitialOptions, ParameterSpan, SystemOptions, constant, coordinate, count,
+    parameter_span, with_idle_drive,
 };
 use crate::figure::response::ResponseCurve;
 use crate::interrupt::{self, Cancellation};
@@ -89,7 +89,7 @@ pub(crate) struct ResponseQuestion {
     generations: usize,
     /// The coordinate of the amplitude [default: the first]
     #[arg(long, value_name = "NAME")]
-    coordinate: Option<String>,
+    coordinate: Option<CoordinateName>,
     /// Compute the parameter at special points to this number of digits, up to 100
     #[arg(long, value_name = "N", value_parser = count::<MOST_DIGITS>)]
     digits: Option<usize>,
@@ -148,7 +148,7 @@ impl ResponseQuestion {
     fn computed(&self) -> Result<Answer, QueryError> {
         let ParameterSpan { name, range } = &self.over;
         let model = self.system.model_with_open(&[name], &option("over"))?;
-        let named = |name: &String| coordinate(&model, &option("coordinate"), name);
+        let named = |name: &CoordinateName| coordinate(&model, &option("coordinate"), name);
         let coordinate = self.coordinate.as_ref().map(named).transpose()?.unwrap_or(0);
         interrupt::listen()?;
         let mut response = self.response(&model, coordinate)?;

@@ -86,7 +86,7 @@ pub(super) fn read(answer: &Answer<'_>) -> Vec<Block> {
         [Block::words(format!("{}:", file.name)), Block::List(items)]
     };
     let rows = format!(
-        "{} rows in {} {} were fitted. An option in parentheses, such as --unit, overrides what was detected.",
+        "{} rows in {} {} were fitted. An option in parentheses, such as --angle-unit, overrides what was detected.",
         answer.swings.fit.rows(),
         answer.measured.traces.len(),
         if answer.measured.traces.len() == 1 { "trace" } else { "traces" }

@@ -1,4 +1,4 @@
-"""`libration systems`. Written by scripts/questions."""
+"""`libration list`. Written by scripts/questions."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ from .._ask import Given, Say
 from ..answer import Answer, answer
 
 
-def systems(
-    keys: Given | None = None,
+def list_(
+    entries: Given | None = None,
     *,
     progress: Say = False,
 ) -> Answer:
-    """The built-in systems: equations of motion, parameters with units, energies, and sources.
+    """The built-in oscillators and systems: equations of motion, parameters, sources.
 
     Parameters
     ----------
-    keys : number or text, or several, optional
-        List only these.
+    entries : number or text, or several, optional
+        The catalogues ``oscillators`` and ``systems``, or keys of their entries [default: both
+        catalogues].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 
@@ -36,7 +37,7 @@ def systems(
     Examples
     --------
     >>> from libration import questions
-    >>> questions.systems("lorenz").systems[0].key
-    'lorenz'
+    >>> questions.list_("duffing").oscillators[0].equation
+    "x'' + x + epsilon*x^3 = 0"
     """
-    return answer(Answer, "systems", locals())
+    return answer(Answer, "list", locals())
