@@ -250,9 +250,12 @@ pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
             it.fitted.amplitude
         }),
         Of::number("residual", "1", "what is left, in standard deviations", |it| it.fitted.residual),
-        Of::value("stability", "", "stability of this response: attracting or unstable", |it| {
-            it.fitted.stability.name().into()
-        }),
+        Of::value(
+            "stability",
+            "",
+            "stability of this response: attracting, neutral, unstable or undetermined",
+            |it| it.fitted.stability.name().into(),
+        ),
         Of::value("between_folds", "", "whether it surely is where no answer lasts", |it| {
             it.fitted.between_folds.into()
         }),
