@@ -110,6 +110,11 @@ pub mod internals {
         pub mod plan {
             pub use crate::fit::plan::FEWEST_SWINGS;
         }
+        pub mod response {
+            pub mod stability {
+                pub use crate::fit::response::stability::stability;
+            }
+        }
         pub mod scatter {
             pub use crate::fit::scatter::degrees_of_freedom;
         }

@@ -1,6 +1,6 @@
 //! `libration fit periods`.
 
-use crate::command::{close, directory, json, libration, message, text, unfolded};
+use crate::command::{close, directory, json, libration, message, run, text, unfolded};
 use std::path::PathBuf;
 
 /// Periods of the exact law with T0 = 2 s, made with mpmath's `ellipk`; amplitudes in degrees.
@@ -161,4 +161,26 @@ fn a_column_of_names_is_skipped_with_a_note() {
     let answer = json(&format!("fit lengths {}", table("fit-names", rows).display()));
     close(&answer["gravity_m_per_s2"], 9.81, 0.02);
     assert!(answer["told_from_file"].to_string().contains("not used: column 1 (`student`)"), "{answer}");
+}
+
+/// Names between the numbers: skipped with a note, without one where options name the columns, and refused where these choose them.
+#[test]
+fn a_column_of_names_is_skipped_where_options_name_the_others() {
+    let rows = "L (m),student,T (s)\n0.25,Ann,1.0031\n0.5,Bob,1.4185\n0.75,Cleo,1.7373\n1,Dan,2.0061\n";
+    let path = table("fit-names-chosen", rows).display().to_string();
+    let chosen: [&[&str]; 3] = [&[], &["--columns", "1,3"], &["--columns", "L (m),T (s)"]];
+    for columns in chosen {
+        let output = run(&[&["fit", "lengths", &path, "--json"], columns].concat());
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        close(&answer["gravity_m_per_s2"], 9.81, 0.02);
+        let told = answer["told_from_file"].to_string();
+        assert_eq!(
+            told.contains("not used: column 2 (`student`)"),
+            columns.is_empty(),
+            "{columns:?}: {answer}"
+        );
+    }
+    let refused = run(&["fit", "lengths", &path, "--columns", "1,2"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(message(&refused).contains("`Ann`"), "{}", message(&refused));
 }

@@ -1,6 +1,7 @@
 //! `libration inspect`.
 
-use crate::command::{close, directory, json, libration, message, text, unfolded};
+use crate::command::{close, directory, json, libration, message, run, text, unfolded};
+use libration::quantity::is_bidirectional;
 use std::path::PathBuf;
 
 fn file(name: &str, text: &str) -> PathBuf {
@@ -189,4 +190,34 @@ fn a_part_of_a_file_is_judged_alone() {
     assert_eq!(part["traces"][0]["rows"], 61);
     let nothing = json(&format!("inspect {} --from 100s", path.display()));
     assert!(nothing["undecided"]["why"].as_str().unwrap().contains("--from"), "{nothing}");
+}
+
+/// Characters that move the cursor of a terminal or turn the direction of its text, in the name of a file, above its header, in it and in a cell.
+#[test]
+fn names_headers_and_cells_are_shown_without_control_and_bidirectional_characters() {
+    let rows: String =
+        (0..50).map(|n| format!("{:.2},{:.3}\n", 0.05 * f64::from(n), f64::from(n % 7))).collect();
+    let path = directory("inspect-clean").join("s\u{202e}w\u{7}ing.csv");
+    let text = format!("Mon\u{202e}day\nt (s),\u{2066}angle\u{202e} (deg)\n{rows}2.5,x\u{202e}y\n");
+    std::fs::write(&path, text).unwrap();
+    let missing = path.with_file_name("no\u{202e}su\u{1b}[2Jch.csv");
+    let path = path.to_str().unwrap();
+    let is_shown = |letter: char| letter == '\n' || !(letter.is_control() || is_bidirectional(letter));
+    for (question, part) in [
+        (vec!["inspect", path], "swing.csv"),
+        (vec!["inspect", path], "Monday"),
+        (vec!["inspect", path], "angle (deg)"),
+        (vec!["inspect", path], "line 53, column 2"),
+        (vec!["inspect", path, "--csv"], "angle (deg)"),
+        (vec!["fit", "trace", path], "swing.csv: line 53"),
+        (vec!["fit", "trace", path, "--angle", "\u{202e}none"], "no column"),
+        (vec!["fit", "periods", path], "swing.csv"),
+        (vec!["motion", "10deg", "--times-from", path], "swing.csv, line 1"),
+        (vec!["inspect", missing.to_str().unwrap()], "nosu[2Jch.csv"),
+    ] {
+        let output = run(&question);
+        let shown = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(shown.chars().all(is_shown), "{question:?}: {shown:?}");
+        assert!(shown.contains(part), "{question:?}: {shown}");
+    }
 }

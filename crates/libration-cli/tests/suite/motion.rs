@@ -1,6 +1,6 @@
 //! `libration motion` and `libration fourier`.
 
-use crate::command::{close, json, text};
+use crate::command::{close, directory, json, message, run, text};
 
 #[test]
 fn every_field_of_the_contract_is_there() {
@@ -154,4 +154,23 @@ fn a_time_whose_phase_is_not_known_has_no_state_and_a_note_says_why() {
             .ends_with("note: the phase is not known from 2⁹⁷ periods (1.6e29) on\n")
     );
     assert!(!text("motion 30deg --times 3.23e29").contains("note"));
+}
+
+#[test]
+fn uncertainties_of_times_that_are_not_used_are_named_in_one_note() {
+    let file = directory("motion-uncertain-times").join("times.txt");
+    std::fs::write(&file, "# t\n0\n1.0(1)\n2 ± 0.1 s\n3\n4.00(2)\n").unwrap();
+    let file = file.display().to_string();
+    let note = |arguments: &[&str]| message(&run(arguments));
+    let many = "the uncertainties of 3 of 5 times are not used here, only their values";
+    assert_eq!(note(&["motion", "10deg", "--times-from", &file]).matches(many).count(), 1);
+    let list = note(&["motion", "10deg", "--times", "1s±0.1s,2s"]);
+    assert!(list.contains("the uncertainty of 1 of 2 times is not used here, only its value"), "{list}");
+    let range = note(&["motion", "10deg", "--times", "0:1.0(1)s:0.5"]);
+    assert!(range.contains("the uncertainty of `1.0(1)s` is not used here, only its value"), "{range}");
+    let simulated = note(&["simulate", "pendulum", "--initial", "theta=1", "--times", "0,1.0(1),2.0(1)"]);
+    assert!(simulated.contains("the uncertainties of 2 of 3 times"), "{simulated}");
+    let until = note(&["decay", "60deg", "--linear", "0.1", "--until", "20(1)s"]);
+    assert!(until.contains("the uncertainty of `20(1)s` is not used here"), "{until}");
+    assert_eq!(note(&["motion", "10deg", "--times", "0,1,2"]), "");
 }

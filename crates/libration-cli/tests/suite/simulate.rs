@@ -635,3 +635,27 @@ fn errors_survive_a_stop() {
     let refused = run(&[&question[..], &["--resume", part.to_str().unwrap()]].concat());
     assert!(message(&refused).contains("leave out --no-errors"), "{}", message(&refused));
 }
+
+/// 1/x′ at a start from rest and the logarithm of a negative number, in a table of one motion and in one of several.
+#[test]
+fn cells_without_a_finite_number_are_empty_in_csv() {
+    let columns = "p = 1/x', q = ln(x - 2), r = x";
+    let one =
+        run(&["simulate", "x'' = -x", "--initial", "x=1", "--times", "0,1", "--columns", columns, "--csv"]);
+    let one = String::from_utf8(one.stdout).unwrap();
+    let lines: Vec<&str> = one.lines().collect();
+    assert!(lines[0].starts_with("time_s,x,x',p,q,r,"), "{one}");
+    assert!(lines[1].starts_with("0.0,1.0,0.0,,,1.0,"), "{one}");
+    let cells: Vec<&str> = lines[2].split(',').collect();
+    assert!(cells[3].parse::<f64>().is_ok_and(f64::is_finite) && cells[4].is_empty(), "{one}");
+    let file = directory("simulate-not-finite").join("motions.csv");
+    std::fs::write(&file, "x\n1\n").unwrap();
+    let each = file.display().to_string();
+    let many =
+        run(&["simulate", "x'' = -x", "--each", &each, "--times", "0,1", "--columns", columns, "--csv"]);
+    let many = String::from_utf8(many.stdout).unwrap();
+    assert!(many.lines().nth(1).unwrap().contains("0.0,1.0,0.0,,,1.0"), "{many}");
+    for word in ["nan", "NaN", "inf"] {
+        assert!(!one.contains(word) && !many.contains(word), "{word}");
+    }
+}

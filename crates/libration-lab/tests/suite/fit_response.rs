@@ -2,11 +2,13 @@
 
 use crate::random::Random;
 use crate::synthetic_response::DrivenPendulum;
+use libration::orbit::Stability;
 use libration::progress::Quiet;
 use libration_lab::fit::response::{
     AmplitudeErrors, MeasuredAmplitude, ResponseColumns, ResponseFit, ResponseFitError, ResponseModel,
     ResponseTable, ResponseWarning, response,
 };
+use libration_lab::internals::fit::response::stability::stability;
 use libration_testing::sweep::{self, Limits};
 
 /// Frequency, peak, fundamental and lag of a sweep up and down.
@@ -508,4 +510,22 @@ fn stated_errors_need_a_column() {
         ..Default::default()
     };
     assert_eq!(ResponseTable::new(&columns), Err(ResponseFitError::NoUncertainties));
+}
+
+/// Multipliers 1/2 and 2 without friction, a pair on the unit circle, a pair inside it, and a fold, where one multiplier is 1 and the other the factor of the
+/// area: the roots of λ² − λ·trace + area by hand.
+#[test]
+fn the_stability_of_a_row_holds_within_the_error_of_its_multipliers() {
+    let map = |trace: f64, area: f64| [[0.5 * trace, 0.25 * trace * trace - area], [1.0, 0.5 * trace]];
+    let of = |trace: f64, area: f64| stability(map(trace, area), area, 1e-13);
+    assert_eq!(of(2.5, 1.0), Stability::Unstable);
+    assert_eq!(of(1.2, 1.0), Stability::Neutral);
+    assert_eq!(of(-1.2, 0.9), Stability::Attracting);
+    assert_eq!(of(0.0, 1.1), Stability::Unstable);
+    for beyond in [-1e-14, 1e-14] {
+        assert_eq!(of(1.9 + beyond, 0.9), Stability::Undetermined, "{beyond}");
+    }
+    assert_eq!([of(1.9 - 1e-9, 0.9), of(1.9 + 1e-9, 0.9)], [Stability::Attracting, Stability::Unstable]);
+    // A determinant that is 1e-6 off shows a map that establishes nothing nearer to one.
+    assert_eq!(stability(map(1.9 - 1e-7, 0.9 + 1e-6), 0.9, 1e-13), Stability::Undetermined);
 }

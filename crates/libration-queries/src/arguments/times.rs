@@ -1,10 +1,12 @@
 //! The times a motion is asked at.
 
-use super::lines;
+use super::{lines, text};
+use crate::call;
 use crate::query_error::QueryError;
 use libration::pendulum::{Motion, Pendulum};
-use libration::quantity::{Dimension, NumberRange, QuantityError, RangeError, numbers, parse};
-use std::path::PathBuf;
+use libration::quantity::{Dimension, NumberRange, QuantityError, RangeError, parse};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Number of steps in a period where no times are given.
 const STEPS: u32 = 24;
@@ -32,7 +34,7 @@ impl TimeOptions {
     pub(crate) fn read(&self, pendulum: &Pendulum, motion: &Motion) -> Result<Times, QueryError> {
         match (&self.times, &self.times_from) {
             (Some(times), _) => Ok(times.clone()),
-            (None, Some(path)) => lines::read(path, time).map(Times::List),
+            (None, Some(path)) => of_lines(path).map(Times::List),
             (None, None) => Ok(Times::one_period(pendulum, motion)),
         }
     }
@@ -78,12 +80,46 @@ impl Times {
 
 /// Reads a range or a list of times.
 pub(crate) fn times(text: &str) -> Result<Times, RangeError> {
-    match text.contains(':') {
-        true => NumberRange::parse(text, Dimension::Time).map(Times::Range),
-        false => numbers(text, Dimension::Time).map(Times::List),
+    if text.contains(':') {
+        let range = NumberRange::parse(text, Dimension::Time)?;
+        text.split(':').try_for_each(|part| text::finite_time(part).map(|_| ()))?;
+        return Ok(Times::Range(range));
     }
+    let uncertain = Uncertain::default();
+    let times = text.split(',').map(|part| uncertain.time(part));
+    let times = times.collect::<Result<Vec<f64>, QuantityError>>()?;
+    uncertain.say(times.len());
+    Ok(Times::List(times))
 }
 
-fn time(text: &str) -> Result<f64, QuantityError> {
-    Ok(parse(text, Dimension::Time)?.value)
+/// Reads a file with one time per line.
+fn of_lines(path: &Path) -> Result<Vec<f64>, QueryError> {
+    let uncertain = Uncertain::default();
+    let times = lines::read(path, |line| uncertain.time(line))?;
+    uncertain.say(times.len());
+    Ok(times)
+}
+
+/// Number of times that were given with an uncertainty, which is not used.
+#[derive(Debug, Default)]
+struct Uncertain(AtomicUsize);
+
+impl Uncertain {
+    fn time(&self, text: &str) -> Result<f64, QuantityError> {
+        let time = parse(text, Dimension::Time)?;
+        self.0.fetch_add(usize::from(time.uncertainty.is_some()), Ordering::Relaxed);
+        Ok(time.value)
+    }
+
+    /// Notes how many of all times have an uncertainty, in one sentence.
+    fn say(&self, all: usize) {
+        let sentence = match self.0.load(Ordering::Relaxed) {
+            0 => return,
+            1 => format!("the uncertainty of 1 of {all} times is not used here, only its value"),
+            some => {
+                format!("the uncertainties of {some} of {all} times are not used here, only their values")
+            }
+        };
+        call::current().note(&sentence);
+    }
 }

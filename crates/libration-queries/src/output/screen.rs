@@ -1,6 +1,7 @@
 //! Width of a text output, and the part of that width that a text takes.
 
 use crate::call;
+use libration::quantity::is_bidirectional;
 
 /// Narrower than this no table can be read.
 const NARROWEST: usize = 40;
@@ -8,6 +9,14 @@ const NARROWEST: usize = 40;
 /// The columns a result may take.
 pub(crate) fn width() -> usize {
     call::current().host().columns().max(NARROWEST)
+}
+
+/// Removes the characters that move the cursor of a terminal or turn the direction of its text, which names from files may hold; lines stay.
+pub(crate) fn clean(text: &mut String) {
+    let turns = |letter: char| (letter.is_control() && letter != '\n') || is_bidirectional(letter);
+    if text.contains(turns) {
+        text.retain(|letter| !turns(letter));
+    }
 }
 
 /// The columns that a text takes: two for a wide letter, none for one that is written over the letter before it.

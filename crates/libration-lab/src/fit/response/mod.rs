@@ -32,6 +32,7 @@ mod error;
 mod model;
 
 mod required_drive;
+pub(crate) mod stability;
 mod table;
 
 mod found_row;

@@ -7,6 +7,7 @@ use libration::algebra::Complex;
 
 use super::MeasuredAmplitude;
 use super::model::ResponseModel;
+use super::stability::stability;
 use libration::orbit::Stability;
 use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, Trajectory, integrate_many, with_sensitivities};
@@ -31,7 +32,7 @@ pub(super) struct RequiredDrive {
     pub(super) by_coefficients: Vec<Complex>,
     /// The derivative by the amplitude.
     pub(super) by_amplitude: Complex,
-    /// `true` if small deviations from the response die out.
+    /// The behaviour of small deviations.
     pub(super) stability: Stability,
     /// Start of Newton's method for a neighbouring response.
     shape: Shape,
@@ -226,7 +227,10 @@ impl Law for AllHarmonics {
                 let size = change.amax();
                 let scale = shapes[place].peak.max(shapes[place].cosine.abs()).max(shapes[place].sine.abs());
                 if size <= CLOSE * scale {
-                    let answer = linear.required(&end, &asked[place], shapes[place].plus(change));
+                    let answer = {
+                        let shape = shapes[place].plus(change);
+                        linear.required(&end, &asked[place], shape, coefficients[1])
+                    };
                     found[place] = Some(answer);
                 } else {
                     // Far from the solution a whole step may lead anywhere.
@@ -255,6 +259,12 @@ impl End {
     /// Velocity of the response itself, or of a deviation, counted from one.
     fn velocity(&self, copy: usize) -> f64 {
         self.state[3 * self.copies + copy]
+    }
+
+    /// The map of deviations of angle and velocity.
+    fn map(&self) -> [[f64; 2]; 2] {
+        let last = self.copies - 1;
+        [[self.state[3 * (last - 1)], self.state[3 * last]], [self.velocity(last - 1), self.velocity(last)]]
     }
 
     /// C + iS of the fundamental C cos τ + S sin τ.
@@ -292,7 +302,7 @@ impl Linear {
     }
 
     /// The drive of a response with this final shape.
-    fn required(&self, end: &End, asked: &Asked, shape: Shape) -> RequiredDrive {
+    fn required(&self, end: &End, asked: &Asked, shape: Shape, damping: f64) -> RequiredDrive {
         let square = asked.frequency * asked.frequency;
         let last = end.copies - 1;
         let force = Complex::new(shape.cosine, shape.sine);
@@ -320,7 +330,7 @@ impl Linear {
             drive: (force * phase).scaled(square),
             by_coefficients,
             by_amplitude,
-            stability: stability(end),
+            stability: stability(end.map(), libm::exp(-PI * damping / asked.frequency), EFFORT.relative),
             shape,
         }
     }
@@ -329,14 +339,4 @@ impl Linear {
 /// The part of a change along a number.
 pub(super) fn along(number: Complex, change: Complex) -> f64 {
     (number.re * change.re + number.im * change.im) / number.abs()
-}
-
-/// The stability of a motion by its two multipliers of half a period. Without their errors, which the fit does not need, none is undetermined.
-fn stability(end: &End) -> Stability {
-    let last = end.copies - 1;
-    let [a, b, c, d] =
-        [end.state[3 * (last - 1)], end.state[3 * last], end.velocity(last - 1), end.velocity(last)];
-    let (trace, determinant) = (a + d, a * d - b * c);
-    let attracts = determinant < 1.0 && trace.abs() < 1.0 + determinant;
-    if attracts { Stability::Attracting } else { Stability::Unstable }
 }

@@ -26,6 +26,14 @@ pub enum Advice {
         /// The quantity that the instrument measures.
         observable: Observable,
     },
+    /// The angles are taken as exact, though the test of the exact law would not show a scale that is 1 % wrong, which would change T0 by more than its
+    /// uncertainty.
+    StateScale {
+        /// The relative change of T0 with a relative error of the angles.
+        slope: f64,
+        /// The standard uncertainty of β, which is twice that of a scale by it.
+        of_beta: f64,
+    },
     /// The data do not separate several kinds of damping.
     RecordLonger {
         /// The largest and the smallest amplitude, in radians.
@@ -87,6 +95,7 @@ impl Advice {
             Self::GiveLengthUncertainty => "give_length_uncertainty",
             Self::MeasureLengthBetter { .. } => "measure_length_better",
             Self::CheckScale { .. } => "check_scale",
+            Self::StateScale { .. } => "state_scale",
             Self::RecordLonger { .. } => "record_longer",
             Self::LookAtResiduals => "look_at_residuals",
             Self::CorrectOutliers => "correct_outliers",
@@ -120,6 +129,13 @@ impl fmt::Display for Advice {
                 f,
                 "β is not 1, so look for a wrong scale of the angles: {}. The scale can also be fitted.",
                 how_to_check(*observable)
+            ),
+            Self::StateScale { slope, of_beta } => write!(
+                f,
+                "The angles are taken as exact. A scale that is 1 % wrong would change T0 by {} %, more than its uncertainty, and β does not show it: it \
+                 tells a scale to {} % at these amplitudes. State the uncertainty of the scale, or begin with 30° or more.",
+                rounded(*slope, 2),
+                rounded(50.0 * of_beta, 2)
             ),
             Self::RecordLonger { amplitudes } => record_longer(f, *amplitudes),
             Self::LookAtResiduals => f.write_str(

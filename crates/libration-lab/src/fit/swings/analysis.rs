@@ -63,6 +63,6 @@ pub fn swings(
     let model = found.contradiction.as_ref().map(|it| it.uncertainty() / it.values[0]);
     found.pendulum = pendulum_of(&found.fit, found.period_of_runs(), model, &found.cycles, options)?;
     found.warnings = doubts::warnings(&found, traces);
-    found.advice = improvements::advice(&found, traces);
+    found.advice = improvements::advice(&found, traces, options.angle_scale);
     Ok(found)
 }

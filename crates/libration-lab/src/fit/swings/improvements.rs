@@ -4,12 +4,13 @@ use super::{Advice, EndOfTrace, FittedPendulum, SwingsFit};
 use crate::measurement::{Faults, Observable, Trace};
 
 /// The advice, the most helpful first.
-pub(super) fn advice(found: &SwingsFit, traces: &[Trace]) -> Vec<Advice> {
+pub(super) fn advice(found: &SwingsFit, traces: &[Trace], angle_scale: Option<f64>) -> Vec<Advice> {
     let faults: Vec<Faults> =
         traces.iter().map(|trace| Faults::detect(trace.times(), trace.values(), None)).collect();
     let observable = traces.first().map_or(Observable::Angle, Trace::observable);
     let mut advice: Vec<Advice> = length(&found.pendulum).into_iter().collect();
     advice.extend(scale(found, observable));
+    advice.extend(unstated_scale(found).filter(|_| angle_scale.is_none()));
     advice.extend(damping(found));
     advice.extend((!found.fit.autocorrelation.is_noise()).then_some(Advice::LookAtResiduals));
     advice.extend(outliers(found, traces));
@@ -34,6 +35,22 @@ fn length(pendulum: &FittedPendulum) -> Option<Advice> {
 
 fn scale(found: &SwingsFit, observable: Observable) -> Option<Advice> {
     found.doubtful_beta()?.scale_error().map(|_| Advice::CheckScale { observable })
+}
+
+/// Advises on a scale that is taken as exact, where neither T0 nor β are certain of it.
+fn unstated_scale(found: &SwingsFit) -> Option<Advice> {
+    /// A usual error of a scale, of a camera or a protractor.
+    const USUAL: f64 = 0.01;
+    let beta =
+        found.beta.as_ref().ok().filter(|beta| !beta.differs_from_one() && !found.scale_is_fitted())?;
+    // R − 1 goes with the square of the amplitude.
+    let (mut excess, mut cycles) = (0.0, 0.0);
+    found
+        .all_cycles()
+        .for_each(|(_, cycle)| (excess, cycles) = (excess + cycle.period_ratio - 1.0, cycles + 1.0));
+    let (slope, of_beta) = (2.0 * excess / cycles, beta.factor.uncertainty);
+    let is_open = 0.5 * of_beta > USUAL && USUAL * slope > found.small_angle_period().relative();
+    is_open.then_some(Advice::StateScale { slope, of_beta })
 }
 
 fn damping(found: &SwingsFit) -> Option<Advice> {

@@ -49,6 +49,9 @@ impl Care {
     pub(super) const GROWTH: Self = Self { tolerance: 1e-3, ..Self::SEARCH };
 }
 
+/// The part beyond which a fit has failed: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
+pub(super) const HOPELESS: f64 = 0.5;
+
 /// The best parameters that a search has found.
 #[derive(Clone, Debug)]
 pub struct Descent {
@@ -176,6 +179,16 @@ pub(super) fn linearised(
 }
 
 impl Descent {
+    /// Returns whether the motion has lost the data: that of another pendulum leaves about all of their scatter.
+    pub(super) fn is_lost(&self) -> bool {
+        self.unexplained > HOPELESS
+    }
+
+    /// The refusal of data of which this part is unexplained.
+    pub(super) fn unexplained_data(&self) -> TraceFitError {
+        TraceFitError::Unexplained { percent: 100.0 * self.unexplained }
+    }
+
     /// Returns whether it is known to leave only noise.
     pub(super) fn leaves_noise(&self) -> bool {
         let residuals = |rows: &Vec<Rows>| rows.iter().map(Rows::residuals).collect::<Vec<Vec<f64>>>();

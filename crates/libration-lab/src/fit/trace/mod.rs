@@ -99,8 +99,10 @@ pub fn fit_traces(
     let watch = &Watch::new(progress);
     let problem = Problem::new(traces, damping, *options)?;
     let end = search::from_scratch(&problem, None, watch)?;
-    let patience = search::patience(&end);
-    let minimum = problem.minimum_near(end.parameters, patience, minimum::Care::FULL, watch)?;
+    if end.is_lost() {
+        return Err(end.unexplained_data());
+    }
+    let minimum = problem.minimum_near(end.parameters, problem::PATIENCE, minimum::Care::FULL, watch)?;
     let fit = uncertainty::fit(&problem, &minimum, watch)?;
     check_explained(&fit).map(|()| fit)
 }
@@ -108,5 +110,5 @@ pub fn fit_traces(
 /// Refuses a fit that leaves the greater part of the data unexplained.
 fn check_explained(fit: &TraceFit) -> Result<(), TraceFitError> {
     let percent = 100.0 * fit.unexplained;
-    if fit.unexplained > search::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }
+    if fit.unexplained > minimum::HOPELESS { Err(TraceFitError::Unexplained { percent }) } else { Ok(()) }
 }

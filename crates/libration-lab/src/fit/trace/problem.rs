@@ -115,6 +115,16 @@ impl<'a> Problem<'a> {
         self.descent_over(self.cycles, start, watch)
     }
 
+    /// Describes some parameters by enough rows of all traces, as the end of a descent.
+    pub(super) fn without_descent(
+        &self,
+        parameters: Vec<f64>,
+        watch: &Watch<'_>,
+    ) -> Result<Descent, TraceFitError> {
+        let start = Start { parameters, free: vec![], patience: 1, care: Care::SEARCH };
+        self.descent_over(self.cycles, start, watch)
+    }
+
     /// Finds the approximate end of the descent, by enough rows of this number of periods of small swings.
     pub(super) fn descent_over(
         &self,

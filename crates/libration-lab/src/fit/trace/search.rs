@@ -38,8 +38,10 @@ const CYCLES_OF_SEARCH: f64 = 5.0;
 /// The part of the scatter of the data that a successful fit leaves at most: 0.0005 and 0.05 ended alike. A right model leaves
 /// more where noise is above a twentieth of the signal, and is then tried twice.
 const GOOD: f64 = 0.0025;
-/// The part beyond which a fit has failed: 0.2 and 0.8 ended alike. The motion of another pendulum leaves about one, or two if out of phase.
-pub(super) const HOPELESS: f64 = 0.5;
+
+/// Number of times that a trace may be longer than the part in which the motion has lost it, for a descent over the whole: farther on they are out of
+/// phase, and a sum of squares over hundreds of cycles has a minimum for each cycle that is lost.
+const FAR: f64 = 16.0;
 
 /// A motion whose phase is less than an eighth of a turn from that of the data in all parts of a trace has lost no cycle.
 const IN_PHASE: f64 = 0.7;
@@ -81,13 +83,13 @@ fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
 
 /// Returns whether two searches have led to the same minimum, in which the motion is in phase.
 pub(super) fn are_alike(one: &Descent, other: &Descent) -> bool {
-    one.unexplained <= HOPELESS && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
+    !one.is_lost() && (one.sum_of_squares / other.sum_of_squares - 1.0).abs() < ALIKE
 }
 
 /// Evaluations for each parameter of the last descent, for which there is little reason where the search has lost the data, and none where it has
 /// not converged either.
 pub(super) fn patience(end: &Descent) -> usize {
-    match end.unexplained > HOPELESS {
+    match end.is_lost() {
         true if !end.converged => 1,
         true => PATIENCE_GROWING,
         false => PATIENCE,
@@ -108,9 +110,14 @@ fn grown(
         let care = if cycles < CYCLES_OF_ALL_DAMPING { Care::FIRST_SWINGS } else { Care::GROWTH };
         let start = Start { parameters, free, patience: PATIENCE_GROWING, care };
         let found = problem.descent_over(cycles, start, watch)?;
+        let is_lost = found.is_lost();
         parameters = found.parameters;
-        if found.unexplained > HOPELESS {
-            let end = problem.approach(parameters, PATIENCE_GROWING, watch)?;
+        if is_lost {
+            let end = if problem.cycles > FAR * cycles {
+                problem.without_descent(parameters, watch)?
+            } else {
+                problem.approach(parameters, PATIENCE_GROWING, watch)?
+            };
             return Ok(Followed { end, until: Some(cycles) });
         }
         cycles *= growth.factor;

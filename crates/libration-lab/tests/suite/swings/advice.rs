@@ -51,6 +51,23 @@ fn a_scale_is_to_be_checked_where_beta_is_in_doubt() {
     assert!(told.contains(&Advice::CheckScale { observable: Observable::AngularVelocity }), "{told:?}");
 }
 
+/// From 0.3 rad 1 % of the angles is 2(R − 1)·1 % of T0, 1e-4, twenty of its uncertainties, and β is known to several per cent; from 60° β tells the scale.
+#[test]
+fn a_scale_that_neither_is_stated_nor_tested_is_to_be_stated() {
+    let small = Synthetic { amplitude: 0.3, noise: 3e-4, ..SWING };
+    let told = advice(&small, &linear());
+    let Some(Advice::StateScale { slope, of_beta }) = told.iter().find(|one| one.name() == "state_scale")
+    else {
+        panic!("{told:?}")
+    };
+    assert!((0.008..0.012).contains(slope) && (0.02..0.4).contains(of_beta), "{slope} {of_beta}");
+    let stated = SwingsOptions { angle_scale: Some(0.01), ..linear() };
+    assert!(!has(&advice(&small, &stated), "state_scale"));
+    assert!(!has(&advice(&Synthetic { noise: 3e-4, ..SWING }, &linear()), "state_scale"));
+    // Where noise hides what a scale does.
+    assert!(!has(&advice(&Synthetic { noise: 0.03, ..small }, &linear()), "state_scale"));
+}
+
 #[test]
 fn damping_that_is_left_open_wants_a_longer_recording() {
     let short = Synthetic { rows: 125, ..SWING };

@@ -4,7 +4,6 @@ use crate::arguments;
 use crate::query_error::QueryError;
 use libration::decay::{Damping, PowerLawTerm};
 use libration::perturbation::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER};
-use libration::quantity::{Dimension, parse};
 
 /// The coefficients of the damping.
 #[derive(Clone, Debug, clap::Args)]
@@ -102,6 +101,6 @@ impl Extent {
 }
 
 fn time(text: &str) -> Result<f64, String> {
-    let time = parse(text, Dimension::Time).map_err(|error| error.to_string())?.value;
+    let time = arguments::finite_time(text).map_err(|error| error.to_string())?;
     if time > 0.0 { Ok(time) } else { Err("give a time above zero, such as 60s".to_owned()) }
 }

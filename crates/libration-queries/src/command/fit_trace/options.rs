@@ -23,6 +23,7 @@ pub(super) fn advice(advice: &Advice) -> String {
         Advice::GiveLength => "--length",
         Advice::CheckScale { observable: Observable::Angle } => "--counts-per-turn, --free-scale",
         Advice::CheckScale { observable: Observable::AngularVelocity } => "--free-scale",
+        Advice::StateScale { .. } => "--angle-scale",
         Advice::LookAtResiduals => "--report, --from",
         Advice::CorrectOutliers => "--robust",
         Advice::LeaveOutEnds { .. } => "--from, --to",

@@ -59,7 +59,8 @@ impl Table {
     }
 
     /// Adds a row, and writes it when the widths are known.
-    pub fn row(&mut self, out: &mut dyn Write, cells: Vec<String>) -> io::Result<()> {
+    pub fn row(&mut self, out: &mut dyn Write, mut cells: Vec<String>) -> io::Result<()> {
+        cells.iter_mut().for_each(|cell| screen::clean(cell));
         if let Some(layout) = self.layout.as_ref().filter(|_| self.held.is_empty())
             && layout.is_one_block()
             && layout.holds(&self.columns, &cells)
@@ -118,5 +119,7 @@ pub(crate) fn write_text(out: &mut dyn Write, name: &str, text: &str) -> io::Res
 pub fn paragraph(first: &str, text: &str, column: usize) -> String {
     let indent = screen::columns_of(first);
     let room = column.min(screen::width()).saturating_sub(indent);
-    first.to_owned() + &screen::folded(text, room).join(&format!("\n{:indent$}", ""))
+    let mut text = text.to_owned();
+    screen::clean(&mut text);
+    first.to_owned() + &screen::folded(&text, room).join(&format!("\n{:indent$}", ""))
 }

@@ -4,7 +4,7 @@ use libration::internals::progress::Watch;
 use libration::progress::Progress;
 
 use super::Comparison;
-use crate::fit::trace::minimum::{Care, Descent, Minimum, deeper};
+use crate::fit::trace::minimum::{Care, Descent, HOPELESS, Minimum, deeper};
 use crate::fit::trace::problem::{PATIENCE, Problem};
 use crate::fit::trace::{
     DampingKind, DampingModel, TraceFit, TraceFitError, TraceOptions, check_explained, search, uncertainty,
@@ -34,6 +34,14 @@ pub fn compare(
         let tried = tried.into_iter().collect::<Result<Vec<Candidate<'_>>, TraceFitError>>()?;
         candidates.extend(tried);
     }
+    if !candidates.iter().any(Candidate::follows) {
+        return Err(reason(&candidates));
+    }
+    for candidate in &mut candidates {
+        if let Some(end) = candidate.lost.take() {
+            *candidate = Candidate::near(candidate.problem.clone(), Ok(end), watch)?;
+        }
+    }
     let fits = candidates.iter().filter_map(|candidate| candidate.fit.clone().ok()).collect();
     let mut comparison = Comparison::new(fits, options.robust).ok_or_else(|| reason(&candidates))?;
     check_explained(comparison.best())?;
@@ -50,6 +58,9 @@ pub fn compare(
 /// A model that is fitted for the comparison.
 struct Candidate<'a> {
     problem: Problem<'a>,
+    /// The end of a search that has lost the data, near which no minimum was looked for yet: with all rows that takes longer than all searches, and
+    /// is of use only next to a model that follows the data.
+    lost: Option<Descent>,
     minimum: Option<Minimum>,
     /// The fit, or the reason why there is none.
     fit: Result<TraceFit, TraceFitError>,
@@ -61,7 +72,26 @@ impl<'a> Candidate<'a> {
     /// # Errors
     /// Fails if the search was interrupted.
     fn new(problem: Problem<'a>, simpler: &[Self], watch: &Watch<'_>) -> Result<Self, TraceFitError> {
-        let (minimum, fit) = match minimum(&problem, simpler, watch) {
+        match end(&problem, simpler, watch) {
+            Ok(end) if end.is_lost() => {
+                let fit = Err(end.unexplained_data());
+                Ok(Self { problem, lost: Some(end), minimum: None, fit })
+            }
+            end => Self::near(problem, end, watch),
+        }
+    }
+
+    /// Finds the minimum near the end of a search, by all rows.
+    fn near(
+        problem: Problem<'a>,
+        end: Result<Descent, TraceFitError>,
+        watch: &Watch<'_>,
+    ) -> Result<Self, TraceFitError> {
+        let minimum = end.and_then(|end| {
+            let patience = search::patience(&end);
+            problem.minimum_near(end.parameters, patience, Care::COMPARISON, watch)
+        });
+        let (minimum, fit) = match minimum {
             Ok(minimum) => {
                 let fit = uncertainty::fit(&problem, &minimum, watch);
                 (Some(minimum), fit)
@@ -70,7 +100,7 @@ impl<'a> Candidate<'a> {
         };
         match fit {
             Err(TraceFitError::Interrupted) => Err(TraceFitError::Interrupted),
-            fit => Ok(Self { problem, minimum, fit }),
+            fit => Ok(Self { problem, lost: None, minimum, fit }),
         }
     }
 
@@ -80,7 +110,7 @@ impl<'a> Candidate<'a> {
 
     /// Returns whether the model is in phase with the data.
     fn follows(&self) -> bool {
-        self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= search::HOPELESS)
+        self.fit.as_ref().is_ok_and(|fit| fit.unexplained <= HOPELESS)
     }
 
     fn leaves_noise(&self) -> bool {
@@ -88,19 +118,21 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// The reason why the last of the models could not be fitted.
+/// The reason why no model could be fitted: of those that lose the data that of the best one, otherwise that of the last one.
 fn reason(candidates: &[Candidate<'_>]) -> TraceFitError {
+    let lost = candidates.iter().filter_map(|candidate| candidate.lost.as_ref());
+    let best = lost.min_by(|one, other| one.unexplained.total_cmp(&other.unexplained));
     let mut reasons = candidates.iter().rev().filter_map(|candidate| candidate.fit.as_ref().err());
-    reasons.next().cloned().unwrap_or(TraceFitError::NoTrace)
+    best.map(Descent::unexplained_data).or_else(|| reasons.next().cloned()).unwrap_or(TraceFitError::NoTrace)
 }
 
-/// The deepest minimum of those near models with one kind of damping less, and of that found from the first swings
+/// The deepest end of the searches near models with one kind of damping less, and of that found from the first swings
 /// on; the search ends early where the model or a smaller one leaves only noise. Models that are out of phase are not used as starts.
-fn minimum(
+fn end(
     problem: &Problem<'_>,
     simpler: &[Candidate<'_>],
     watch: &Watch<'_>,
-) -> Result<Minimum, TraceFitError> {
+) -> Result<Descent, TraceFitError> {
     let layout = problem.model.layout;
     let terms = layout.terms();
     let parts = || simpler.iter().filter(|part| part.terms().is_part_of(terms));
@@ -122,7 +154,7 @@ fn minimum(
             .iter()
             .any(|other| matches!((one, other), (Ok(one), Ok(other)) if search::are_alike(one, other)))
     });
-    let end = match near.into_iter().reduce(deeper) {
+    match near.into_iter().reduce(deeper) {
         Some(near) if is_known || leaves_noise => near,
         Some(near) if parts().any(Candidate::leaves_noise) => near,
         Some(near) => {
@@ -130,7 +162,5 @@ fn minimum(
             deeper(near, search::from_scratch(problem, known.as_ref(), watch))
         }
         None => search::from_scratch(problem, None, watch),
-    };
-    let end = end?;
-    problem.minimum_near(end.parameters.clone(), search::patience(&end), Care::COMPARISON, watch)
+    }
 }

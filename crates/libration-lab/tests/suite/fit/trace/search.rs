@@ -4,7 +4,7 @@ use libration::internals::progress::Watch;
 use libration::progress::Quiet;
 use libration::taylor::{Effort, Moment, System, integrate};
 use libration_lab::fit::DampingModel;
-use libration_lab::fit::trace::{TraceOptions, compare, fit_traces};
+use libration_lab::fit::trace::{TraceFitError, TraceOptions, compare, fit_traces};
 use libration_lab::internals::fit::trace::minimum::{Care, Minimum};
 use libration_lab::internals::fit::trace::model::Rows;
 use libration_lab::internals::fit::trace::problem::{PATIENCE, Problem};
@@ -13,6 +13,8 @@ use libration_lab::internals::fit::trace::weights::Weights;
 use libration_lab::internals::fit::trace::{search, series, uncertainty};
 use libration_lab::internals::statistics::count;
 use libration_lab::measurement::{Observable, Trace};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A pendulum with ω0 = 4 and a little linear and quadratic damping.
 const TRUTH: &str = "theta'' = -16*sin(theta) - 0.02*theta' - 0.01*theta'*abs(theta')";
@@ -170,4 +172,22 @@ fn comparisons_are_the_same_each_time() {
     let (first, second) = (one(), one());
     assert_eq!(first.fits, second.fits);
     assert_eq!(first.best().damping, terms());
+}
+
+/// Three sines of equal size, which every model loses in the first swings: each is sought once or twice in these, and nowhere in all rows.
+#[test]
+fn data_that_no_model_follows_are_refused_after_a_look_at_the_first_swings() {
+    let angle = |t: f64| [3.0, 4.1, 5.7].map(|w| 0.5 * libm::sin(w * t)).iter().sum::<f64>();
+    let times: Vec<f64> = (0..5000).map(|row| 0.02 * f64::from(row)).collect();
+    let values = times.iter().map(|&time| angle(time)).collect();
+    let trace = Trace::new("three sines", Observable::Angle, times, values, None).unwrap();
+    let evaluations = AtomicUsize::new(0);
+    let counted = |_| {
+        evaluations.fetch_add(1, Ordering::Relaxed);
+        ControlFlow::Continue(())
+    };
+    let found = compare(&[trace], &TraceOptions::default(), &Watch::new(&counted));
+    assert!(matches!(found, Err(TraceFitError::Unexplained { percent }) if percent > 50.0), "{found:?}");
+    let evaluations = evaluations.into_inner();
+    assert!(evaluations < 1000, "{evaluations}");
 }
