@@ -1,4 +1,4 @@
-//! `libration expand` and `libration oscillators`.
+//! `libration expand`, and the oscillators of `libration list`.
 
 use crate::command::{close, json, libration, message, run, text};
 use serde_json::Value;
@@ -470,11 +470,11 @@ fn names_of_angles_are_the_same_for_all_commands() {
 
 #[test]
 fn the_catalogue_is_listed_with_parameters_and_sources() {
-    let duffing = text("oscillators duffing");
+    let duffing = text("list duffing");
     for part in ["x'' + x + epsilon*x^3 = 0", "epsilon = 1: strength", "source", "Duffing"] {
         assert!(duffing.contains(part), "{part}: {duffing}");
     }
-    let answer = json("oscillators van_der_pol");
+    let answer = json("list van_der_pol");
     assert_eq!(answer["oscillators"][0]["expansion_parameter"], "mu");
     assert_eq!(answer["oscillators"][0]["parameters"][0]["name"], "mu");
     assert_eq!(text("oscillators duffing morse --csv").lines().count(), 3);

@@ -134,3 +134,25 @@ fn types_are_those_of_the_values() {
         assert_eq!(of(words, name), expected, "{words} {name}");
     }
 }
+
+#[test]
+fn former_names_of_options_are_hidden_and_accepted() {
+    let command = libration_queries::command([]);
+    for (words, former, now) in [
+        ("fit periods", "linear-damping", "linear"),
+        ("fit gates", "linear-damping", "linear"),
+        ("plan", "linear-damping", "linear"),
+        ("fit trace", "unit", "angle-unit"),
+        ("fit gates", "unit", "angle-unit"),
+        ("inspect", "unit", "angle-unit"),
+        ("figure trajectories", "until", "to"),
+        ("figure trajectories", "show", "axis"),
+        ("figure spectrum", "highest", "harmonics"),
+        ("melnikov", "orders", "max-drive-periods"),
+    ] {
+        let query = words.split(' ').fold(&command, |of, word| of.find_subcommand(word).unwrap());
+        let option = query.get_arguments().find(|it| it.get_long() == Some(now)).unwrap();
+        assert_eq!(option.get_all_aliases(), Some(vec![former]), "{words}");
+        assert!(option.get_visible_aliases().unwrap_or_default().is_empty(), "{words}");
+    }
+}
