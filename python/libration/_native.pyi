@@ -32,6 +32,9 @@ class Motion:
     def energy_ratio(self) -> tuple[float, float]: ...
     @property
     def action(self) -> float: ...
+    def errors(
+        self,
+    ) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64], float | None] | None: ...
     def states_at(self, times: NDArray[float64]) -> tuple[NDArray[float64], NDArray[float64]]: ...
     def harmonics(
         self, tolerance: float, limit: int
@@ -71,7 +74,7 @@ _Pairs: TypeAlias = list[tuple[str, str]]
 _Motion: TypeAlias = tuple[str, _Pairs, _Pairs, _Pairs, tuple[str, str] | None, float]
 
 def simulate(
-    question: _Motion, times: NDArray[float64], progress: _Tell | None
+    question: _Motion, times: NDArray[float64], errors: bool, progress: _Tell | None
 ) -> tuple[Simulation, BaseException | None]: ...
 def ask(
     arguments: Sequence[str],

@@ -53,6 +53,35 @@ def test_the_energy_of_coupled_systems_is_kept():
     np.testing.assert_allclose(energy, energy[0], rtol=1e-13)
 
 
+def test_errors_of_all_states_hold():
+    exact = np.array([[float(x) for x in motion(t, np.pi / 3, 2.5, 3)] for t in TIMES])
+    assert PENDULUM.errors.shape == PENDULUM.y.shape and PENDULUM.determined_until is None
+    # The typed start is half an ulp off: sin and cos of the exact motion, and its own rounding.
+    assert np.all(np.abs(PENDULUM.y - exact) <= PENDULUM.errors + 2e-14)
+    assert np.all(PENDULUM.errors[0] == 0) and np.all(PENDULUM.errors < 1e-12)
+    both = lb.simulate("x'' = -x", {"x": 1}, [-50, 0, 50], events=["x"])
+    expected = np.array([np.cos(both.t), -np.sin(both.t)]).T
+    assert np.all(np.abs(both.y - expected) <= both.errors)
+    passages = both.events["x"]
+    whole = np.round(passages.t / np.pi - 0.5) + 0.5
+    assert passages.errors.shape == passages.y.shape
+    assert np.all(np.abs(passages.t - whole * np.pi) <= passages.t_errors)
+    assert np.all(passages.t_errors < 1e-11)
+
+
+def test_motions_are_determined_for_a_while_only():
+    top = lb.simulate("pendulum", {"theta": "179.999999deg"}, [0, 20, 100])
+    assert 40 < top.determined_until < 100
+    assert np.all(np.isfinite(top.errors[:2])) and np.all(np.isnan(top.errors[2]))
+    assert "not determined" in top._repr_html_()
+    without = lb.simulate("pendulum", {"theta": 1}, [0, 1], errors=False, events=["theta"])
+    assert without.errors is None and without.events["theta"].errors is None
+    assert without.to_dict()["no_errors"] == "--no-errors"
+    chain = lb.simulate("x[i]'' = x[i+1] - 2*x[i] + x[i-1], i = 1..40", {"x[1]": 1}, [0, 1])
+    assert chain.errors is None
+    assert "theta = 1," in lb.simulate("pendulum", {"theta": 1}, 0)._repr_html_()
+
+
 def test_times_on_both_sides_of_the_start():
     found = lb.simulate("x'' = -9.81", {"x": 1, "x'": 2}, [-1, -0.5, 0, 0.5, 1], events=["x"])
     t = np.array([-1, -0.5, 0, 0.5, 1])

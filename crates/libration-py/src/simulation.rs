@@ -7,8 +7,9 @@ use libration::expression::Expression;
 use libration::progress::{Progress, Stage, Status};
 use libration::systems::Model;
 use libration::taylor::{
-    Cause, Contact, DenseSolution, Direction, Effort, Event, IntegrationError, Moment, Occurrence, Solution,
-    Step, System, integrate_both_ways, integrate_stepwise,
+    AcceptedStep, Cause, Contact, DenseSolution, Direction, Effort, Event, IntegrationError, Moment,
+    MomentErrors, Occurrence, SampledErrors, Solution, Start, StateErrors, System, integrate_both_ways,
+    integrate_from,
 };
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -37,6 +38,14 @@ pub(crate) struct NativeSimulation {
     solution: Solution,
     /// The solutions before the start and after it.
     dense: [DenseSolution; 2],
+    errors: Option<Errors>,
+}
+
+/// The errors of the samples and events of a motion; NaN where it is not determined.
+struct Errors {
+    samples: Vec<MomentErrors>,
+    events: Vec<MomentErrors>,
+    determined_until: Option<f64>,
 }
 
 /// The motion, and what has stopped it before its end: an exception, or the reason.
@@ -45,6 +54,7 @@ pub(crate) fn simulate(
     py: Python<'_>,
     question: Question,
     times: PyReadonlyArray1<'_, f64>,
+    errors: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(NativeSimulation, Option<PyErr>)> {
     let asked = Asked::new(&question)?;
@@ -53,13 +63,14 @@ pub(crate) fn simulate(
     }
     let times = times.as_slice()?;
     let progress = CallProgress::new(progress);
-    let Followed { outcome, dense, is_full } = py.detach(|| asked.followed(times, &progress));
+    let Followed { outcome, dense, errors, is_full } = py.detach(|| asked.followed(times, errors, &progress));
     let (solution, cause) = match outcome {
         Ok(solution) => (solution, None),
         Err(IntegrationError::Stopped { cause, solution }) => (*solution, Some(cause)),
         Err(error) => return Err(refusal::<SimulationError>(error)),
     };
     let end = solution.end.time;
+    let errors = errors.map(|errors| Errors::new(&errors, &solution));
     let reason = match cause {
         Some(Cause::Interrupted) if is_full => Some(format!(
             "{} steps up to t = {end:?} take 1 GB, since the motion is kept for all times between: simulate shorter parts, or \
@@ -71,7 +82,7 @@ pub(crate) fn simulate(
     };
     let reason = reason.map(refusal::<SimulationError>);
     Ok((
-        NativeSimulation { model: asked.model, start: asked.start.state, solution, dense },
+        NativeSimulation { model: asked.model, start: asked.start.state, solution, dense, errors },
         progress.stopped_by().or(reason),
     ))
 }
@@ -100,7 +111,7 @@ impl Asked {
         Ok(Self { model, system, start, effort: Effort::to_tolerance(*tolerance) })
     }
 
-    fn followed(&self, times: &[f64], progress: &CallProgress) -> Followed {
+    fn followed(&self, times: &[f64], with_errors: bool, progress: &CallProgress) -> Followed<'_> {
         /// Bytes that any machine with a notebook has.
         const MOST: usize = 1_000_000_000;
         /// Numbers in a step, about, for each component of the state; the step itself and the management of its memory take as much as one component.
@@ -110,7 +121,14 @@ impl Asked {
         let mut dense = [DenseSolution::default(), DenseSolution::default()];
         let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
         let span = first.abs().max(last.abs());
-        let mut each = |step: &Step<'_>| -> ControlFlow<()> {
+        let Self { system, start, effort, .. } = self;
+        let mut errors = (with_errors && start.state.len() <= StateErrors::MOST_COMPONENTS)
+            .then(|| SampledErrors::new(system, start, effort, times, None));
+        let watch = |accepted: &AcceptedStep<'_>| -> ControlFlow<()> {
+            if let Some(errors) = &mut errors {
+                errors.follow(accepted);
+            }
+            let step = accepted.step();
             steps += 1;
             if steps.saturating_mul(numbers * size_of::<f64>()) > MOST {
                 is_full = true;
@@ -119,21 +137,37 @@ impl Asked {
             dense[usize::from(step.end() > step.start())].push(step);
             progress.update(status(step.end().abs(), span))
         };
-        let Self { system, start, effort, .. } = self;
         let outcome = match first < 0.0 && last > 0.0 {
-            true => integrate_both_ways(system, start, times, effort, |accepted| each(accepted.step())),
-            false => integrate_stepwise(system, start, times, effort, each),
+            true => integrate_both_ways(system, start, times, effort, watch),
+            false => integrate_from(system, &Start::State(start.clone()), times, effort, watch),
         };
-        Followed { outcome, dense, is_full }
+        Followed { outcome, dense, errors, is_full }
     }
 }
 
 /// A motion with its steps, before the start and after it.
-struct Followed {
+struct Followed<'a> {
     outcome: Result<Solution, IntegrationError>,
     dense: [DenseSolution; 2],
+    errors: Option<SampledErrors<'a>>,
     /// `true` if it was ended because its steps take too much memory.
     is_full: bool,
+}
+
+impl Errors {
+    fn new(errors: &SampledErrors<'_>, solution: &Solution) -> Self {
+        let numbers = solution.end.state.len();
+        let known = |found: Option<&MomentErrors>| {
+            let unknown =
+                || MomentErrors { time: f64::NAN, state: vec![f64::NAN; numbers], formulas: vec![] };
+            found.cloned().unwrap_or_else(unknown)
+        };
+        Self {
+            samples: solution.samples.iter().map(|it| known(errors.of_sample(it.time))).collect(),
+            events: solution.events.iter().map(|it| known(errors.of_event(it))).collect(),
+            determined_until: errors.worse().and_then(StateErrors::determined_until),
+        }
+    }
 }
 
 /// Status in thousandths of the time.
@@ -177,6 +211,10 @@ fn direction(way: &str) -> PyResult<Direction> {
 /// Number of the event, time, state, contact.
 type Happening<'py> = (usize, f64, Bound<'py, PyArray1<f64>>, &'static str);
 
+/// The errors of states, of the times of events and of their states, and the last determined time.
+type KnownErrors<'py> =
+    (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Option<f64>);
+
 /// Times, and a state for each.
 type Samples<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 
@@ -208,6 +246,17 @@ impl NativeSimulation {
         let happening =
             |it: &Occurrence| (it.event, it.time, it.state.clone().into_pyarray(py), contact(it.contact));
         self.solution.events.iter().map(happening).collect()
+    }
+
+    /// The errors of samples and events, where they are estimated.
+    fn errors<'py>(&self, py: Python<'py>) -> PyResult<Option<KnownErrors<'py>>> {
+        let Some(Errors { samples, events, determined_until }) = &self.errors else { return Ok(None) };
+        let states = |all: &[MomentErrors]| {
+            let numbers = all.iter().flat_map(|it| it.state.iter().copied()).collect();
+            self.rows(py, numbers, all.len())
+        };
+        let times: Vec<f64> = events.iter().map(|it| it.time).collect();
+        Ok(Some((states(samples)?, times.into_pyarray(py), states(events)?, *determined_until)))
     }
 
     /// The states at any times between the ends, a row for each.

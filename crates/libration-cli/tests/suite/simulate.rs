@@ -286,13 +286,14 @@ fn formulas_are_columns_in_every_form() {
     assert_eq!(answer["columns"], serde_json::json!(["energy", "x''", "max(x, t)"]));
     for row in answer["samples"].as_array().unwrap().iter().chain(answer["events"].as_array().unwrap()) {
         let (x, time) = (row["state"][0].as_f64().unwrap(), row["time_s"].as_f64().unwrap());
-        close(&row["columns"][0], 2.0, 1e-12);
+        close(&row["columns"][0], 2.0, row["columns_error"][0].as_f64().unwrap());
+        assert!(row["columns_error"][0].as_f64().unwrap() < 1e-14, "{row}");
         assert_eq!(row["columns"][1].as_f64(), Some(-4.0 * x));
         assert_eq!(row["columns"][2].as_f64(), Some(x.max(time)));
     }
     let table = ask(&["--csv"]);
     let mut lines = table.lines();
-    let names = "time_s,x,x',energy,x'',\"max(x, t)\",time_error_s,x_error,x'_error,event";
+    let names = "time_s,x,x',energy,x'',\"max(x, t)\",time_error_s,x_error,x'_error,energy_error,x''_error,\"max(x, t)_error\",event";
     assert_eq!(lines.next(), Some(names));
     let first: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert_eq!(first[..6], ["0.0", "1.0", "0.0", "2.0", "-4.0", "1.0"]);
@@ -460,14 +461,20 @@ fn derivatives_by_parameters_and_starts_are_columns() {
         for row in rows {
             assert_eq!(row["state"].as_array().unwrap().len(), 2);
             let exact = exact(row["time_s"].as_f64().unwrap());
-            for (found, exact) in row["columns"].as_array().unwrap().iter().zip(exact) {
-                assert!((found.as_f64().unwrap() - exact).abs() < 1e-12, "{row}");
+            let columns = row["columns"].as_array().unwrap().iter().zip(exact);
+            for ((found, exact), error) in columns.zip(row["columns_error"].as_array().unwrap()) {
+                let (off, error) = ((found.as_f64().unwrap() - exact).abs(), error.as_f64().unwrap());
+                // What the closed form itself rounds.
+                assert!(off <= error + 4e-15 && error < 1e-12, "{row}");
             }
         }
     }
     let csv = String::from_utf8(asked(&["--times", "0,1", "--csv"]).stdout).unwrap();
-    let begin = "time_s,x,x',dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0),x_error,x'_error\n0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0\n";
-    assert!(csv.starts_with(begin), "{csv}");
+    let derivatives = "dx/dk,dx'/dk,dx/dx'(0),dx'/dx'(0)";
+    let errors = derivatives.replace(',', "_error,");
+    let zeros = "0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,0.0,0.0";
+    let begin = format!("time_s,x,x',{derivatives},x_error,x'_error,{errors}_error\n{zeros}\n");
+    assert!(csv.starts_with(&begin), "{csv}");
     let until = asked(&["--times", "0,9", "--until", "x = 0", "--json"]);
     let until: Value = serde_json::from_slice(&until.stdout).unwrap();
     assert_eq!(until["until"]["state"].as_array().unwrap().len(), 2);
@@ -541,17 +548,19 @@ fn without_errors_the_answer_says_so() {
     assert!(until["until"]["time_s"].is_number() && until["until"]["time_error_s"].is_null(), "{until}");
 }
 
-/// The digits end where the error begins: at t = 50 four are left of thirteen.
+/// The digits end where the error begins: at t = 50 four are left of thirteen. The state and a formula are in one row.
 #[test]
 fn no_digits_are_shown_beyond_the_error() {
-    let question = "simulate double_pendulum --initial theta1=2,theta2=2 --times 0:60:10";
+    let question = "simulate double_pendulum --initial theta1=2,theta2=2 --times 0:60:10 --columns y=sin(theta1)+sin(theta2)";
     let answer = json(question);
     let sheet = text(question);
     let rows: Vec<Vec<&str>> = sheet.lines().map(|line| line.split_whitespace().collect()).collect();
     for (place, sample) in answer["samples"].as_array().unwrap().iter().enumerate().skip(1) {
         let time = format!("{}", sample["time_s"].as_f64().unwrap());
-        let row = rows.iter().find(|row| row.len() == 5 && row[0] == time).unwrap();
-        for (cell, error) in row[1..].iter().zip(error(sample).unwrap()) {
+        let row = rows.iter().find(|row| row.len() == 6 && row[0] == time).unwrap();
+        let of_column = sample["columns_error"][0].as_f64().unwrap();
+        let errors = error(sample).unwrap().into_iter().chain([of_column]);
+        for (cell, error) in row[1..].iter().zip(errors) {
             let places = cell.split_once('.').map_or(0, |(_, places)| places.len());
             let last = 10_f64.powi(-i32::try_from(places).unwrap());
             assert!(last > 0.1 * error, "{place}: {cell} with an error of {error:e}");
@@ -614,12 +623,13 @@ fn errors_survive_a_stop() {
         ("clearance", "x'' = -x - max(x - 0.5, 0)", "x=1", "0:9:0.5", "0:20:0.5"),
         ("lost", "theta'' = -sin(theta)", "theta=3.14159265", "0:70:5", "0:90:5"),
     ] {
-        for form in ["csv", "json"] {
+        let columns = ["--columns", "a = 2*t, max(t, 3), d = t^2"];
+        for (form, columns) in [("csv", &[][..]), ("json", &[]), ("csv", &columns), ("json", &columns)] {
             let files = ["part", "whole"].map(|it| place.join(format!("{name}_{it}.{form}")));
             let [part, other] = files.each_ref().map(|file| file.to_str().unwrap());
             let ask = |times: &str, more: &[&str]| {
                 let question = ["simulate", system, "--initial", initial, "--times", times];
-                let output = run(&[&question[..], &["--events", "turning"], more].concat());
+                let output = run(&[&question[..], &["--events", "turning"], columns, more].concat());
                 assert!(output.status.success(), "{name}: {}", message(&output));
             };
             ask(first, &["--output", part]);
@@ -649,7 +659,7 @@ fn cells_without_a_finite_number_are_empty_in_csv() {
     let cells: Vec<&str> = lines[2].split(',').collect();
     assert!(cells[3].parse::<f64>().is_ok_and(f64::is_finite) && cells[4].is_empty(), "{one}");
     let file = directory("simulate-not-finite").join("motions.csv");
-    std::fs::write(&file, "x\n1\n").unwrap();
+    fs::write(&file, "x\n1\n").unwrap();
     let each = file.display().to_string();
     let many =
         run(&["simulate", "x'' = -x", "--each", &each, "--times", "0,1", "--columns", columns, "--csv"]);

@@ -1,7 +1,7 @@
 //! Formulas of the state, to be evaluated along a motion.
 
 use super::Model;
-use crate::taylor::Moment;
+use crate::taylor::{Gradients, Moment};
 use libration_numbers::algebra::Doubles;
 use libration_numbers::{
     expression::{Expression, Symbol},
@@ -25,6 +25,8 @@ use libration_numbers::{
 pub struct Observables {
     names: Vec<String>,
     tape: Tape,
+    /// Number of state components.
+    components: usize,
 }
 
 /// The reason why formulas cannot be evaluated along a motion.
@@ -68,13 +70,19 @@ impl Observables {
         let tape = Tape::new(&in_state.iter().collect::<Vec<_>>(), &inputs).map_err(|error| {
             NoObservable::Unknown { name: names.join(", "), symbol: error.0, known: states }
         })?;
-        Ok(Self { names, tape })
+        Ok(Self { names, tape, components: inputs.len() - 1 })
     }
 
     /// The names of the formulas.
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
+    }
+
+    /// The formulas with their derivatives, for the errors of their values: [`StateErrors::with_formulas`](crate::taylor::StateErrors::with_formulas).
+    #[must_use]
+    pub fn gradients(&self) -> Gradients {
+        Gradients::new(&self.tape, self.names.len(), self.components)
     }
 
     /// Their values; NaN where a formula has none.

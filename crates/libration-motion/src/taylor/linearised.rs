@@ -73,6 +73,14 @@ impl Linearised {
         linearised
     }
 
+    /// The inputs that occur in the formulas.
+    pub(super) fn inputs(&self) -> impl Iterator<Item = usize> + '_ {
+        self.varying.iter().filter_map(|&place| match self.tape.operations()[place] {
+            Operation::Input(input) => Some(input),
+            _ => None,
+        })
+    }
+
     /// Evaluates the formulas for these inputs.
     pub(super) fn evaluate(&mut self, inputs: &[f64]) {
         for number in 0..self.varying.len() {

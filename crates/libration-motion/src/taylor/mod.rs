@@ -114,12 +114,15 @@ mod gathered;
 mod ending;
 
 mod exponential;
+mod gradients;
 mod propagator;
 mod sizes_of_terms;
 mod spread;
 
+mod event_errors;
 mod kept_errors;
 mod pieces;
+mod sampled_errors;
 mod state_errors;
 
 mod ensemble;
@@ -132,9 +135,12 @@ pub use ending::ending_error;
 pub use ensemble::Ensemble;
 pub use error::{Cause, IntegrationError};
 pub use event::{Contact, Direction, Event, Occurrence};
+pub use event_errors::MomentErrors;
+pub use gradients::Gradients;
 pub use integrate::{integrate, integrate_many, integrate_many_stepwise, integrate_stepwise};
 pub use layout::StateLayout;
 pub use owned_step::OwnedStep;
+pub use sampled_errors::SampledErrors;
 pub use sensitivities::{Sensitivities, SensitivityError};
 pub use solution::{Moment, Solution};
 pub use state_errors::StateErrors;

@@ -167,7 +167,7 @@ impl Sensitivities {
     }
 
     /// The index of a state component in a copy of it.
-    fn place(&self, copy: usize, number: usize) -> usize {
+    pub(super) fn place(&self, copy: usize, number: usize) -> usize {
         let first = copy * self.own.coordinates();
         match self.own.driving(number).filter(|_| self.own.is_velocity(number)) {
             Some(coordinate) => self.all.driven(first + coordinate),

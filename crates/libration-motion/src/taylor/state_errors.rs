@@ -9,7 +9,8 @@
 
 use std::sync::Arc;
 
-use super::crossing::{Crossing, Passing};
+use super::crossing::Crossing;
+use super::gradients::Gradients;
 use super::linearised::{ROUNDING, half_ulp};
 use super::matrix::Matrix;
 use super::pieces::{Boundary, Middle, Pieces};
@@ -18,7 +19,7 @@ use super::roundings_of_steps::{add_forces, add_unseen, terms};
 use super::sizes_of_terms::SizesOfTerms;
 use super::spread::Spread;
 use super::stepper::Stepper;
-use super::{AcceptedStep, Contact, Effort, Moment, Occurrence, StateLayout, Step, System};
+use super::{AcceptedStep, Contact, Effort, Moment, StateLayout, Step, System};
 
 /// The errors of a motion, which goes through its steps with it.
 ///
@@ -51,7 +52,7 @@ use super::{AcceptedStep, Contact, Effort, Moment, Occurrence, StateLayout, Step
 /// ```
 #[derive(Debug)]
 pub struct StateErrors {
-    start: Moment,
+    pub(super) start: Moment,
     tolerance: f64,
     /// Layout of the equations that hold now; a component that comes to rest changes them.
     layout: Arc<StateLayout>,
@@ -60,7 +61,9 @@ pub struct StateErrors {
     passes: bool,
     /// Forces with jumps and bends.
     pub(super) pieces: Option<Pieces>,
-    crossings: Vec<(usize, Contact, Option<Crossing>)>,
+    pub(super) crossings: Vec<(usize, Contact, Option<Crossing>)>,
+    /// Formulas whose errors are estimated as well.
+    pub(super) formulas: Option<Gradients>,
     /// Number of steps that have added to the errors.
     pub(super) steps: f64,
     /// The spreads at the start of the last step, and at its end.
@@ -78,6 +81,9 @@ pub struct StateErrors {
 }
 
 impl StateErrors {
+    /// Most components of a state whose errors are worth their time, which goes with the third power of the number.
+    pub const MOST_COMPONENTS: usize = 64;
+
     /// The errors of a motion that begins exactly in this state.
     #[must_use]
     pub fn new(system: &System, start: &Moment, effort: &Effort) -> Self {
@@ -90,6 +96,7 @@ impl StateErrors {
             passes: system.passage().is_some(),
             pieces: None,
             crossings: vec![],
+            formulas: None,
             steps: 0.0,
             spreads: [Spread::none(numbers), Spread::none(numbers)],
             bounds: [vec![0.0; numbers], vec![0.0; numbers]],
@@ -101,6 +108,12 @@ impl StateErrors {
         };
         errors.pieces = Pieces::of(system);
         errors
+    }
+
+    /// The same errors, and those of formulas of the state.
+    #[must_use]
+    pub fn with_formulas(self, formulas: Gradients) -> Self {
+        Self { formulas: Some(formulas), ..self }
     }
 
     /// The error of each number of the state at a time of the last step, or at the start; `None` where the motion is not determined.
@@ -161,68 +174,8 @@ impl StateErrors {
         self.settle(stepper, step, end);
     }
 
-    /// The errors of time and state of an event in the last step; `None` where the motion is not determined.
-    pub fn of_event(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<Moment> {
-        let numbers = self.scales.len();
-        if self.is_lost {
-            return None;
-        }
-        if event.contact == Contact::Start || (event.time - self.start.time).abs() <= 0.0 {
-            return Some(Moment { time: 0.0, state: vec![0.0; numbers] });
-        }
-        let (stepper, step) = (accepted.stepper(), accepted.step());
-        let spread = self.spread_at(stepper, step, event.time);
-        let length = step.end() - step.start();
-        let sizes: Vec<f64> = (0..numbers).map(|number| terms(step, number, 0, length)).collect();
-        let beside = length / 1024.0;
-        let crossing = self.crossing(stepper.expander.system, event);
-        let Some(crossing) = crossing else {
-            return Some(Moment { time: f64::NAN, state: vec![f64::NAN; numbers] });
-        };
-        let mut at = |time: f64| crossing.passing(&Moment { time, state: step.state_at(time) }, &sizes);
-        let passing = at(event.time);
-        let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
-        Some(self.error_of_passing(&spread, &passing, bend, event))
-    }
-
-    /// The error of the time of an event, and its effect on the state.
-    fn error_of_passing(&self, spread: &Spread, passing: &Passing, bend: f64, event: &Occurrence) -> Moment {
-        let Passing { gradient, rate, rest, error, speeds } = passing;
-        let (scale, error) = (self.steps.sqrt(), error + rest);
-        let off = scale * spread.of_sum(gradient) + error;
-        let bent = rate * rate <= 4.0 * bend.abs() * off;
-        let late = match bent {
-            // Where the formula nearly touches zero, or has touched it.
-            true => (rate.abs() + (rate * rate + 2.0 * bend.abs() * off).sqrt()) / bend.abs(),
-            false => 2.0 * off / (rate.abs() + (rate * rate - 2.0 * bend.abs() * off).sqrt()),
-        };
-        let of_number = |(number, (speed, value)): (usize, (&f64, &f64))| {
-            let mut factors: Vec<f64> = gradient.iter().map(|slope| -speed * slope / rate).collect();
-            factors[number] += 1.0;
-            let moved = match bent {
-                true => scale * spread.of(number) + speed.abs() * late,
-                false => scale * spread.of_sum(&factors) + (speed * error / rate).abs(),
-            };
-            moved + ROUNDING * (value.abs() + (speed * event.time).abs())
-        };
-        let state = speeds.iter().zip(&event.state).enumerate().map(of_number).collect();
-        Moment { time: late + ROUNDING * event.time.abs(), state }
-    }
-
-    fn crossing(&mut self, system: &System, event: &Occurrence) -> Option<&mut Crossing> {
-        let touches = |contact: Contact| contact == Contact::Grazing;
-        let same = |(number, contact, _): &(usize, Contact, Option<Crossing>)| {
-            *number == event.event && touches(*contact) == touches(event.contact)
-        };
-        let place = self.crossings.iter().position(same).unwrap_or_else(|| {
-            self.crossings.push((event.event, event.contact, Crossing::new(system, event)));
-            self.crossings.len() - 1
-        });
-        self.crossings[place].2.as_mut()
-    }
-
     /// The spread at a time of the last step.
-    fn spread_at(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64) -> Spread {
+    pub(super) fn spread_at(&mut self, stepper: &Stepper<'_, 1>, step: &Step<'_>, time: f64) -> Spread {
         let middle = self.pieces.as_ref().and_then(|pieces| pieces.last.as_ref());
         let start = (step.start(), &self.spreads[0]);
         let (from, spread) = middle.map_or(start, |middle| (middle.step.middle.time, &middle.spread));

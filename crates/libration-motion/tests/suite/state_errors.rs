@@ -3,8 +3,10 @@
 use crate::endings::{KNOWN, Known, TOLERANCES};
 use libration::pendulum::Pendulum;
 use libration::quantity::Angle;
+use libration::systems::{Model, Observables};
 use libration::taylor::{
-    Effort, Event, Moment, Occurrence, Start, StateErrors, System, integrate_both_ways, integrate_from,
+    Effort, Event, Moment, MomentErrors, Occurrence, SampledErrors, Sensitivities, Start, StateErrors,
+    System, integrate_both_ways, integrate_from,
 };
 use libration_testing::golden::{Row, Table};
 use libration_testing::sweep;
@@ -177,7 +179,7 @@ fn errors_of_events_hold() {
     for tolerance in TOLERANCES {
         let effort = Effort::to_tolerance(tolerance);
         let mut errors = StateErrors::new(&system, &start, &effort);
-        let mut found: Vec<(Occurrence, Moment)> = vec![];
+        let mut found: Vec<(Occurrence, MomentErrors)> = vec![];
         integrate_from(&system, &Start::State(start.clone()), &[100.0], &effort, |accepted| {
             errors.follow(accepted);
             for event in accepted.events() {
@@ -239,4 +241,239 @@ fn the_effect_of_the_start_is_told() {
     let effect = errors.effect_of_start();
     let expected = 0.5 * f64::EPSILON * libm::exp(20.0);
     assert!((effect.state[0] - expected).abs() < 1e-3 * expected && effect.time == 20.0, "{effect:?}");
+}
+
+/// The formulas of a system, by the names of the values that they have.
+fn observables(model: &Model, formulas: &[&str]) -> Observables {
+    let names: Vec<String> = (0..formulas.len()).map(|number| format!("f{number}")).collect();
+    let parsed = names.iter().zip(formulas).map(|(name, text)| (name.as_str(), text.parse().unwrap()));
+    Observables::new(model, &parsed.collect::<Vec<_>>()).unwrap()
+}
+
+/// The moments and errors of samples and events, as far as they are determined.
+type Rows = Vec<(Moment, MomentErrors)>;
+
+/// The samples of a motion at some times with the errors of state and formulas, and the events.
+fn rows(system: &System, start: &Moment, times: &[f64], tolerance: f64, formulas: &Observables) -> [Rows; 2] {
+    let effort = Effort::to_tolerance(tolerance);
+    let mut errors = SampledErrors::new(system, start, &effort, times, Some(formulas.gradients()));
+    let motion = integrate_both_ways(system, start, times, &effort, |accepted| {
+        errors.follow(accepted);
+        ControlFlow::Continue(())
+    });
+    let motion = motion.unwrap();
+    let samples = motion.samples.iter().map(|it| (it.clone(), errors.of_sample(it.time)));
+    let events = motion
+        .events
+        .iter()
+        .map(|it| (Moment { time: it.time, state: it.state.clone() }, errors.of_event(it)));
+    let determined = |(moment, errors): (Moment, Option<&MomentErrors>)| Some((moment, errors?.clone()));
+    [samples.filter_map(determined).collect(), events.filter_map(determined).collect()]
+}
+
+/// The formulas of all runs of the table have errors that hold, extrema and steep ones included; the truth is the formula of the state to 25
+/// digits.
+#[test]
+fn sweep_formulas_of_every_sample_are_inside_their_errors() {
+    let table = Table::read("state_errors.csv");
+    let mut medians = vec![];
+    for run in sweep::part(runs(&table), 6) {
+        let first = run.rows[0];
+        let model = Model::typed(first.text("equations"), &[], &[]).unwrap();
+        let names = model.state_names();
+        let (u, w) = (&names[0], names.last().unwrap());
+        let texts = [
+            format!("{u}*{w}"),
+            format!("sin(30*{u})"),
+            format!("({u})^2 + ({w})^2"),
+            format!("1/(1 + ({u})^2)"),
+            format!("abs({u} - {w})"),
+            format!("max({w}, 0)*t"),
+        ];
+        let formulas = observables(&model, &texts.each_ref().map(String::as_str));
+        let start = Moment { time: 0.0, state: Run::numbers(first, "start") };
+        let times: Vec<f64> = run.rows.iter().map(|row| row.input("time")).collect();
+        let [samples, _] =
+            rows(&model.system().unwrap(), &start, &times, first.input("tolerance"), &formulas);
+        let mut ratios = vec![];
+        for ((found, errors), row) in samples.iter().zip(&run.rows) {
+            let truth = Moment { time: found.time, state: Run::numbers(*row, "state") };
+            let values = formulas.values_at(found).into_iter().zip(formulas.values_at(&truth));
+            // The truth is rounded to doubles, and its formulas are.
+            let rounded =
+                30.0 * f64::EPSILON * truth.state.iter().map(|x| x.abs()).fold(1.0, f64::max).powi(2);
+            for ((formula, (value, truth)), stated) in texts.iter().zip(values).zip(&errors.formulas) {
+                let off = (value - truth).abs();
+                assert!(off <= stated + rounded, "{} {} {formula}: {off:e} {stated:e}", run.name, found.time);
+                ratios.extend((off > rounded).then(|| stated / off));
+            }
+        }
+        medians.extend((!ratios.is_empty()).then(|| median(ratios)));
+    }
+    let all = median(medians);
+    assert!(all < 1000.0, "{all}");
+}
+
+/// Conserved quantities are known far better than the state, as errors along the motion do not change them: the energy of a double pendulum at a
+/// chaotic amplitude, energy and angular momentum of Kepler's ellipse of eccentricity 1/2, and the energy in the field of Hénon and Heiles.
+#[test]
+fn conserved_quantities_are_better_known_than_the_state() {
+    const HENON: &str = "x'' = -x - 2*x*y; y'' = -y - x^2 + y^2";
+    const KEPLER: &str = "x'' = -x/(x^2 + y^2)^(3/2); y'' = -y/(x^2 + y^2)^(3/2)";
+    const DOUBLE: &str = "theta1'' = (-3*sin(theta1) - sin(theta1 - 2*theta2) - 2*sin(theta1 - theta2)*(theta2'^2 + theta1'^2*cos(theta1 - theta2)))/(3 - cos(2*theta1 - 2*theta2)); theta2'' = 2*sin(theta1 - theta2)*(2*theta1'^2 + 2*cos(theta1) + theta2'^2*cos(theta1 - theta2))/(3 - cos(2*theta1 - 2*theta2))";
+    let cases: [(&str, Vec<f64>, Vec<(&str, f64)>); 3] = [
+        (
+            DOUBLE,
+            vec![2.0, 2.0, 0.0, 0.0],
+            // At rest at 2 rad: −3·cos 2.
+            vec![(
+                "theta1'^2 + theta2'^2/2 + theta1'*theta2'*cos(theta1 - theta2) - 2*cos(theta1) - cos(theta2)",
+                -3.0 * libm::cos(2.0),
+            )],
+        ),
+        (
+            KEPLER,
+            // From the near end of an ellipse of half axis 1, at √3.
+            vec![0.5, 0.0, 0.0, libm::sqrt(3.0)],
+            vec![("(x'^2 + y'^2)/2 - 1/sqrt(x^2 + y^2)", -0.5), ("x*y' - y*x'", libm::sqrt(3.0) / 2.0)],
+        ),
+        (
+            HENON,
+            vec![0.0, 0.25, 0.5, 0.0],
+            vec![("(x'^2 + y'^2 + x^2 + y^2)/2 + x^2*y - y^3/3", 0.125 + 0.03125 - 0.015625 / 3.0)],
+        ),
+    ];
+    for (equations, state, conserved) in cases {
+        let model = Model::typed(equations, &[], &[]).unwrap();
+        let formulas = observables(&model, &conserved.iter().map(|(text, _)| *text).collect::<Vec<_>>());
+        let times: Vec<f64> = (1..=300).map(|n| f64::from(n) / 3.0).collect();
+        let start = Moment { time: 0.0, state };
+        let [samples, _] = rows(&model.system().unwrap(), &start, &times, 1e-12, &formulas);
+        assert!(samples.len() > 100, "{equations}");
+        for (sample, errors) in &samples {
+            let state = errors.state.iter().copied().fold(0.0, f64::max);
+            let values = formulas.values_at(sample).into_iter().zip(&errors.formulas).zip(&conserved);
+            for ((value, stated), (text, truth)) in values {
+                let off = (value - truth).abs() - 4.0 * f64::EPSILON;
+                assert!(off <= *stated, "{text} {}: {off:e} {stated:e}", sample.time);
+                // Some hundred roundings in each of a thousand steps are 1e-11; the second order is that of the state, squared.
+                let most = 1e-11 + 1e-3 * state + 100.0 * state * state;
+                assert!(*stated < most, "{text} {}: {stated:e} where the state has {state:e}", sample.time);
+            }
+        }
+    }
+}
+
+/// At the passages of the bottom and at turning points of a pendulum: its energy, its height, and the other quantity that vanishes with the event.
+#[test]
+fn formulas_at_events_are_inside_their_errors() {
+    let formulas = ["theta", "theta'"].map(|text| Event::zero_of(text.parse().unwrap()));
+    let model = Model::typed("theta'' = -sin(theta)", &[], &[]).unwrap();
+    let system = model.system().unwrap().with_events(&formulas).unwrap();
+    let texts = ["theta'^2/2 - cos(theta)", "theta*theta'", "1 - cos(theta)", "t", "max(theta, 0)"];
+    let observed = observables(&model, &texts);
+    let quarter = Pendulum::from_angular_frequency(1.0).unwrap();
+    let quarter = quarter.released_from(Angle::from_radians(2.5).unwrap()).unwrap().period() / 4.0;
+    let start = system.start(&[("theta", 2.5)]).unwrap();
+    for tolerance in TOLERANCES {
+        let [_, events] = rows(&system, &start, &[-50.0, 100.0], tolerance, &observed);
+        assert!(events.len() > 40, "{}", events.len());
+        for (event, errors) in events {
+            let number = (event.time / quarter).round();
+            let is_bottom = number.rem_euclid(2.0) == 1.0;
+            let angle = if is_bottom { 0.0 } else { 2.5 * libm::cos(std::f64::consts::FRAC_PI_2 * number) };
+            let truth = [-libm::cos(2.5), 0.0, 1.0 - libm::cos(angle), number * quarter, angle.max(0.0)];
+            let values = observed.values_at(&event).into_iter().zip(truth).zip(&errors.formulas);
+            for (text, ((value, truth), stated)) in texts.iter().zip(values) {
+                let off = (value - truth).abs() - f64::EPSILON * (1.0 + truth.abs());
+                assert!(off <= *stated, "{text} {} {tolerance:e}: {off:e} {stated:e}", event.time);
+            }
+        }
+    }
+}
+
+/// A column that is a function without a value next to the state, and one that jumps within the error of the state.
+#[test]
+fn formulas_at_the_end_of_their_domain_state_no_small_error() {
+    let model = Model::typed("x'' = -x", &[], &[]).unwrap();
+    let observed = observables(&model, &["sqrt(x)", "sign(x - 1/2)", "log(x + 1)"]);
+    let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
+    // x = −1 + 1e-17, −1/2 and 1/2 there, to the last digit.
+    let times = [std::f64::consts::PI / 3.0, 2.0, std::f64::consts::PI];
+    let [samples, _] = rows(&model.system().unwrap(), &start, &times, 1e-12, &observed);
+    let errors: Vec<&Vec<f64>> = samples.iter().map(|(_, errors)| &errors.formulas).collect();
+    assert!(errors[0][1] >= 1.0 && errors[0][0] < 1e-12, "{errors:?}");
+    assert!(errors[1][0].is_nan() && errors[1][1] <= 0.0, "{errors:?}");
+    assert!(errors[2][2].is_nan() || errors[2][2] > 0.1, "{errors:?}");
+}
+
+/// The derivatives of motions in closed form: a linear oscillator by its stiffness, damping and start.
+#[test]
+fn errors_of_derivatives_in_closed_form_hold() {
+    let by = Sensitivities::new(&"x'' = -k*x".parse().unwrap(), &[("k", "4".parse().unwrap())], &["k", "x"]);
+    let by = by.unwrap();
+    let system = System::new(by.equation()).unwrap();
+    for tolerance in TOLERANCES {
+        let (found, errors) = determined(&system, &by.start(&[1.0, 0.0]), 100.0, tolerance);
+        assert!(errors.determined_until().is_none());
+        for (Moment { time: t, state }, stated) in found {
+            let (sin, cos) = (libm::sin(2.0 * t), libm::cos(2.0 * t));
+            let truth = [-t * sin / 4.0, -sin / 4.0 - t * cos / 2.0, cos, -2.0 * sin];
+            let found = by.derivatives_in(&state).into_iter().zip(by.derivatives_in(&stated)).zip(truth);
+            for (number, ((found, stated), truth)) in found.enumerate() {
+                // What the closed form rounds.
+                let off = (found - truth).abs() - 4.0 * f64::EPSILON * (1.0 + t);
+                assert!(off <= stated, "{number} {t} {tolerance:e}: {off:e} {stated:e}");
+                assert!(stated < 1e6 * tolerance.max(1e-16) * (1.0 + t * t), "{t} {tolerance:e}: {stated:e}");
+            }
+        }
+    }
+}
+
+/// The pendulum from rest at θ0 by θ0: after whole periods the angle changes as θ0 does, and the velocity as −T′(θ0)·sin θ0 for each period, with
+/// T′ from the complete integrals of both kinds.
+#[test]
+fn errors_of_derivatives_of_the_pendulum_hold() {
+    let by = Sensitivities::new(&"theta'' = -sin(theta)".parse().unwrap(), &[], &["theta"]).unwrap();
+    let system = System::new(by.equation()).unwrap();
+    for amplitude in [0.5, 2.0, 3.0] {
+        let k = libm::sin(amplitude / 2.0);
+        let [first, second] = complete_integrals(k);
+        // dT/dθ0 = 4·K′(k)·cos(θ0/2)/2 and K′(k) = (E/(1 − k²) − K)/k.
+        let slope = 2.0 * libm::cos(amplitude / 2.0) * (second / (1.0 - k * k) - first) / k;
+        let mut compared = 0;
+        for tolerance in TOLERANCES {
+            for periods in [1.0, 2.0, 5.0] {
+                let time = 4.0 * first * periods;
+                let (found, errors) = determined(&system, &by.start(&[amplitude, 0.0]), time, tolerance);
+                if errors.determined_until().is_some() {
+                    continue;
+                }
+                let (end, stated) = found.last().unwrap();
+                let truth = [1.0, -(slope * periods) * -libm::sin(amplitude)];
+                let found =
+                    by.derivatives_in(&end.state).into_iter().zip(by.derivatives_in(stated)).zip(truth);
+                for ((found, stated), truth) in found {
+                    // The time is a double: what half an ulp of it changes, with the second derivatives below 10·slope.
+                    let rounded = f64::EPSILON * (10.0 * slope * time * periods + truth.abs());
+                    let off = (found - truth).abs() - rounded;
+                    assert!(off <= stated, "{amplitude} {periods} {tolerance:e}: {off:e} {stated:e}");
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 10, "{amplitude}: {compared}");
+    }
+}
+
+/// K and E by the arithmetic-geometric mean.
+fn complete_integrals(k: f64) -> [f64; 2] {
+    let (mut a, mut g, mut c, mut power, mut sum) = (1.0, libm::sqrt(1.0 - k * k), k, 0.5, 0.0);
+    while c.abs() > 1e-17 {
+        sum += power * c * c;
+        (a, g, c) = (0.5 * (a + g), libm::sqrt(a * g), 0.5 * (a - g));
+        power *= 2.0;
+    }
+    let first = std::f64::consts::FRAC_PI_2 / a;
+    [first, first * (1.0 - sum)]
 }

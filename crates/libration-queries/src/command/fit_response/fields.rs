@@ -249,9 +249,12 @@ pub(super) fn of_measurement<'a>() -> Fields<Measurement<'a>> {
         Of::number("amplitude", "", "the amplitude that was measured", |it| it.amplitude),
         Of::number("fitted_amplitude", "", "fitted amplitude on the same branch", |it| it.fitted.amplitude),
         Of::number("residual", "1", "residual, in standard deviations", |it| it.fitted.residual),
-        Of::value("stability", "", "stability of this response: attracting, neutral, unstable or undetermined", |it| {
-            it.fitted.stability.name().into()
-        }),
+        Of::value(
+            "stability",
+            "",
+            "stability of this response: attracting, neutral, unstable or undetermined",
+            |it| it.fitted.stability.name().into(),
+        ),
         Of::value("between_folds", "", "true if it is certain to lie where no response is stable", |it| {
             it.fitted.between_folds.into()
         }),

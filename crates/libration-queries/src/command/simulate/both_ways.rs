@@ -1,6 +1,5 @@
 //! Times on both sides of the start: first backward, then forward, and written in their order.
 
-use super::known_errors::KnownErrors;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
@@ -8,7 +7,9 @@ use super::run::{Outcome, ended};
 use crate::interrupt;
 use crate::query_error::{QueryError, option};
 use libration::systems::Energy;
-use libration::taylor::{AcceptedStep, IntegrationError, Moment, Solution, System, integrate_both_ways};
+use libration::taylor::{
+    AcceptedStep, IntegrationError, Moment, SampledErrors, Solution, System, integrate_both_ways,
+};
 use std::io::Write;
 use std::ops::ControlFlow;
 
@@ -48,10 +49,12 @@ impl SimulatedMotion<'_> {
         out: &mut dyn Write,
     ) -> Result<Outcome, QueryError> {
         let energy = self.model.energy();
-        let mut errors = self.no_errors().is_none().then(|| KnownErrors::new(self));
+        let (start, times) = (self.beginning(), self.times.iter().collect::<Vec<_>>());
+        let new = || SampledErrors::new(system, &start, &self.effort(), &times, self.gradients());
+        let mut errors = self.no_errors().is_none().then(new);
         let follow = |step: &AcceptedStep<'_>| {
             if let Some(errors) = &mut errors {
-                errors.follow(step, self, system);
+                errors.follow(step);
             }
             interrupt::check()
         };
@@ -60,7 +63,7 @@ impl SimulatedMotion<'_> {
         let drift = energy.as_ref().map(|_| drift).map_err(ToString::to_string);
         let state = State { question: self.question.clone(), mark: None };
         let (steps, kept) = (solution.steps, Some(state.clone()));
-        let precision = self.precision(errors.as_ref().and_then(KnownErrors::worse));
+        let precision = self.precision(errors.as_ref().and_then(SampledErrors::worse));
         let summary = Summary { steps, drift, precision, ending: ending.clone(), state: kept };
         report.begin(self, out)?;
         for row in self.rows(&solution, errors.as_ref()) {

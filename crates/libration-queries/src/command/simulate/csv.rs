@@ -6,6 +6,7 @@ use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::csv;
 use crate::output::field::Fields;
+use libration::taylor::MomentErrors;
 use std::io::{self, Write};
 
 /// The output as CSV. Events, if requested, are among the samples in the order of time, with their kind in a last column, which is empty in
@@ -25,7 +26,7 @@ impl Csv {
         &self,
         time: f64,
         numbers: [&[f64]; 2],
-        [time_error, error]: [Option<&[f64]>; 2],
+        errors: Option<&MomentErrors>,
         kind: &str,
         out: &mut dyn Write,
     ) -> io::Result<()> {
@@ -34,9 +35,11 @@ impl Csv {
         // What is not determined has no error.
         let known = |error: &f64| csv::number(*error);
         if self.with_errors && self.with_events {
-            cells.push(time_error.and_then(|error| error.first()).map_or(String::new(), known));
+            let of_event = errors.filter(|_| !kind.is_empty());
+            cells.push(of_event.map_or(String::new(), |errors| known(&errors.time)));
         }
-        cells.extend(error.into_iter().flatten().map(known));
+        let errors = errors.into_iter().flat_map(|errors| errors.state.iter().chain(&errors.formulas));
+        cells.extend(errors.map(known));
         cells.extend(self.with_events.then(|| kind.to_owned()));
         csv::line(out, &cells)
     }
@@ -50,26 +53,31 @@ impl AnswerWriter for Csv {
             [self.of_time.csv_names(), motion.model.state_names(), motion.column_names()].concat();
         if self.with_errors {
             names.extend(self.with_events.then(|| fields::TIME_ERROR.0.to_owned()));
-            names.extend(motion.model.state_names().iter().map(|name| format!("{name}_error")));
+            let of_errors = [motion.model.state_names(), motion.column_names()].concat();
+            names.extend(of_errors.iter().map(|name| error_of(name)));
         }
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)
     }
 
     fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()> {
-        let Sample { moment, columns, error } = sample;
+        let Sample { moment, columns, errors } = sample;
         let numbers = [&moment.state, columns.as_deref().unwrap_or(&[])];
-        self.line(moment.time, numbers, [None, error.as_deref()], "", out)
+        self.line(moment.time, numbers, errors.as_ref(), "", out)
     }
 
     fn event(&mut self, happening: &Happening, out: &mut dyn Write) -> io::Result<()> {
         let columns = happening.columns.as_deref().unwrap_or(&[]);
-        let error = happening.error.as_ref();
-        let errors = [error.map(|it| std::slice::from_ref(&it.time)), error.map(|it| &*it.state)];
-        self.line(happening.time, [&happening.state, columns], errors, &happening.kind, out)
+        let (numbers, errors) = ([&*happening.state, columns], happening.errors.as_ref());
+        self.line(happening.time, numbers, errors, &happening.kind, out)
     }
 
     fn end(&mut self, _: &Summary, _: &mut dyn Write) -> io::Result<()> {
         Ok(())
     }
+}
+
+/// The name of the error of a column.
+pub(super) fn error_of(name: &str) -> String {
+    format!("{name}_error")
 }

@@ -4,7 +4,7 @@ use crate::arguments::at_commas;
 use crate::query_error::{Parameter, QueryError, option};
 use libration::expression::{Expression, Function, Symbol};
 use libration::systems::{Coordinate, Model, NoZero};
-use libration::taylor::{Contact, Direction, Event, Moment, Occurrence};
+use libration::taylor::{Contact, Direction, Event, MomentErrors, Occurrence};
 
 /// The events of a question, each with its name.
 #[derive(Clone, Debug, Default)]
@@ -53,8 +53,8 @@ pub(super) struct Happening {
     pub(super) state: Vec<f64>,
     /// The values of the columns that were requested.
     pub(super) columns: Option<Vec<f64>>,
-    /// Error of time and state, where it is estimated; NaN where they are not determined.
-    pub(super) error: Option<Moment>,
+    /// Errors of time, state and columns, where they are estimated; NaN where they are not determined.
+    pub(super) errors: Option<MomentErrors>,
 }
 
 impl Watched {
@@ -105,7 +105,13 @@ impl Watched {
             Contact::Grazing => format!("{name}, grazing"),
             Contact::Start => format!("{name}, at the start"),
         };
-        Happening { time: occurrence.time, kind, state: occurrence.state.clone(), columns: None, error: None }
+        Happening {
+            time: occurrence.time,
+            kind,
+            state: occurrence.state.clone(),
+            columns: None,
+            errors: None,
+        }
     }
 
     /// The coordinate on whose curve an event is marked.

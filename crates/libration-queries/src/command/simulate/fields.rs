@@ -9,7 +9,8 @@ use super::resume::State;
 use crate::output::description::{Answers, Row, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json::{self, Record};
-use libration::taylor::Moment;
+use libration::taylor::{Moment, MomentErrors};
+use serde_json::Value;
 
 pub(super) fn of_motion<'a>() -> Fields<SimulatedMotion<'a>> {
     type Of<'a> = Field<SimulatedMotion<'a>>;
@@ -46,9 +47,18 @@ pub(super) fn of_sample() -> Fields<Sample> {
             "error[]",
             "",
             "estimate of the error of each of these, null where the state is not determined; left out where none is estimated",
-            |it| it.error.as_ref().map(|error| json::numbers(error)),
+            |it| it.errors.as_ref().map(|errors| json::numbers(&errors.state)),
         ),
+        Of::present_value("columns_error[]", "", OF_COLUMNS, |it| of_columns(it.errors.as_ref())),
     ])
+}
+
+const OF_COLUMNS: &str = "estimate of the error of each of columns[], null where the state is not determined or the formula has no value; left out \
+                          where none is estimated";
+
+fn of_columns(errors: Option<&MomentErrors>) -> Option<Value> {
+    let errors = errors.filter(|errors| !errors.formulas.is_empty());
+    errors.map(|errors| json::numbers(&errors.formulas))
 }
 
 /// The fields of a sample without errors.
@@ -75,14 +85,15 @@ pub(super) fn of_event() -> Fields<Happening> {
             "time_error_s",
             "s",
             "estimate of the error of the time, null where the motion is not determined; left out where none is estimated",
-            |it| it.error.as_ref().map(|error| json::number(error.time)),
+            |it| it.errors.as_ref().map(|errors| json::number(errors.time)),
         ),
         Of::present_value(
             "error[]",
             "",
             "estimate of the error of each number of the state, as in samples",
-            |it| it.error.as_ref().map(|error| json::numbers(&error.state)),
+            |it| it.errors.as_ref().map(|errors| json::numbers(&errors.state)),
         ),
+        Of::present_value("columns_error[]", "", OF_COLUMNS, |it| of_columns(it.errors.as_ref())),
     ])
 }
 
@@ -172,7 +183,7 @@ pub(super) const TIME_ERROR: Row = (
 const ERROR: Row = (
     "NAME_error",
     "",
-    "estimate of the error of the state variable of this name, empty where it is not determined; left out with --no-errors",
+    "estimate of the error of the column of this name, empty where it is not determined; left out with --no-errors",
 );
 
 /// The fields of the accuracy of a motion.

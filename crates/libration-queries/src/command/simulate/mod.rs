@@ -7,7 +7,6 @@ mod ending;
 mod events;
 mod fields;
 mod json;
-mod known_errors;
 mod motion;
 mod precision;
 mod report;
@@ -80,8 +79,9 @@ are zero, or as defined: x[0] = sin(t), x[33] = x[1].
 
 Integration starts at t = 0. In the shell, quote whatever contains a prime:
 --initial \"theta=60deg,theta'=0.1\".
-States are shown to the digits that their errors leave, as far as double precision
-determines the motion; --json and --csv have the errors, and all digits.
+States and columns are shown to the digits that their errors leave, as far as
+double precision determines the motion; --json and --csv have the errors, and all
+digits.
 Ctrl-C stops a run early: what was computed is written as complete output, and
 --resume continues from there. The result equals that of a single run, byte for
 byte. With long.csv comes long.csv.state, which records the system and where the

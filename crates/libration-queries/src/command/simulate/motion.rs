@@ -4,7 +4,7 @@ use super::events::Watched;
 use super::resume::{Earlier, Mark, Question};
 use crate::arguments::{Initial, Times, Tolerances};
 use libration::systems::{Model, Observables};
-use libration::taylor::{Effort, Moment, Sensitivities};
+use libration::taylor::{Effort, Gradients, Moment, Sensitivities};
 
 /// A motion to be integrated, with what is asked about it.
 pub(super) struct SimulatedMotion<'a> {
@@ -39,6 +39,15 @@ impl SimulatedMotion<'_> {
                 Some([formulas.unwrap_or_default(), derivatives.unwrap_or_default()].concat())
             }
         }
+    }
+
+    /// The formulas of the columns with their derivatives.
+    pub(super) fn gradients(&self) -> Option<Gradients> {
+        let gradients = self.observables.map(Observables::gradients);
+        gradients.map(|it| match self.sensitivities {
+            Some(sensitivities) => it.among(sensitivities),
+            None => it,
+        })
     }
 
     /// The names of the columns.

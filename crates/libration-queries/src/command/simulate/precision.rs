@@ -1,7 +1,7 @@
 //! Precision of the states of a motion.
 
 use super::motion::SimulatedMotion;
-use libration::taylor::{Moment, StateErrors, System};
+use libration::taylor::{Moment, MomentErrors, StateErrors, System};
 
 /// The precision of a whole motion.
 #[derive(Clone, Debug)]
@@ -17,15 +17,12 @@ pub(super) enum Precision {
     NotEstimated(&'static str),
 }
 
-/// The errors of a state with more numbers take longer than its motion: their number goes with the third power.
-const MOST_NUMBERS: usize = 64;
-
 impl SimulatedMotion<'_> {
     /// The reason why no errors are estimated, if none are.
     pub(super) fn no_errors(&self) -> Option<&'static str> {
         self.no_errors.or_else(|| {
             let numbers = self.beginning().state.len();
-            (numbers > MOST_NUMBERS).then_some("the state has more than 64 numbers")
+            (numbers > StateErrors::MOST_COMPONENTS).then_some("the state has more than 64 numbers")
         })
     }
 
@@ -37,7 +34,11 @@ impl SimulatedMotion<'_> {
         let (start, effort) = (self.beginning(), self.effort());
         let kept = self.mark().and_then(|mark| mark.errors.as_deref());
         let kept = kept.and_then(|numbers| StateErrors::resumed(system, &start, &effort, numbers));
-        Some(kept.unwrap_or_else(|| StateErrors::new(system, &start, &effort)))
+        let errors = kept.unwrap_or_else(|| StateErrors::new(system, &start, &effort));
+        Some(match self.gradients() {
+            Some(gradients) => errors.with_formulas(gradients),
+            None => errors,
+        })
     }
 
     /// The precision of the whole motion.
@@ -51,15 +52,17 @@ impl SimulatedMotion<'_> {
         }
     }
 
-    /// The error of each number of the state of the motion alone, from that of the integration; not numbers where there are none.
-    pub(super) fn own_error(&self, error: Option<Vec<f64>>) -> Vec<f64> {
-        let state = error.unwrap_or_else(|| vec![f64::NAN; self.beginning().state.len()]);
-        self.own(&Moment { time: 0.0, state }).state
-    }
-
-    /// The error of an event, with that of its time.
-    pub(super) fn own_event_error(&self, error: Option<Moment>) -> Moment {
-        let time = error.as_ref().map_or(f64::NAN, |error| error.time);
-        Moment { time, state: self.own_error(error.map(|error| error.state)) }
+    /// The errors of the motion alone and of its columns, from those of the integration; not numbers where there are none.
+    pub(super) fn own_errors(&self, errors: Option<MomentErrors>) -> MomentErrors {
+        let unknown = |count: usize| vec![f64::NAN; count];
+        let formulas = self.observables.map_or(0, |observables| observables.names().len());
+        let MomentErrors { time, state, formulas } = errors.unwrap_or_else(|| MomentErrors {
+            time: f64::NAN,
+            state: unknown(self.beginning().state.len()),
+            formulas: unknown(formulas),
+        });
+        let derivatives = self.sensitivities.map(|it| it.derivatives_in(&state)).unwrap_or_default();
+        let Moment { state, .. } = self.own(&Moment { time, state });
+        MomentErrors { time, state, formulas: [formulas, derivatives].concat() }
     }
 }

@@ -5,7 +5,7 @@ use super::events::Happening;
 use super::motion::SimulatedMotion;
 use super::precision::Precision;
 use super::resume::State;
-use libration::taylor::Moment;
+use libration::taylor::{Moment, MomentErrors};
 use std::io::{self, Write};
 
 /// A form of the result.
@@ -21,8 +21,8 @@ pub(super) trait AnswerWriter {
 pub(super) struct Sample {
     pub(super) moment: Moment,
     pub(super) columns: Option<Vec<f64>>,
-    /// Error of each number, where it is estimated; NaN where the state is not determined.
-    pub(super) error: Option<Vec<f64>>,
+    /// Errors of state and columns, where they are estimated; NaN where the state is not determined.
+    pub(super) errors: Option<MomentErrors>,
 }
 
 /// The summary at the end of the integration.

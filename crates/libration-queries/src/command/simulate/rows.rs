@@ -1,10 +1,9 @@
 //! The samples and events of a motion that is known.
 
 use super::events::Happening;
-use super::known_errors::KnownErrors;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample};
-use libration::taylor::{Moment, Solution};
+use libration::taylor::{Moment, SampledErrors, Solution};
 use std::io::{self, Write};
 
 /// A line of a result.
@@ -39,7 +38,7 @@ impl SimulatedMotion<'_> {
     pub(super) fn rows<'s>(
         &'s self,
         solution: &'s Solution,
-        errors: Option<&'s KnownErrors>,
+        errors: Option<&'s SampledErrors<'_>>,
     ) -> impl Iterator<Item = Row> + 's {
         let backward = !self.goes_both_ways() && self.times.last() < 0.0;
         let is_before = move |a: f64, b: f64| if backward { a >= b } else { a <= b };
@@ -50,14 +49,14 @@ impl SimulatedMotion<'_> {
             let sample = samples.next_if(|moment| upto.is_none_or(|time| is_before(moment.time, time)));
             if let Some(moment) = sample {
                 let columns = self.columns_at(moment);
-                let error = errors.map(|errors| errors.of_sample(moment.time));
-                return Some(Row::Sample(Sample { moment: self.own(moment), columns, error }));
+                let errors = errors.map(|errors| self.own_errors(errors.of_sample(moment.time).cloned()));
+                return Some(Row::Sample(Sample { moment: self.own(moment), columns, errors }));
             }
             let event = events.next()?;
             let moment = Moment { time: event.time, state: event.state.clone() };
             let (columns, state) = (self.columns_at(&moment), self.own(&moment).state);
-            let error = errors.map(|errors| errors.of_event(event));
-            Some(Row::Event(Happening { columns, state, error, ..self.watched.happening(event) }))
+            let errors = errors.map(|errors| self.own_errors(errors.of_event(event).cloned()));
+            Some(Row::Event(Happening { columns, state, errors, ..self.watched.happening(event) }))
         })
     }
 }

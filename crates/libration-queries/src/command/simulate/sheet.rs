@@ -8,7 +8,7 @@ use super::report::{AnswerWriter, Sample, Summary};
 use crate::output::number;
 use crate::output::table::{Column, Table, paragraph, sheet, write_text};
 use libration::systems::Model;
-use libration::taylor::Moment;
+use libration::taylor::{Moment, MomentErrors};
 use std::io::{self, Write};
 
 /// The run in words, a table of samples, and the summary.
@@ -43,18 +43,18 @@ impl AnswerWriter for Sheet {
     }
 
     fn sample(&mut self, sample: &Sample, out: &mut dyn Write) -> io::Result<()> {
-        let Sample { moment, columns, error } = sample;
-        if error.as_ref().is_some_and(|error| !is_determined(error)) {
+        let Sample { moment, columns, errors } = sample;
+        if !is_determined(errors.as_ref()) {
             self.left_out += 1;
             return Ok(());
         }
         let numbers = [&moment.state, columns.as_deref().unwrap_or(&[])];
-        let cells = cells_of(moment.time, numbers, error.as_deref());
+        let cells = cells_of(moment.time, numbers, errors.as_ref());
         self.table.as_mut().map_or(Ok(()), |table| table.row(out, cells))
     }
 
     fn event(&mut self, happening: &Happening, _: &mut dyn Write) -> io::Result<()> {
-        if happening.error.as_ref().is_some_and(|error| !is_determined(&error.state)) {
+        if !is_determined(happening.errors.as_ref()) {
             self.left_out += 1;
         } else {
             self.happenings.push(happening.clone());
@@ -133,9 +133,9 @@ impl Sheet {
         let mut table = Table::new(columns.chain([Column::words("event")]).collect());
         for event in &self.happenings {
             let columns = event.columns.as_deref().unwrap_or(&[]);
-            let error = event.error.as_ref();
-            let mut cells = cells_of(event.time, [&event.state, columns], error.map(|error| &*error.state));
-            let time_error = error.map_or(0.0, |error| error.time);
+            let errors = event.errors.as_ref();
+            let mut cells = cells_of(event.time, [&event.state, columns], errors);
+            let time_error = errors.map_or(0.0, |errors| errors.time);
             cells[0] = number::to_its_error(event.time, time_error, 12);
             cells.push(event.kind.clone());
             table.row(out, cells)?;
@@ -168,13 +168,23 @@ pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
     }
 }
 
-/// A time, and the numbers of a state and the columns then, the former to their errors.
-pub(super) fn cells_of(time: f64, [state, columns]: [&[f64]; 2], error: Option<&[f64]>) -> Vec<String> {
-    let error = |number: usize| error.map_or(0.0, |error| error[number]);
-    let state =
-        state.iter().enumerate().map(|(number, value)| number::to_its_error(*value, error(number), 12));
-    let columns = columns.iter().map(|value| number::rounded(*value, 12));
-    [number::short(time, 12)].into_iter().chain(state).chain(columns).collect()
+/// A time, and the numbers of a state and the columns then, to their errors.
+pub(super) fn cells_of(
+    time: f64,
+    [state, columns]: [&[f64]; 2],
+    errors: Option<&MomentErrors>,
+) -> Vec<String> {
+    let to_error = |values: &[f64], errors: Option<&[f64]>| -> Vec<String> {
+        let error = |number: usize| errors.map_or(0.0, |errors| errors[number]);
+        let cell = |(number, value): (usize, &f64)| match error(number) {
+            error if error.is_finite() => number::to_its_error(*value, error, 12),
+            _ => "unknown".to_owned(),
+        };
+        values.iter().enumerate().map(cell).collect()
+    };
+    let state = to_error(state, errors.map(|errors| &*errors.state));
+    let columns = to_error(columns, errors.map(|errors| &*errors.formulas));
+    [vec![number::short(time, 12)], state, columns].concat()
 }
 
 /// No error is known, for a reason.
@@ -182,8 +192,8 @@ pub(super) fn not_estimated(reason: &str) -> String {
     format!("not estimated ({reason})")
 }
 
-fn is_determined(error: &[f64]) -> bool {
-    error.iter().all(|error| !error.is_nan())
+fn is_determined(errors: Option<&MomentErrors>) -> bool {
+    errors.is_none_or(|errors| errors.state.iter().all(|error| !error.is_nan()))
 }
 
 /// A title without its unit.

@@ -11,7 +11,7 @@ use crate::interrupt;
 use crate::output::progress::ProgressLine;
 use crate::query_error::QueryError;
 use libration::systems::EnergyBalance;
-use libration::taylor::{AcceptedStep, Moment, StateErrors, Step};
+use libration::taylor::{AcceptedStep, Moment, MomentErrors, StateErrors};
 use std::io::{self, Write};
 use std::iter::Peekable;
 use std::ops::ControlFlow;
@@ -76,17 +76,17 @@ impl<'a> Watch<'a> {
         }
         self.times.next();
         let moment = Moment { time: row.time, state: row.state.clone() };
-        let error = row.error.as_ref().map(|error| error.state.clone());
         if let Some(trace) = &mut self.trace {
             trace.earlier(&moment);
         }
-        Ok(self.sample(&moment, error)?)
+        Ok(self.sample(&moment, row.errors.clone())?)
     }
 
     /// Writes the samples that the start itself is.
     pub(super) fn start(&mut self, start: &Moment) -> io::Result<()> {
         while let Some(time) = self.times.next_if(|time| (time - start.time).abs() <= 0.0) {
-            self.determined_sample(&Moment { time, state: start.state.clone() })?;
+            let errors = self.errors.as_mut().map(|errors| self.motion.own_errors(Some(errors.at_start())));
+            self.sample(&Moment { time, state: start.state.clone() }, errors)?;
         }
         Ok(())
     }
@@ -134,16 +134,10 @@ impl<'a> Watch<'a> {
         self.out.flush()
     }
 
-    /// A sample with its error.
-    fn determined_sample(&mut self, moment: &Moment) -> io::Result<()> {
-        let error = self.errors.as_ref().map(|errors| self.motion.own_error(errors.at(moment)));
-        self.sample(moment, error)
-    }
-
-    fn sample(&mut self, moment: &Moment, error: Option<Vec<f64>>) -> io::Result<()> {
+    fn sample(&mut self, moment: &Moment, errors: Option<MomentErrors>) -> io::Result<()> {
         self.rows[0] += 1;
         let columns = self.motion.columns_at(moment);
-        self.report.sample(&Sample { moment: self.motion.own(moment), columns, error }, &mut self.out)
+        self.report.sample(&Sample { moment: self.motion.own(moment), columns, errors }, &mut self.out)
     }
 
     fn happening(&mut self, happening: &Happening) -> io::Result<()> {
@@ -159,20 +153,24 @@ impl<'a> Watch<'a> {
     /// Samples and events of a step in the order of time.
     fn rows(&mut self, taken: &AcceptedStep<'_>) -> io::Result<()> {
         for event in taken.events() {
-            self.samples(taken.step(), event.time)?;
+            self.samples(taken, event.time)?;
             let errors = self.errors.as_mut();
-            let error = errors.map(|errors| self.motion.own_event_error(errors.of_event(taken, event)));
-            self.happening(&Happening { error, ..self.motion.watched.happening(event) })?;
+            let errors = errors.map(|errors| self.motion.own_errors(errors.of_event(taken, event)));
+            self.happening(&Happening { errors, ..self.motion.watched.happening(event) })?;
         }
-        self.samples(taken.step(), taken.ended_at().unwrap_or(taken.step().end()))
+        self.samples(taken, taken.ended_at().unwrap_or(taken.step().end()))
     }
 
     /// The samples of a step up to a time.
-    fn samples(&mut self, step: &Step<'_>, end: f64) -> io::Result<()> {
+    fn samples(&mut self, taken: &AcceptedStep<'_>, end: f64) -> io::Result<()> {
+        let step = taken.step();
         let backward = step.end() < step.start();
         let inside = |time: &f64| if backward { *time >= end } else { *time <= end };
         while let Some(time) = self.times.next_if(inside) {
-            self.determined_sample(&Moment { time, state: step.state_at(time) })?;
+            let moment = Moment { time, state: step.state_at(time) };
+            let errors = self.errors.as_mut();
+            let errors = errors.map(|errors| self.motion.own_errors(errors.of_sample(taken, &moment)));
+            self.sample(&moment, errors)?;
         }
         Ok(())
     }
