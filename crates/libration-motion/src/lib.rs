@@ -52,10 +52,10 @@ pub mod internals {
     }
     pub mod taylor {
         pub use crate::taylor::{
-            expander::{Expander, Surroundings},
-            largest_change::{largest_change, largest_changes},
-            sign_change::{first_sign_change, scaled, sign_changes},
-            state_names::named_state,
+            program::expander::{Expander, Surroundings},
+            program::state_names::named_state,
+            step::largest_change::{largest_change, largest_changes},
+            step::sign_change::{first_sign_change, scaled, sign_changes},
         };
     }
 }

@@ -23,8 +23,8 @@
 //!
 //! # Method
 //! The tape of the accelerations becomes a program: instructions on one block of series, from which everything is taken out that is the same at
-//! every order (`program.rs`). The recurrences are those of `series`, over a ring of N independent `f64`s. One motion is the case N = 1; many
-//! motions go in lanes, each with steps of its own (`batch.rs`), and as every operation goes lane by lane the bits are the same. Sixteen motions go
+//! every order (`program/program.rs`). The recurrences are those of `series`, over a ring of N independent `f64`s. One motion is the case N = 1; many
+//! motions go in lanes, each with steps of its own (`drivers/batch.rs`), and as every operation goes lane by lane the bits are the same. Sixteen motions go
 //! side by side, two registers of AVX-512, so that neither waits for the other. The conditions on a step (convergence of the series, singularities
 //! and events on the way, agreement of its end with the equations) are evaluated for all lanes at once, or for several state components of one
 //! motion at once.
@@ -35,124 +35,46 @@
 //! words from step to step.
 //!
 //! An absolute value |u| is on the tape as s·u and sign(u) as s, with an input s = ±1; a step ends where u changes its sign, found on the Bernstein
-//! form of its polynomial, so that none is missed (`branches.rs`). u/|u|^p is replaced by |u|^(1−p)·sign(u) (`quotients.rs`). A step next to such a
-//! power, or one that no radius of convergence limits, is no longer than the roundings of cancelling terms allow (`cancellation.rs`).
+//! form of its polynomial, so that none is missed (`nonsmooth/branches.rs`). u/|u|^p is replaced by |u|^(1−p)·sign(u) (`program/quotients.rs`). A step next to such a
+//! power, or one that no radius of convergence limits, is no longer than the roundings of cancelling terms allow (`drivers/cancellation.rs`).
 
-mod allowance;
 mod error;
-mod event;
-mod larger;
-#[doc(hidden)]
-pub(crate) mod largest_change;
-mod layout;
-mod system;
-mod tangent;
-mod tolerances;
 
-mod moduli;
-mod passage;
-mod quotients;
-mod sensitivities;
-#[doc(hidden)]
-pub(crate) mod sign_change;
-
-mod block;
-mod ends;
-mod program;
 mod solution;
-pub(crate) mod state_names;
-mod trajectory;
 
-mod boundary;
-mod checkpoint;
+mod bounds;
+mod drivers;
+mod events;
+mod nonsmooth;
+pub(crate) mod program;
+pub(crate) mod step;
 
-#[doc(hidden)]
-pub(crate) mod expander;
-mod machine_code;
-mod owned_step;
-mod plan;
-mod samples;
-mod step;
-mod step_length;
-mod straight_line;
-
-mod branches;
-mod cancellation;
-mod contacts;
-mod sharp;
-mod steep;
-mod sticking;
-
-mod look_ahead;
-mod passing;
-mod picard;
-mod rest;
-mod stepper;
-mod trial;
-
-mod batch;
-mod partial_solution;
-
-mod accepted_step;
-mod both_ways;
-mod dense_solution;
-mod integrate;
-
-mod linearised;
-mod matrix;
-
-mod growth;
-mod roundings_of_steps;
-
-mod survey;
-
-mod crossing;
-mod outcome;
-
-mod gathered;
-
-mod ending;
-
-mod exponential;
-mod gradients;
-mod propagator;
-mod sizes_of_terms;
-mod spread;
-
-mod event_errors;
-mod kept_errors;
-mod pieces;
-mod sampled_errors;
-mod state_errors;
-
-mod ensemble;
-
-pub use accepted_step::{AcceptedStep, Start, integrate_from};
-pub use both_ways::integrate_both_ways;
-pub use checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
-pub use dense_solution::{DenseSolution, integrate_dense};
-pub use ending::ending_error;
-pub use ensemble::Ensemble;
+pub use bounds::ending::ending_error;
+pub use bounds::event_errors::MomentErrors;
+pub use bounds::sampled_errors::SampledErrors;
+pub use bounds::state_errors::StateErrors;
+pub use drivers::accepted_step::{AcceptedStep, Start, integrate_from};
+pub use drivers::both_ways::integrate_both_ways;
+pub use drivers::checkpoint::{Checkpoint, EventCheckpoint, ModulusCheckpoint};
+pub use drivers::dense_solution::{DenseSolution, integrate_dense};
+pub use drivers::ensemble::Ensemble;
+pub use drivers::gradients::Gradients;
+pub use drivers::integrate::{integrate, integrate_many, integrate_many_stepwise, integrate_stepwise};
+pub use drivers::owned_step::OwnedStep;
+pub use drivers::sensitivities::{Sensitivities, SensitivityError};
+pub use drivers::trajectory::Trajectory;
 pub use error::{Cause, IntegrationError};
-pub use event::{Contact, Direction, Event, Occurrence};
-pub use event_errors::MomentErrors;
-pub use gradients::Gradients;
-pub use integrate::{integrate, integrate_many, integrate_many_stepwise, integrate_stepwise};
-pub use layout::StateLayout;
-pub use owned_step::OwnedStep;
-pub use sampled_errors::SampledErrors;
-pub use sensitivities::{Sensitivities, SensitivityError};
+pub use events::event::{Contact, Direction, Event, Occurrence};
+pub use program::state_names::StateNameError;
+pub use program::system::System;
+pub use program::tangent::{with_sensitivities, with_tangents};
 pub use solution::{Moment, Solution};
-pub use state_errors::StateErrors;
-pub use state_names::StateNameError;
 pub use step::Step;
-pub use step_length::Effort;
-pub use system::System;
-pub use tangent::{with_sensitivities, with_tangents};
-pub use tolerances::ToleranceError;
-pub use trajectory::Trajectory;
+pub use step::layout::StateLayout;
+pub use step::step_length::Effort;
+pub use step::tolerances::ToleranceError;
 
-use integrate::LANES;
+use drivers::integrate::LANES;
 
-pub(crate) use larger::larger_or_nan;
-pub(crate) use state_names::named_state;
+pub(crate) use program::state_names::named_state;
+pub(crate) use step::larger::larger_or_nan;

@@ -1,0 +1,95 @@
+//! The formula of an event where it passes zero.
+
+use crate::taylor::program::linearised::{Linearised, ROUNDING};
+use crate::taylor::{Contact, Moment, Occurrence, System};
+use libration_numbers::{
+    expression::{Expression, Symbol},
+    internals::expression::Tape,
+};
+
+/// The formula that passes zero at an event, with the accelerations and rates of change there.
+#[derive(Debug)]
+pub(in crate::taylor) struct Crossing {
+    formulas: Linearised,
+    /// The formula of the rate of change of each state component, or the component that equals it.
+    speeds: Vec<Speed>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Speed {
+    Formula(usize),
+    Number(usize),
+}
+
+/// The passage of the formula through zero.
+#[derive(Debug)]
+pub(in crate::taylor) struct Passing {
+    /// Its derivatives by the numbers of the state.
+    pub(in crate::taylor) gradient: Vec<f64>,
+    /// Its derivative with respect to time along the motion.
+    pub(in crate::taylor) rate: f64,
+    /// Its magnitude there, which should be zero.
+    pub(in crate::taylor) rest: f64,
+    /// Its rounding error.
+    pub(in crate::taylor) error: f64,
+    /// Rates of change of the state components.
+    pub(in crate::taylor) speeds: Vec<f64>,
+}
+
+impl Crossing {
+    /// `None` where the formula has no values without those of open parameters.
+    pub(in crate::taylor) fn new(system: &System, event: &Occurrence) -> Option<Self> {
+        let (layout, equation) = (system.layout(), system.equation());
+        let formula = &system.events()[event.event].formula;
+        // Where a formula touches zero it is its rate of change that passes through it.
+        let passes = match event.contact {
+            Contact::Grazing => rate_of_change(system, formula),
+            _ => equation.with_rates(formula),
+        };
+        let symbols = layout.symbols(equation.variables());
+        let inputs: Vec<Symbol> = symbols.into_iter().chain([Symbol::plain("t")]).collect();
+        let all: Vec<&Expression> = [&passes].into_iter().chain(equation.derivatives()).collect();
+        let tape = Tape::new(&all, &inputs).ok()?;
+        let speed = |number: usize| match (layout.driving(number), layout.velocity(number)) {
+            (Some(coordinate), _) => Speed::Formula(1 + coordinate),
+            (None, velocity) => Speed::Number(velocity.unwrap_or(number)),
+        };
+        let speeds = (0..layout.numbers()).map(speed).collect();
+        Some(Self { formulas: Linearised::new(&tape, 0..all.len(), inputs.len()), speeds })
+    }
+
+    /// The passage of the formula in a state whose components have series with terms of these sizes.
+    pub(in crate::taylor) fn passing(&mut self, at: &Moment, sizes: &[f64]) -> Passing {
+        self.formulas.evaluate(&[&at.state[..], &[at.time]].concat());
+        let speed = |speed: &Speed| match *speed {
+            Speed::Formula(formula) => self.formulas.value(formula),
+            Speed::Number(number) => at.state[number],
+        };
+        let speeds: Vec<f64> = self.speeds.iter().map(speed).collect();
+        let (gradient, by_time) = self.formulas.slopes(0).split_at(speeds.len());
+        let along = gradient.iter().zip(&speeds).map(|(slope, speed)| slope * speed);
+        let rate = by_time.iter().copied().chain(along).sum();
+        let of_series: f64 = gradient.iter().zip(sizes).map(|(slope, size)| 2.0 * slope.abs() * size).sum();
+        let error = self.formulas.error(0) + ROUNDING * of_series;
+        Passing { gradient: gradient.to_vec(), rate, rest: self.formulas.value(0).abs(), error, speeds }
+    }
+}
+
+/// The rate of change of a formula along the motion, as a formula.
+fn rate_of_change(system: &System, formula: &Expression) -> Expression {
+    let (layout, equation) = (system.layout(), system.equation());
+    let symbols = layout.symbols(equation.variables());
+    let formula = equation.with_rates(formula);
+    let speed = |number: usize| match layout.driving(number) {
+        Some(coordinate) => equation.derivatives()[coordinate].clone(),
+        None => layout
+            .velocity(number)
+            .map_or_else(|| Expression::from(0), |velocity| Expression::Symbol(symbols[velocity].clone())),
+    };
+    let term = |(number, symbol)| {
+        Expression::Multiply(Box::new(formula.derivative(symbol)), Box::new(speed(number)))
+    };
+    let terms = symbols.iter().enumerate().map(term);
+    let by_time = formula.derivative(&Symbol::plain("t"));
+    terms.fold(by_time, |sum, term| Expression::Add(Box::new(sum), Box::new(term))).simplified()
+}

@@ -1,0 +1,153 @@
+//! Errors of samples and events, with those of the formulas there.
+
+use super::crossing::{Crossing, Passing};
+use super::roundings_of_steps::terms;
+use super::spread::Spread;
+use crate::taylor::program::linearised::ROUNDING;
+use crate::taylor::{AcceptedStep, Contact, Moment, Occurrence, StateErrors, System};
+
+/// The errors of one sample or event.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MomentErrors {
+    /// The error of the time; zero in samples.
+    pub time: f64,
+    /// The error of each component of the state.
+    pub state: Vec<f64>,
+    /// The errors of the formulas of [`StateErrors::with_formulas`]; NaN where a formula has no value.
+    pub formulas: Vec<f64>,
+}
+
+/// The passage of the formula of an event through zero.
+struct Passage {
+    spread: Spread,
+    passing: Passing,
+    /// The root of the number of steps.
+    scale: f64,
+    /// The error of the formula besides that of the state.
+    error: f64,
+    /// The error of the time.
+    late: f64,
+    /// `true` where the formula nearly touches zero, or has touched it.
+    is_bent: bool,
+}
+
+impl StateErrors {
+    /// The errors at the start: those of the formulas are roundings.
+    #[must_use]
+    pub fn at_start(&mut self) -> MomentErrors {
+        let formulas = self.formulas.as_mut().map(|formulas| formulas.roundings(&self.start));
+        MomentErrors {
+            time: 0.0,
+            state: vec![0.0; self.scales.len()],
+            formulas: formulas.unwrap_or_default(),
+        }
+    }
+
+    /// The errors of a sample in the last step; `None` where the motion is not determined.
+    #[must_use]
+    pub fn of_sample(&mut self, accepted: &AcceptedStep<'_>, sample: &Moment) -> Option<MomentErrors> {
+        if (sample.time - self.start.time).abs() <= 0.0 {
+            return Some(self.at_start());
+        }
+        let state = self.at(sample)?;
+        let Some(mut formulas) = self.formulas.take() else {
+            return Some(MomentErrors { time: 0.0, state, formulas: vec![] });
+        };
+        let spread = self.spread_at(accepted.stepper(), accepted.step(), sample.time);
+        let scale = self.steps.sqrt();
+        let of = Moment { time: 0.0, state };
+        let errors = formulas.errors(sample, &of, |gradient, _| scale * spread.of_sum(gradient));
+        self.formulas = Some(formulas);
+        Some(MomentErrors { time: 0.0, state: of.state, formulas: errors })
+    }
+
+    /// The errors of an event in the last step; `None` where the motion is not determined.
+    #[must_use]
+    pub fn of_event(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<MomentErrors> {
+        if self.is_lost {
+            return None;
+        }
+        if event.contact == Contact::Start || (event.time - self.start.time).abs() <= 0.0 {
+            return Some(self.at_start());
+        }
+        let Some(passage) = self.passage(accepted, event) else {
+            let unknown = |count: usize| vec![f64::NAN; count];
+            let formulas = self.formulas.as_ref().map_or(0, |formulas| formulas.count());
+            let (state, formulas) = (unknown(self.scales.len()), unknown(formulas));
+            return Some(MomentErrors { time: f64::NAN, state, formulas });
+        };
+        let of = passage.of_state(event);
+        let at = Moment { time: event.time, state: event.state.clone() };
+        let formulas = self.formulas.as_mut().map(|formulas| {
+            formulas.errors(&at, &of, |gradient, by_time| {
+                let along = gradient.iter().zip(&passage.passing.speeds).map(|(slope, speed)| slope * speed);
+                passage.of(gradient, by_time + along.sum::<f64>())
+            })
+        });
+        Some(MomentErrors { time: of.time, state: of.state, formulas: formulas.unwrap_or_default() })
+    }
+
+    fn passage(&mut self, accepted: &AcceptedStep<'_>, event: &Occurrence) -> Option<Passage> {
+        let (stepper, step) = (accepted.stepper(), accepted.step());
+        let spread = self.spread_at(stepper, step, event.time);
+        let length = step.end() - step.start();
+        let sizes = (0..self.scales.len()).map(|number| terms(step, number, 0, length));
+        let sizes: Vec<f64> = sizes.collect();
+        let (beside, scale) = (length / 1024.0, self.steps.sqrt());
+        let crossing = self.crossing(stepper.expander.system, event)?;
+        let mut at = |time: f64| crossing.passing(&Moment { time, state: step.state_at(time) }, &sizes);
+        let passing = at(event.time);
+        let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
+        Some(Passage::new(spread, passing, bend, scale))
+    }
+
+    fn crossing(&mut self, system: &System, event: &Occurrence) -> Option<&mut Crossing> {
+        let touches = |contact: Contact| contact == Contact::Grazing;
+        let same = |(number, contact, _): &(usize, Contact, Option<Crossing>)| {
+            *number == event.event && touches(*contact) == touches(event.contact)
+        };
+        let place = self.crossings.iter().position(same).unwrap_or_else(|| {
+            self.crossings.push((event.event, event.contact, Crossing::new(system, event)));
+            self.crossings.len() - 1
+        });
+        self.crossings[place].2.as_mut()
+    }
+}
+
+impl Passage {
+    fn new(spread: Spread, passing: Passing, bend: f64, scale: f64) -> Self {
+        let Passing { gradient, rate, rest, error, .. } = &passing;
+        let error = error + rest;
+        let off = scale * spread.of_sum(gradient) + error;
+        let is_bent = rate * rate <= 4.0 * bend.abs() * off;
+        let late = match is_bent {
+            true => (rate.abs() + (rate * rate + 2.0 * bend.abs() * off).sqrt()) / bend.abs(),
+            false => 2.0 * off / (rate.abs() + (rate * rate - 2.0 * bend.abs() * off).sqrt()),
+        };
+        Self { spread, passing, scale, error, late, is_bent }
+    }
+
+    /// The error of a quantity with these derivatives by the state, which changes at this rate along the motion.
+    fn of(&self, gradient: &[f64], along: f64) -> f64 {
+        let Self { spread, passing, scale, error, late, is_bent } = self;
+        if *is_bent {
+            return scale * spread.of_sum(gradient) + along.abs() * late;
+        }
+        let factors = gradient.iter().zip(&passing.gradient);
+        let factors = factors.map(|(own, slope)| own - along * slope / passing.rate);
+        scale * spread.of_sum(&factors.collect::<Vec<_>>()) + (along * error / passing.rate).abs()
+    }
+
+    /// The errors of time and state.
+    fn of_state(&self, event: &Occurrence) -> Moment {
+        let mut unit = vec![0.0; event.state.len()];
+        let of_number = |(number, (speed, value)): (usize, (&f64, &f64))| {
+            unit[number] = 1.0;
+            let moved = self.of(&unit, *speed);
+            unit[number] = 0.0;
+            moved + ROUNDING * (value.abs() + (speed * event.time).abs())
+        };
+        let state = self.passing.speeds.iter().zip(&event.state).enumerate().map(of_number).collect();
+        Moment { time: self.late + ROUNDING * event.time.abs(), state }
+    }
+}

@@ -1,0 +1,47 @@
+//! Derivatives of time and state at the end of a motion with respect to the state there, where an event or a given time ends it.
+
+use super::crossing::{Crossing, Passing};
+use super::survey::Survey;
+use crate::taylor::program::linearised::ROUNDING;
+use crate::taylor::{Moment, System};
+
+/// The numbers of the state at the end and its time, the latter last: results of a survey.
+#[derive(Clone, Debug)]
+pub(in crate::taylor) struct Outcome {
+    /// Derivatives of each result with respect to the state at that time.
+    pub(in crate::taylor) slopes: Vec<Vec<f64>>,
+    /// Rounding errors added at the end itself.
+    pub(in crate::taylor) own: Vec<f64>,
+}
+
+impl Outcome {
+    /// `None` where the formula of the event has no derivatives.
+    pub(in crate::taylor) fn new(system: &System, survey: &Survey) -> Option<Self> {
+        let end = &survey.solution.end;
+        let Some(event) = &survey.ending else { return Some(Self::at_given_time(end)) };
+        let passing = Crossing::new(system, event)?.passing(end, &survey.sizes);
+        Some(Self::of_passing(&passing, end))
+    }
+
+    fn at_given_time(end: &Moment) -> Self {
+        let numbers = end.state.len();
+        let row = |result: usize| (0..numbers).map(|number| f64::from(u8::from(number == result))).collect();
+        let own = end.state.iter().map(|value| ROUNDING * value.abs()).chain([0.0]).collect();
+        Self { slopes: (0..=numbers).map(row).collect(), own }
+    }
+
+    /// The time moves against the deviation of the formula over its rate, and the state with it.
+    fn of_passing(passing: &Passing, end: &Moment) -> Self {
+        let time: Vec<f64> = passing.gradient.iter().map(|slope| -slope / passing.rate).collect();
+        let late = (passing.error / passing.rate).abs() + ROUNDING * end.time.abs();
+        let row = |(number, speed): (usize, &f64)| {
+            let own = |(column, slope): (usize, &f64)| f64::from(u8::from(column == number)) + speed * slope;
+            time.iter().enumerate().map(own).collect()
+        };
+        let slopes = passing.speeds.iter().enumerate().map(row).chain([time.clone()]).collect();
+        let own = passing.speeds.iter().zip(&end.state);
+        let own =
+            own.map(|(speed, value)| late * speed.abs() + ROUNDING * value.abs()).chain([late]).collect();
+        Self { slopes, own }
+    }
+}

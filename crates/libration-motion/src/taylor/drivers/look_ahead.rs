@@ -1,0 +1,248 @@
+//! Lengths of the next steps: as far as the series converge, the formulas have values, and the equations of motion confirm the series.
+
+use super::stepper::{SHORTEST, StepEnds, Stepper, unit_for};
+use crate::taylor::Cause;
+use crate::taylor::step::ends::Ends;
+use crate::taylor::step::larger::larger_or_nan;
+use crate::taylor::step::step_length::{log2_time_scale, step_lengths};
+use libration_kernels::dispatch::{Kernel, dispatch_lanes};
+use libration_kernels::elementary::rough::exp2;
+use libration_numbers::internals::algebra::{any, lanes};
+
+impl<const N: usize> Stepper<'_, N> {
+    /// The steps from where the motions are towards their goals, at most up to them.
+    pub(in crate::taylor) fn look_ahead(&mut self) -> [Result<(), Cause>; N] {
+        let mut outcomes = self.expand_in_fitting_units();
+        let goal_bound = self.goal_bound;
+        let lengths = dispatch_lanes::<N, _>(Lengths { stepper: self });
+        match dispatch_lanes::<N, _>(EndsOnOpenWays { stepper: self, lengths: &lengths }) {
+            Some(ends) => (self.block.end, self.unit) = (ends, lanes(|lane| unit_for(lengths[lane]))),
+            None => self.look_for_ends(&lengths, &mut outcomes),
+        }
+        self.confirm(&mut outcomes);
+        if self.expander.system.moduli() > 0 {
+            self.branches.cut(&self.expander, &mut self.block, &mut self.surroundings);
+            dispatch_lanes::<N, _>(StepEnds { stepper: self });
+        }
+        self.pass(&mut outcomes, &goal_bound);
+        let is_finite = |ends: &Ends<N>| {
+            let ends: [f64; N] = lanes(|lane| ends.high[lane] + ends.low[lane]);
+            !any(&ends, |end| !end.is_finite())
+        };
+        if self.next.iter().all(is_finite) && outcomes.iter().all(Result::is_ok) {
+            return outcomes;
+        }
+        let finite =
+            |lane: usize| self.next.iter().all(|ends| (ends.high[lane] + ends.low[lane]).is_finite());
+        let outcome = |lane: usize| if finite(lane) { outcomes[lane] } else { Err(Cause::Singularity) };
+        std::array::from_fn(|lane| outcome(lane).map_err(|cause| self.cause_where_it_is(lane, cause)))
+    }
+
+    /// The ends of the steps, lane by lane.
+    fn look_for_ends(&mut self, lengths: &[f64; N], outcomes: &mut [Result<(), Cause>; N]) {
+        let endless: [bool; N] = std::array::from_fn(|lane| self.is_endless(lane, lengths[lane]));
+        let powers = self.expander.system.passage().is_some();
+        for lane in 0..N {
+            let end = match endless[lane] {
+                true if self.sticks(lane) => Ok(self.goal[lane]),
+                true => self.end_of_finite_states(lane).and_then(|end| self.confirmed_end(lane, end)),
+                false => self.end_towards_goal(lane, lengths[lane]),
+            };
+            self.goal_bound[lane] |= endless[lane] || end == Ok(self.goal[lane]);
+            self.unit[lane] = if endless[lane] { self.block.unit[lane] } else { unit_for(lengths[lane]) };
+            let end = if endless[lane] || powers {
+                end.map(|end| self.end_before_cancellation(lane, end))
+            } else {
+                end
+            };
+            let end = end.and_then(|end| self.end_before_boundary(lane, end, lengths[lane]));
+            self.block.end[lane] = end.unwrap_or(self.block.start[lane]);
+            outcomes[lane] = outcomes[lane].and(end.map(|_| ()));
+        }
+    }
+
+    /// The cause for which there is no step, given the state. Next to a singularity at a finite time steps end long before.
+    fn cause_where_it_is(&self, lane: usize, cause: Cause) -> Cause {
+        /// Coefficients of order 63 in a unit of 64 steps may be 1e113 times as large.
+        const FAR: f64 = 1e190;
+        let is_far = self.block.state(lane).any(|number| number.abs() > FAR);
+        if is_far { Cause::OutOfRange } else { cause }
+    }
+
+    /// Expands the steps; at the beginning of a motion once more, if its time scale asks for another unit.
+    fn expand_in_fitting_units(&mut self) -> [Result<(), Cause>; N] {
+        /// Largest base-2 logarithm of the change of units: coefficients of order 63 are then larger or smaller by 2⁶³⁰, which an `f64` holds.
+        const FITS: f64 = 10.0;
+        let outcomes = self.expand();
+        let fresh = std::mem::replace(&mut self.fresh, [false; N]);
+        let scales =
+            if fresh.contains(&true) { log2_time_scale(&self.block, &self.allowances) } else { [0.0; N] };
+        let mut fits = true;
+        for lane in
+            (0..N).filter(|&lane| fresh[lane] && scales[lane].is_finite() && scales[lane].abs() > FITS)
+        {
+            self.block.unit[lane] = unit_for(exp2(scales[lane]));
+            fits = false;
+        }
+        if fits { outcomes } else { self.expand() }
+    }
+
+    fn expand(&mut self) -> [Result<(), Cause>; N] {
+        let (expander, block) = (&self.expander, &mut self.block);
+        if expander.system.moduli() == 0 {
+            match std::mem::take(&mut self.begun) {
+                true => expander.expand_begun(block, &self.surroundings),
+                false => expander.expand(block, &self.surroundings),
+            }
+            return [Ok(()); N];
+        }
+        let backward = std::array::from_fn(|lane| self.goal[lane] < block.start[lane]);
+        self.branches.settle(expander, block, &mut self.surroundings, &backward)
+    }
+
+    fn is_endless(&self, lane: usize, length: f64) -> bool {
+        length == f64::INFINITY && (self.goal[lane] - self.block.start[lane]).abs() > 0.0
+    }
+
+    /// Always at an `f64`, so that times are exact.
+    fn end_towards_goal(&self, lane: usize, length: f64) -> Result<f64, Cause> {
+        let (start, goal) = (self.block.start[lane], self.goal[lane]);
+        let remaining = goal - start;
+        if !self.is_regular(lane) {
+            return Err(Cause::Singularity);
+        }
+        if length >= remaining.abs() {
+            return Ok(goal);
+        }
+        let end = start + length.copysign(remaining);
+        if (end - start).abs() > SHORTEST * start.abs() { Ok(end) } else { Err(Cause::StepUnderflow) }
+    }
+
+    /// The end of a step, or one nearer to its start if the formulas end on the way, and what they say behind is not what
+    /// the series do. Where steps come near it, either the series show what happens there or they become too short.
+    fn end_before_boundary(&mut self, lane: usize, end: f64, length: f64) -> Result<f64, Cause> {
+        /// The part of the way to the boundary that a step may go; the next begins with an eighth of it left.
+        const TOWARDS: f64 = 0.875;
+        /// Distance from a boundary, in tolerances of the change in the step, within which it is examined: for √(x² + ε²) the series show ε²/x²
+        /// where it is not below one tolerance.
+        const NEAR: f64 = 1e4;
+        const WIDEST: f64 = 1e-2;
+        if self.expander.plan.boundaries.is_empty() || self.sticks(lane) {
+            return Ok(end);
+        }
+        let start = self.block.start[lane];
+        let units = (end - start) / self.block.unit[lane];
+        let blur = (NEAR * self.effort.relative).min(WIDEST);
+        let boundaries = self.expander.plan.boundaries.iter();
+        let contacts =
+            boundaries.filter_map(|boundary| boundary.first_contact(&self.block, lane, units, blur));
+        let Some(first) = contacts.reduce(f64::min) else { return Ok(end) };
+        let nominal = if length.is_finite() { length.copysign(end - start) } else { end - start };
+        if self.goes_on_behind(lane, start + first * (end - start), nominal) {
+            return Ok(end);
+        }
+        let nearer = start + TOWARDS * first * (end - start);
+        if (nearer - start).abs() <= SHORTEST * start.abs() {
+            return Err(Cause::Singularity);
+        }
+        // In the unit of the whole step the next series would overflow.
+        self.unit[lane] = unit_for((nearer - start).abs());
+        Ok(nearer)
+    }
+
+    /// Returns whether the accelerations after a time also agree with the series, as where a singularity is removable.
+    ///
+    /// Up to a quarter of a step beyond its end series err by 39·2⁻¹⁴·1.25³⁹ = 14 tolerances at the highest order.
+    fn goes_on_behind(&mut self, lane: usize, time: f64, length: f64) -> bool {
+        const PARTS: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
+        const TOLERANCES: f64 = 100.0;
+        let bound = TOLERANCES * self.effort.relative.max(f64::EPSILON);
+        PARTS.iter().all(|part| self.misfit(lane, time + part * length, length) <= bound)
+    }
+
+    /// The error that the velocities would have after a time, relative to their size, if accelerations were those of the series; not less than the
+    /// relative error of the accelerations themselves, which a short time does not excuse. Errors count less where more is allowed.
+    fn misfit(&mut self, lane: usize, time: f64, length: f64) -> f64 {
+        let step = self.block.step(lane);
+        let state = step.state_at(time);
+        let Self { expander, scratch, surroundings, allowances, .. } = self;
+        let layout = expander.system.layout();
+        let exact = expander.accelerations(scratch, time, &state, surroundings);
+        let parts = exact.enumerate().map(|(i, exact)| {
+            let driven = layout.driven(i);
+            let own = step.slope_at(driven, time);
+            let held = if layout.is_velocity(driven) { step.coefficient(driven, 0).abs() } else { 0.0 };
+            let speed = held.max((own * length).abs());
+            let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
+            let error = (exact[lane] - own).abs();
+            if error == 0.0 { 0.0 } else { error * rate * allowances[i].weight }
+        });
+        parts.fold(0.0, larger_or_nan)
+    }
+
+    /// Returns whether the last coefficients are finite, which depend on all earlier ones.
+    fn is_regular(&self, lane: usize) -> bool {
+        self.block.last_coefficients().all(|c| c[lane].is_finite())
+    }
+
+    /// The farthest end in which series that seem to be polynomials do not overflow.
+    fn end_of_finite_states(&self, lane: usize) -> Result<f64, Cause> {
+        const HALVINGS: usize = 1100;
+        let start = self.block.start[lane];
+        let ends = std::iter::successors(Some(self.goal[lane]), |end| Some(start + 0.5 * (end - start)));
+        let mut ends = ends.take(HALVINGS).take_while(|&end| (end - start).abs() > 0.0);
+        let is_finite =
+            |end: f64| self.block.step(lane).state_at(end).iter().all(|number| number.is_finite());
+        ends.find(|&end| is_finite(end)).ok_or(Cause::StepUnderflow)
+    }
+}
+
+/// The ends of steps that are shorter than the ways to the goals, with nothing on them; `None` if that does not hold for all.
+struct EndsOnOpenWays<'f, 'a, const N: usize> {
+    stepper: &'f Stepper<'a, N>,
+    lengths: &'f [f64; N],
+}
+
+impl<const N: usize> Kernel for EndsOnOpenWays<'_, '_, N> {
+    type Output = Option<[f64; N]>;
+
+    #[inline(always)]
+    fn run(self) -> Option<[f64; N]> {
+        let Self { stepper: Stepper { expander, block, goal, .. }, lengths } = self;
+        let (start, unit) = (&block.start, &block.unit);
+        let ends = lanes(|lane| start[lane] + lengths[lane].copysign(goal[lane] - start[lane]));
+        let units: [f64; N] = lanes(|lane| (ends[lane] - start[lane]) / unit[lane]);
+        let mut open = expander.system.moduli() == 0;
+        for lane in 0..N {
+            open &= lengths[lane] < (goal[lane] - start[lane]).abs();
+            open &= (ends[lane] - start[lane]).abs() > SHORTEST * start[lane].abs();
+        }
+        for last in block.last_coefficients() {
+            open &= !any(last, |c| !c.is_finite());
+        }
+        for boundary in &expander.plan.boundaries {
+            open = open && boundary.is_far(block, &units);
+        }
+        open.then_some(ends)
+    }
+}
+
+/// The kernel that computes the lengths of the steps.
+struct Lengths<'f, 'a, const N: usize> {
+    stepper: &'f Stepper<'a, N>,
+}
+
+impl<const N: usize> Kernel for Lengths<'_, '_, N> {
+    type Output = [f64; N];
+
+    #[inline(always)]
+    fn run(self) -> [f64; N] {
+        let Stepper { expander, surroundings, block, effort, allowances, log2_part_of_radius, .. } =
+            self.stepper;
+        let moduli = surroundings.sticks.iter().enumerate().filter(|(_, sticks)| sticks.contains(&true));
+        let signs = moduli.map(|(modulus, _)| expander.sign(block, modulus));
+        let shown = |event: &usize| expander.system.sharp(*event).is_none_or(|formula| !formula.ends);
+        let events = (0..expander.system.events().len()).filter(shown).map(|event| expander.event(event));
+        step_lengths(block, signs.chain(events), allowances, effort.absolute, *log2_part_of_radius)
+    }
+}

@@ -1,0 +1,59 @@
+//! A step that outlives the integration.
+
+use crate::taylor::{StateLayout, Step};
+use std::sync::Arc;
+
+/// A step of an integration with numbers of its own.
+#[derive(Clone, Debug)]
+pub struct OwnedStep {
+    start: f64,
+    end: f64,
+    unit: f64,
+    terms: usize,
+    coefficients: Vec<f64>,
+    low: Vec<f64>,
+    layout: Arc<StateLayout>,
+}
+
+impl Step<'_> {
+    /// The step with numbers of its own, which outlives the integration.
+    #[must_use]
+    pub fn to_owned_step(&self) -> OwnedStep {
+        let numbers = 0..self.numbers();
+        let series = numbers.clone().flat_map(|number| (0..self.terms).map(move |n| (number, n)));
+        OwnedStep {
+            start: self.start,
+            end: self.end,
+            unit: self.unit,
+            terms: self.terms,
+            coefficients: series.map(|(number, n)| self.coefficient(number, n)).collect(),
+            low: numbers.map(|number| self.low(number)).collect(),
+            layout: Arc::clone(self.layout),
+        }
+    }
+}
+
+impl OwnedStep {
+    /// A step that was found elsewhere: coordinate and velocity in powers of the time in a unit, as many terms of each.
+    pub(crate) fn new(start: f64, end: f64, unit: f64, series: [Vec<f64>; 2]) -> Self {
+        let terms = series[0].len();
+        let layout = Arc::new(StateLayout::one_coordinate());
+        Self { start, end, unit, terms, coefficients: series.concat(), low: vec![0.0; 2], layout }
+    }
+
+    /// The step as it was.
+    #[must_use]
+    pub fn step(&self) -> Step<'_> {
+        Step {
+            start: self.start,
+            end: self.end,
+            unit: self.unit,
+            coefficients: &self.coefficients,
+            low: &self.low,
+            layout: &self.layout,
+            terms: self.terms,
+            lanes: 1,
+            lane: 0,
+        }
+    }
+}

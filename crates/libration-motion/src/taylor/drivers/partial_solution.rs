@@ -1,0 +1,171 @@
+//! The solution of one trajectory while it is computed.
+
+use crate::taylor::events::contacts::{Contacts, Stretch};
+use crate::taylor::events::sharp::Part;
+use crate::taylor::program::linearised::{Linearised, half_ulp};
+use crate::taylor::{
+    Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Moment, Occurrence, Solution,
+    Step, System, Trajectory,
+};
+
+/// Samples and events of a motion, as far as it came.
+#[derive(Debug)]
+pub(in crate::taylor) struct PartialSolution<'a> {
+    pub(in crate::taylor) number: usize,
+    system: &'a System,
+    trajectory: &'a Trajectory<'a>,
+    samples: Vec<Moment>,
+    events: Vec<Occurrence>,
+    /// Number of events that were known before the last step.
+    events_before: usize,
+    contacts: Vec<Contacts>,
+    steps: usize,
+}
+
+impl<'a> PartialSolution<'a> {
+    pub(in crate::taylor) fn new(number: usize, trajectory: &'a Trajectory<'a>, system: &'a System) -> Self {
+        let samples = Vec::with_capacity(trajectory.times.len());
+        let contacts = vec![Contacts::NONE; system.events().len()];
+        Self { number, system, trajectory, samples, events: vec![], events_before: 0, contacts, steps: 0 }
+    }
+
+    /// Goes on with what was known of the events at a checkpoint.
+    pub(in crate::taylor) fn resume(&mut self, checkpoint: &Checkpoint) {
+        self.contacts = checkpoint.events.iter().map(EventCheckpoint::contacts).collect();
+        self.steps = checkpoint.steps;
+    }
+
+    /// The state of each event.
+    pub(in crate::taylor) fn checkpoints(&self) -> Vec<EventCheckpoint> {
+        self.contacts.iter().map(EventCheckpoint::from_contacts).collect()
+    }
+
+    /// The events in the last step.
+    pub(in crate::taylor) fn new_events(&self) -> &[Occurrence] {
+        &self.events[self.events_before..]
+    }
+
+    /// The time at which an event in the last step ended the integration.
+    pub(in crate::taylor) fn ended_at(&self) -> Option<f64> {
+        let last = self.new_events().last().filter(|last| last.contact != Contact::Start)?;
+        let number = Some(self.contacts[last.event].found);
+        (self.system.events()[last.event].ends_at == number).then_some(last.time)
+    }
+
+    /// Returns whether numbers are too large for double precision at this moment.
+    pub(in crate::taylor) fn overflows(&self, moment: &Moment) -> bool {
+        let inputs = [&moment.state[..], &[moment.time], &self.trajectory.parameters].concat();
+        self.system.accelerations().is_some_and(|tape| tape.overflows_at(&inputs))
+    }
+
+    /// The values of the open parameters.
+    pub(in crate::taylor) fn parameters(&self) -> &[f64] {
+        &self.trajectory.parameters
+    }
+
+    pub(in crate::taylor) fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The samples that need no step.
+    pub(in crate::taylor) fn sample_start(&mut self) {
+        let start = &self.trajectory.start;
+        let here = self.trajectory.times.iter().take_while(|&&time| (time - start.time).abs() == 0.0);
+        self.samples.extend(here.map(|_| start.clone()));
+    }
+
+    /// The time of the last sample, while there are samples to come.
+    pub(in crate::taylor) fn goal(&self) -> Option<f64> {
+        let times = self.trajectory.times;
+        if self.samples.len() < times.len() { times.last().copied() } else { None }
+    }
+
+    pub(in crate::taylor) fn has_steps_left(&self, effort: &Effort) -> Result<(), Cause> {
+        if self.steps < effort.most_steps { Ok(()) } else { Err(Cause::StepLimit) }
+    }
+
+    /// Takes a step in which nothing is requested, if there is something to come.
+    pub(in crate::taylor) fn pass(&mut self, start: f64, end: f64) -> bool {
+        let next = self.trajectory.times.get(self.samples.len());
+        let is_behind = next.is_some_and(|&next| if end < start { next < end } else { next > end });
+        let passes = is_behind && self.contacts.is_empty();
+        self.steps += usize::from(passes);
+        passes
+    }
+
+    /// Samples and events of a step, given the series of the formulas of events; where the motion ends if an event ends it.
+    pub(in crate::taylor) fn take(
+        &mut self,
+        step: &Step<'_>,
+        formula: impl Fn(usize) -> Vec<f64>,
+        tolerance: f64,
+    ) -> Option<Moment> {
+        self.steps += 1;
+        self.events_before = self.events.len();
+        let terminal =
+            if self.contacts.is_empty() { None } else { self.find_events(step, formula, tolerance) };
+        let last = terminal.as_ref().map_or(step.end(), |end| end.time);
+        let inside = |time: f64| if step.end() < step.start() { time >= last } else { time <= last };
+        while let Some(&time) = self.trajectory.times.get(self.samples.len())
+            && inside(time)
+        {
+            self.samples.push(Moment { time, state: step.state_at(time) });
+        }
+        terminal
+    }
+
+    fn find_events(
+        &mut self,
+        step: &Step<'_>,
+        formula: impl Fn(usize) -> Vec<f64>,
+        tolerance: f64,
+    ) -> Option<Moment> {
+        let length = step.end() - step.start();
+        let mut found: Vec<(f64, usize, Contact)> = vec![];
+        for (event, contacts) in self.contacts.iter_mut().enumerate() {
+            let whole = || Part { start: step.start(), length, coefficients: formula(event) };
+            let parts = match self.system.sharp(event) {
+                Some(sharp) => sharp.parts(step, &self.trajectory.parameters, tolerance),
+                None => vec![whole()],
+            };
+            for Part { start, length, coefficients } in parts {
+                let stretch = Stretch { coefficients: &coefficients, start, length, tolerance };
+                let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
+                let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
+                let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
+                found.extend(wanted.map(|(time, contact)| (time, event, contact)));
+            }
+        }
+        found.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
+        for (time, event, contact) in found {
+            let state = step.state_at(time);
+            self.events.push(Occurrence { event, time, state: state.clone(), contact });
+            let passed = &mut self.contacts[event].found;
+            *passed += u64::from(contact != Contact::Start);
+            if contact != Contact::Start && self.system.events()[event].ends_at == Some(*passed) {
+                return Some(Moment { time, state });
+            }
+        }
+        None
+    }
+
+    pub(in crate::taylor) fn finished(self, end: Moment) -> Solution {
+        Solution { samples: self.samples, events: self.events, end, steps: self.steps }
+    }
+
+    pub(in crate::taylor) fn stopped(self, cause: Cause, end: Moment) -> Result<Solution, IntegrationError> {
+        Err(IntegrationError::Stopped { cause, solution: Box::new(self.finished(end)) })
+    }
+}
+
+/// The error of an event's formula at the start, from rounding and half a unit in the last place of each component.
+fn event_error_at_start(system: &System, trajectory: &Trajectory<'_>, event: usize) -> f64 {
+    let Trajectory { start, parameters, .. } = trajectory;
+    let formula = system.coordinates() + system.moduli() + event;
+    let mut formulas = Linearised::new(system.tape(), [formula].into_iter(), start.state.len());
+    // Either sign in the place of a |…| makes the same of an error.
+    let signs = vec![1.0; system.moduli()];
+    formulas.evaluate(&[&start.state[..], &[start.time], parameters, &signs].concat());
+    let typed = start.state.iter().zip(formulas.slopes(formula));
+    formulas.error(formula) + typed.map(|(value, slope)| half_ulp(*value) * slope.abs()).sum::<f64>()
+}

@@ -1,8 +1,0 @@
-//! States at the ends of steps.
-
-/// One number of the state at the ends of the steps, in two words.
-#[derive(Clone, Copy, Debug)]
-pub struct Ends<const N: usize> {
-    pub(super) high: [f64; N],
-    pub(super) low: [f64; N],
-}

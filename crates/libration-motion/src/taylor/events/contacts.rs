@@ -1,0 +1,205 @@
+//! Zeros of a formula along a motion, found on the polynomial of each step.
+//!
+//! Between the zeros of its derivative a polynomial has at most one zero, and sign changes in Bernstein's basis miss none
+//! of these. On which side of zero the formula is goes from step to step, so that a zero at the end of one step, which
+//! rounding may put before or behind it, is neither missed nor found twice.
+//!
+//! # Method
+//! An event is a zero of a formula on the tape of the system. Formulas with steep terms have series of their own for parts of a step, compared with
+//! the formula (`sharp.rs`), because the length of a step follows from the accelerations alone. So do formulas that end somewhere, such as 1/x − 2:
+//! parts become shorter towards the pole, the longest first, until they are 2⁻⁴⁰ of the step or number two thousand. A sign change where the values
+//! grow on both sides is a pole and not a zero.
+
+use crate::taylor::Contact;
+use crate::taylor::step::sign_change::{bernstein, first_sign_change, sign_changes};
+use libration_numbers::roots::{Tolerance, zero_between};
+
+/// One formula on its way.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::taylor) struct Contacts {
+    /// The side of zero on which it is; none before the first step, and while it vanishes.
+    pub(in crate::taylor) side: Option<f64>,
+    pub(in crate::taylor) begun: bool,
+    /// Time of its last zero.
+    pub(in crate::taylor) last: f64,
+    /// `true` if the formula was within the tolerance of zero at the end of the step.
+    pub(in crate::taylor) near: bool,
+    /// Number of its zeros that counted, the start excepted.
+    pub(in crate::taylor) found: u64,
+}
+
+/// A step of a formula: Σ cₙτⁿ with τ from zero to one.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::taylor) struct Stretch<'a> {
+    pub(in crate::taylor) coefficients: &'a [f64],
+    pub(in crate::taylor) start: f64,
+    pub(in crate::taylor) length: f64,
+    /// The error of the formula as a part of how much it changes.
+    pub(in crate::taylor) tolerance: f64,
+}
+
+impl Stretch<'_> {
+    fn at(&self, tau: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+    }
+
+    fn time(&self, tau: f64) -> f64 {
+        self.start + tau * self.length
+    }
+
+    /// The distance from zero that is not distinguished from zero.
+    fn blur(&self) -> f64 {
+        self.tolerance.max(4.0 * f64::EPSILON) * self.coefficients.iter().map(|c| c.abs()).sum::<f64>()
+    }
+
+    /// The positions at which the derivative changes its sign.
+    fn extrema(&self) -> Vec<f64> {
+        let factors = (1..).map(f64::from);
+        let slopes: Vec<f64> = self.coefficients[1..].iter().zip(factors).map(|(c, n)| n * c).collect();
+        sign_changes(&slopes)
+    }
+
+    /// The sign of the first extremum, or of the end, that is farther from zero than this.
+    fn side_beyond(&self, error: f64) -> Option<f64> {
+        let mut values = self.extrema().into_iter().chain([1.0]).map(|tau| self.at(tau));
+        values.find(|value| value.abs() > error).map(f64::signum)
+    }
+
+    /// The one zero between two places where it has different signs.
+    fn zero_between(&self, before: f64, behind: f64) -> f64 {
+        let negative_behind = self.at(behind) < 0.0;
+        let is_before = |tau| (self.at(tau) < 0.0) != negative_behind;
+        let ends = [before, behind].map(|tau| (tau, self.at(tau)));
+        match zero_between(ends, Tolerance::LAST_BIT, |tau| self.at(tau)) {
+            Some(zero) if is_before(zero) => zero.next_up().min(behind),
+            Some(zero) => zero,
+            None => behind,
+        }
+    }
+
+    /// The first place in the step where it changes its sign or comes within the blur of zero.
+    pub(in crate::taylor) fn first_contact(&self) -> Option<f64> {
+        let blur = self.blur();
+        if self.keeps_away(blur) {
+            return None;
+        }
+        let touches = self.extrema().into_iter().find(|&tau| self.at(tau).abs() <= blur);
+        first_sign_change(self.coefficients).into_iter().chain(touches).reduce(f64::min)
+    }
+
+    /// Returns whether the formula is farther from zero than the blur in the whole step.
+    fn keeps_away(&self, blur: f64) -> bool {
+        let rest: f64 = self.coefficients[1..].iter().map(|c| c.abs()).sum();
+        if self.coefficients[0].abs() > rest + blur {
+            return true;
+        }
+        let form = bernstein(self.coefficients);
+        form.iter().all(|c| *c > blur) || form.iter().all(|c| *c < -blur)
+    }
+}
+
+impl Contacts {
+    pub(in crate::taylor) const NONE: Self =
+        Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
+
+    /// The zeros in a step, with their times in its order. Where the motion begins the formula has an error: within it, it is zero.
+    pub(in crate::taylor) fn zeros_in(
+        &mut self,
+        stretch: &Stretch<'_>,
+        error_at_start: impl Fn() -> f64,
+    ) -> Vec<(f64, Contact)> {
+        if stretch.coefficients.is_empty() {
+            // Behind a pole either sign is as good.
+            (self.side, self.near) = (None, false);
+            return vec![];
+        }
+        let blur = stretch.blur();
+        if blur == 0.0 {
+            return self.comes_to_rest(stretch);
+        }
+        let mut found = self.at_start(stretch, blur, error_at_start);
+        if stretch.keeps_away(blur) {
+            self.near = false;
+            return found;
+        }
+        self.inside(stretch, blur, &mut found);
+        self.near = stretch.at(1.0).abs() <= blur;
+        if let Some((time, _)) = found.last() {
+            self.last = *time;
+        }
+        found
+    }
+
+    /// A formula that vanishes throughout a step: what counts is that it becomes zero.
+    fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
+        self.begun = true;
+        let known = self.just_found(stretch);
+        let side = self.side.take().filter(|_| !known);
+        side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
+    }
+
+    /// The contacts at the beginning of the step.
+    fn at_start(
+        &mut self,
+        stretch: &Stretch<'_>,
+        blur: f64,
+        error_at_start: impl Fn() -> f64,
+    ) -> Vec<(f64, Contact)> {
+        let first = stretch.coefficients[0];
+        let leaves = stretch.coefficients.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
+        let begun = std::mem::replace(&mut self.begun, true);
+        let Some(side) = self.side else {
+            let error = if begun { f64::NAN } else { error_at_start() };
+            let is_zero = error < f64::INFINITY && first.abs() <= error;
+            self.side = if is_zero { stretch.side_beyond(error) } else { Some(leaves) };
+            return if is_zero { vec![(stretch.start, Contact::Start)] } else { vec![] };
+        };
+        if first.abs() > blur && first * side < 0.0 {
+            // A formula with a jump.
+            self.side = Some(-side);
+            return vec![(stretch.start, crossing(-side))];
+        }
+        let leaves_again = stretch.coefficients[1] * side > 0.0;
+        let returns = self.near && leaves_again && first.abs() <= blur && !self.just_found(stretch);
+        if returns { vec![(stretch.start, Contact::Grazing)] } else { vec![] }
+    }
+
+    /// Returns whether the start of a step is within the blur of the last zero.
+    fn just_found(&self, stretch: &Stretch<'_>) -> bool {
+        let width = 4.0 * stretch.tolerance.max(f64::EPSILON).sqrt() * stretch.length.abs();
+        (stretch.start - self.last).abs() <= width
+    }
+
+    /// Finds the contacts after the start, from extremum to extremum.
+    fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, found: &mut Vec<(f64, Contact)>) {
+        let Some(mut side) = self.side else { return };
+        let mut before = 0.0;
+        let mut touched = None;
+        let nodes = stretch.extrema().into_iter().map(|node| (node, true)).chain([(1.0, false)]);
+        for (node, is_extremum) in nodes {
+            let value = stretch.at(node);
+            if is_extremum && value.abs() <= blur {
+                touched = touched.or(Some(node));
+            } else if value * side > 0.0 {
+                found.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
+            } else if value * side < 0.0 {
+                side = -side;
+                let zero = touched.take().unwrap_or_else(|| self.zero(stretch, before, node, side));
+                found.push((stretch.time(zero), crossing(side)));
+            }
+            before = node;
+        }
+        found.extend(touched.map(|tau| (stretch.time(tau), Contact::Grazing)));
+        self.side = Some(side);
+    }
+
+    /// The zero before a place where the formula has this sign; at the beginning rounding may give it this sign already.
+    fn zero(&self, stretch: &Stretch<'_>, before: f64, node: f64, side: f64) -> f64 {
+        if stretch.at(before) * side >= 0.0 { before } else { stretch.zero_between(before, node) }
+    }
+}
+
+/// The zero behind which a formula has this sign.
+fn crossing(side: f64) -> Contact {
+    if side > 0.0 { Contact::Rising } else { Contact::Falling }
+}

@@ -1,0 +1,67 @@
+//! Events along a motion.
+
+use libration_numbers::expression::Expression;
+
+/// A formula of coordinates, velocities and time whose zeros are looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// The formula.
+    pub formula: Expression,
+    /// The kinds of zeros that count.
+    pub direction: Direction,
+    /// The number of the counted zero, the start excepted, at which the integration ends; `None` if the event does not end it.
+    pub ends_at: Option<u64>,
+}
+
+/// The sign changes that count, in the order in which the motion is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Sign changes in both directions, and contacts without a sign change.
+    Any,
+    /// Crossings from negative to positive.
+    Rising,
+    /// Crossings from positive to negative.
+    Falling,
+}
+
+/// The kind of a formula's zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// The formula becomes positive.
+    Rising,
+    /// The formula becomes negative.
+    Falling,
+    /// The formula touches zero within the tolerance and returns.
+    Grazing,
+    /// The motion begins there.
+    Start,
+}
+
+/// An event that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occurrence {
+    /// Index into [`System::events`](crate::taylor::System::events).
+    pub event: usize,
+    /// The time.
+    pub time: f64,
+    /// Coordinates and velocities there.
+    pub state: Vec<f64>,
+    /// The kind of the zero.
+    pub contact: Contact,
+}
+
+impl Event {
+    /// Every zero of a formula; none of them ends the integration.
+    #[must_use]
+    pub fn zero_of(formula: Expression) -> Self {
+        Self { formula, direction: Direction::Any, ends_at: None }
+    }
+
+    pub(in crate::taylor) fn counts(&self, contact: Contact) -> bool {
+        match self.direction {
+            Direction::Any => true,
+            Direction::Rising => contact == Contact::Rising,
+            Direction::Falling => contact == Contact::Falling,
+        }
+    }
+}

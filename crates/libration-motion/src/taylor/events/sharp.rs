@@ -1,0 +1,241 @@
+//! Formulas of events that change by powers of ten within a step.
+//!
+//! Steps are as long as the accelerations allow. The series of e^(−20000(x − 2)²) about x = 3 vanishes to all digits, and that about x = 2
+//! converges in a part of the step only. The series of such a formula are therefore computed again for parts of the step, which end at the
+//! extremes of steep exponents, and are halved until each series agrees with the value of the formula at the state. The same holds for a
+//! formula with a pole, such as 1/x, which the motion and its steps pass.
+
+use std::collections::VecDeque;
+
+use super::boundary::{boundaries, reached};
+use super::steep::{Steep, steep_places};
+use crate::taylor::Step;
+use crate::taylor::step::allowance::ROUNDING;
+use crate::taylor::step::larger::larger_or_nan;
+use crate::taylor::step::sign_change::scaled;
+use libration_numbers::algebra::Doubles;
+use libration_numbers::{
+    expression::{Expression, Symbol},
+    internals::expression::{Jet, Operation, Tape},
+};
+
+/// A formula in which something is steep, or that ends somewhere.
+#[derive(Clone, Debug)]
+pub(in crate::taylor) struct SharpFormula {
+    tape: Tape,
+    steep: Vec<Steep<usize>>,
+    /// `true` if the formula has a divisor, a root or the like, beyond whose zero its series are not valid.
+    pub(in crate::taylor) ends: bool,
+}
+
+/// A part of a step.
+pub(in crate::taylor) struct Part {
+    pub(in crate::taylor) start: f64,
+    pub(in crate::taylor) length: f64,
+    /// Coefficients of the formula, in powers of the fraction of this part; none where it has a pole.
+    pub(in crate::taylor) coefficients: Vec<f64>,
+}
+
+/// A part that waits to be looked at.
+#[derive(Clone, Copy)]
+struct Waiting {
+    start: f64,
+    length: f64,
+    halvings: u32,
+}
+
+/// Powers beyond the third part of this order are steep.
+const ORDER: usize = 18;
+/// Halvings after which a part is taken as it is: there the formula jumps, has a pole or no value.
+const MOST_HALVINGS: u32 = 40;
+/// Parts that are looked at before the rest is taken as it is. A formula that is felt in a part 2⁻⁴⁰ of a step needs about 80, a pole 900.
+const MOST_PARTS: usize = 2000;
+/// Largest difference between the series of a formula and its values, relative to the largest of them, unless the tolerance is smaller.
+const MISFIT: f64 = 1e-9;
+/// A part that ends at a turn has it next to its end.
+const INSIDE: f64 = 0.999;
+
+impl SharpFormula {
+    /// `None` for what the series of whole steps show.
+    pub(in crate::taylor) fn new(formula: &Expression, inputs: &[Symbol]) -> Option<Self> {
+        let tape = Tape::new(&[formula], inputs).ok()?;
+        let mut steep = steep_places(&tape, 1, ORDER);
+        let divisors = reached(&tape, 1).into_iter().filter_map(|place| match tape.operations()[place] {
+            Operation::Divide(_, divisor) if !tape.is_constant(divisor) => Some(Steep::divisor(divisor)),
+            _ => None,
+        });
+        steep.extend(divisors);
+        let ends = !boundaries(&tape, 1, inputs.len()).is_empty();
+        (ends || !steep.is_empty()).then_some(Self { tape, steep, ends })
+    }
+
+    /// The step in parts in which the formula is its series to the tolerance. Where it has no value in double precision there are none.
+    pub(in crate::taylor) fn parts(&self, step: &Step<'_>, parameters: &[f64], tolerance: f64) -> Vec<Part> {
+        let allowed = tolerance.clamp(ROUNDING, MISFIT);
+        let (start, length) = (step.start(), step.end() - step.start());
+        let mut parts = vec![];
+        // The longest first, so that places where halving does not help leave nothing undone elsewhere.
+        let mut waiting = VecDeque::from([Waiting { start, length, halvings: MOST_HALVINGS }]);
+        let mut tried = 0;
+        while let Some(part) = waiting.pop_front() {
+            tried += 1;
+            let is_last = part.halvings == 0 || tried > MOST_PARTS;
+            let jet = self.jet(step, parameters, part);
+            let cut = match &jet {
+                _ if is_last => None,
+                Some(jet) => self.cut(jet, step, parameters, part, allowed),
+                None => self.has_values(step, parameters, part).then_some(0.5),
+            };
+            match (cut, jet) {
+                (Some(cut), _) => waiting.extend(part.cut_at(cut)),
+                (None, Some(jet)) => {
+                    let has_pole = is_last && self.has_pole(&jet, step, parameters, part);
+                    let coefficients = if has_pole { vec![] } else { jet.result(0).to_vec() };
+                    parts.push(Part { start: part.start, length: part.length, coefficients });
+                }
+                (None, None) => {}
+            }
+        }
+        parts.sort_by(|a, b| (a.start * length.signum()).total_cmp(&(b.start * length.signum())));
+        parts
+    }
+
+    /// The position at which a part has to be cut in two; `None` if it need not be.
+    fn cut(
+        &self,
+        jet: &Jet<'_, Doubles>,
+        step: &Step<'_>,
+        parameters: &[f64],
+        part: Waiting,
+        allowed: f64,
+    ) -> Option<f64> {
+        let turns = self.steep.iter().filter_map(|steep| steep.first_turn_of(jet.series(steep.of)));
+        match turns.reduce(f64::min) {
+            Some(turn) if turn < INSIDE => Some(turn),
+            _ => (!self.agrees(jet, step, parameters, part, allowed)).then_some(0.5),
+        }
+    }
+
+    /// Returns whether the series agree with the formula in the states of the step, within rounding errors.
+    fn agrees(
+        &self,
+        jet: &Jet<'_, Doubles>,
+        step: &Step<'_>,
+        parameters: &[f64],
+        part: Waiting,
+        allowed: f64,
+    ) -> bool {
+        let series = jet.result(0);
+        let mut largest = series[0].abs();
+        let mut worst = (0.0, part.start);
+        for look in looks() {
+            let time = part.start + look * part.length;
+            // Times are rounded.
+            let look = (time - part.start) / part.length;
+            let value = self.value(step, parameters, time);
+            let error = (value - series.iter().rev().fold(0.0, |sum, c| sum * look + c)).abs();
+            largest = larger_or_nan(largest, value.abs());
+            worst = if error <= worst.0 { worst } else { (error, time) };
+        }
+        let (error, time) = worst;
+        largest.is_finite() && (error <= allowed * largest || error <= self.rounding(step, parameters, time))
+    }
+
+    /// The effect of the roundings of a state on the formula.
+    fn rounding(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
+        let state = step.state_at(time);
+        let value = self.value_in(&state, time, parameters);
+        let moved = |number: usize| {
+            let size: f64 = (0..step.terms)
+                .scan(1.0, |power, n| {
+                    let term = (step.coefficient(number, n) * *power).abs();
+                    *power *= (time - step.start()) / step.unit;
+                    Some(term)
+                })
+                .sum();
+            let mut state = state.clone();
+            state[number] += ROUNDING * size;
+            (self.value_in(&state, time, parameters) - value).abs()
+        };
+        (0..state.len()).map(moved).sum()
+    }
+
+    /// Returns whether the series do not describe the formula, and its values at both ends of a part are much larger than at a distance of a million
+    /// parts from them: at a jump they are not.
+    fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+        const NOTHING: f64 = 0.1;
+        const AWAY: f64 = 1e6;
+        const GROWTH: f64 = 32.0;
+        let [from, to] = [step.start(), step.end()];
+        let value = |time: f64| self.value(step, parameters, time.clamp(from.min(to), from.max(to))).abs();
+        let end = part.start + part.length;
+        let at_end = [part.start - from, to - end].map(|way| way.abs() <= part.length.abs());
+        let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
+        let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
+        !self.agrees(jet, step, parameters, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
+    }
+
+    fn has_values(&self, step: &Step<'_>, parameters: &[f64], part: Waiting) -> bool {
+        let mut times = looks().map(|look| part.start + look * part.length).chain([part.start]);
+        times.any(|time| self.value(step, parameters, time).is_finite())
+    }
+
+    /// The formula itself; NaN where it has no value.
+    fn value(&self, step: &Step<'_>, parameters: &[f64], time: f64) -> f64 {
+        self.value_in(&step.state_at(time), time, parameters)
+    }
+
+    fn value_in(&self, state: &[f64], time: f64, parameters: &[f64]) -> f64 {
+        let inputs = [state, &[time], parameters].concat();
+        Jet::new(&Doubles, &self.tape, &inputs).map_or(f64::NAN, |jet| jet.result(0)[0])
+    }
+
+    /// The series of all places in a part of a step; `None` where one has no value.
+    fn jet(
+        &self,
+        step: &Step<'_>,
+        parameters: &[f64],
+        Waiting { start, length, .. }: Waiting,
+    ) -> Option<Jet<'_, Doubles>> {
+        let states: Vec<Vec<f64>> =
+            (0..step.numbers()).map(|number| moved(step, number, start, length)).collect();
+        let coefficient = |n: usize| {
+            let time = [start, length].get(n).copied().unwrap_or(0.0);
+            let constants = parameters.iter().map(|value| if n == 0 { *value } else { 0.0 });
+            states.iter().map(|series| series[n]).chain([time]).chain(constants).collect::<Vec<f64>>()
+        };
+        let mut jet = Jet::new(&Doubles, &self.tape, &coefficient(0)).ok()?;
+        for n in 1..step.terms {
+            jet.extend(&coefficient(n)).ok()?;
+        }
+        jet.result(0).iter().all(|c| c.is_finite()).then_some(jet)
+    }
+}
+
+impl Waiting {
+    fn cut_at(self, cut: f64) -> [Self; 2] {
+        let (length, halvings) = (cut * self.length, self.halvings - 1);
+        let second = Self { start: self.start + length, length: self.length - length, halvings };
+        [Self { length, halvings, ..self }, second]
+    }
+}
+
+/// Places in a part at which its series are compared with the formula.
+fn looks() -> impl Iterator<Item = f64> {
+    const LOOKS: u32 = 8;
+    (1..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS))
+}
+
+/// A number of the state in powers of a part of the step.
+fn moved(step: &Step<'_>, number: usize, start: f64, length: f64) -> Vec<f64> {
+    let mut series: Vec<f64> = (0..step.terms).map(|n| step.coefficient(number, n)).collect();
+    let shift = (start - step.start()) / step.unit;
+    for first in 0..series.len() {
+        for n in (first..series.len() - 1).rev() {
+            series[n] += shift * series[n + 1];
+        }
+    }
+    // Next to a pole the roundings of these sums are felt.
+    series[0] = step.component_at(number, start).to_f64();
+    scaled(series.into_iter(), length / step.unit)
+}

@@ -1,0 +1,203 @@
+//! Forces that can hide in a step: an `f64` does not see them from where the step begins, and they are felt only on its way.
+//!
+//! Of e^(−x²) far out not one coefficient is left, and neither at the end of a step that goes through to the other side. So a
+//! step ends where such a formula is largest or smallest: there the equations of motion show what it does.
+//!
+//! # Method
+//! Terms that are felt only inside a step (e^(−x²), 1/cosh² x, (1 + x²)^(−50), a high power on the way to a turning point and back) are expected
+//! where an exponent, a hyperbolic argument, a divisor or the base of a high power changes by more than the series can follow. The step ends where
+//! that quantity turns, and is tried inside too, closer and closer to its end.
+
+use super::boundary::reached;
+use crate::taylor::step::block::{Block, Row};
+use crate::taylor::step::largest_change::{largest_change, largest_changes};
+use crate::taylor::step::sign_change::{scaled, sign_changes};
+use libration_kernels::elementary::count;
+use libration_numbers::internals::algebra::Growth;
+use libration_numbers::internals::expression::{Operation, Tape};
+
+/// The way in which a value on the tape enters an expression that can change by powers of ten.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Enters {
+    Exponent,
+    /// cosh, sinh and tanh: they are smallest, or turn fastest, at zero.
+    Hyperbolic,
+    /// A divisor, through a power whose exponent may be large.
+    Divisor,
+    /// A factor, with this exponent.
+    Power(f64),
+}
+
+/// A value on the tape, by its slot, of which something is a steep function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::taylor) struct Steep<P> {
+    pub(in crate::taylor) of: P,
+    enters: Enters,
+    followed: Followed,
+}
+
+impl<P> Steep<P> {
+    fn new(of: P, enters: Enters) -> Self {
+        Self { of, enters, followed: enters.followed() }
+    }
+
+    pub(in crate::taylor) fn divisor(of: P) -> Self {
+        Self::new(of, Enters::Divisor)
+    }
+
+    /// The same with another slot.
+    pub(in crate::taylor) fn moved<Q>(&self, of: Q) -> Steep<Q> {
+        Steep { of, enters: self.enters, followed: self.followed }
+    }
+}
+
+/// The arguments of such functions in the first `formulas` formulas on a tape, and the bases of powers beyond a third of the order: from zero series
+/// of this order show little of these powers, or nothing.
+pub(in crate::taylor) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
+    let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
+    let powers = powers(tape, formulas).into_iter().filter(high);
+    let mut found: Vec<_> = powers.map(|(of, exponent)| Steep::new(of, Enters::Power(exponent))).collect();
+    for place in reached(tape, formulas) {
+        let steep = match tape.operations()[place] {
+            Operation::Exp(of) => Steep::new(of, Enters::Exponent),
+            Operation::Paired { function, of, .. } | Operation::Tangent { function, of }
+                if function.growth() == Growth::Hyperbolic =>
+            {
+                Steep::new(of, Enters::Hyperbolic)
+            }
+            _ => continue,
+        };
+        if !tape.is_constant(steep.of) && !found.contains(&steep) {
+            found.push(steep);
+        }
+    }
+    found
+}
+
+/// The factors that are multiplied by themselves, with the largest number of them.
+fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
+    let mut of: Vec<(usize, f64)> = (0..tape.operations().len()).map(|place| (place, 1.0)).collect();
+    for (place, operation) in tape.operations().iter().enumerate() {
+        match *operation {
+            Operation::Multiply(a, b) if of[a].0 == of[b].0 => of[place] = (of[a].0, of[a].1 + of[b].1),
+            Operation::Power(a, ref exponent) => of[place] = (of[a].0, of[a].1 * exponent.to_f64()),
+            _ => {}
+        }
+    }
+    let mut largest: Vec<(usize, f64)> = vec![];
+    for place in reached(tape, formulas).into_iter().filter(|&place| !tape.is_constant(place)) {
+        let (base, exponent) = of[place];
+        match largest.iter_mut().find(|(other, _)| *other == base) {
+            Some((_, most)) => *most = most.max(exponent),
+            None => largest.push((base, exponent)),
+        }
+    }
+    largest
+}
+
+/// Changes that the series follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Followed {
+    /// Change of the expression that the value enters, in powers of e.
+    powers: f64,
+    /// Change of the value below which the expression always changes by less: a number, and a part of its size.
+    change: f64,
+    part: f64,
+}
+
+impl Enters {
+    fn followed(self) -> Followed {
+        /// The terms of eᶻ fall behind the order z, and the least order is 6.
+        const POWERS: f64 = 6.0;
+        let no_change = Followed { powers: POWERS, change: 0.0, part: 0.0 };
+        match self {
+            Self::Exponent | Self::Hyperbolic => Followed { change: POWERS, ..no_change },
+            Self::Power(exponent) => Followed { part: libm::expm1(POWERS / exponent), ..no_change },
+            // So little that its tenth power, or its hundredth, is not lost either.
+            Self::Divisor => Followed { powers: 1.0, part: -libm::expm1(-1.0), ..no_change },
+        }
+    }
+}
+
+impl Followed {
+    #[inline(always)]
+    fn includes(&self, change: f64, value: f64) -> bool {
+        change < self.change + self.part * value.abs()
+    }
+}
+
+/// A divisor that comes within this part of its size to zero may touch it, which a boundary looks after.
+const BLUR: f64 = 1e-12;
+
+impl Steep<Row> {
+    /// Returns whether the value changes by more than the series follow in a step of this length, in units of the block.
+    pub(in crate::taylor) fn is_unseen<const N: usize>(
+        &self,
+        block: &Block<N>,
+        lane: usize,
+        length: f64,
+    ) -> bool {
+        let series = &block[self.of];
+        !self.followed.includes(largest_change(series, lane, length), series[0][lane])
+            && (self.enters != Enters::Divisor || self.first_turn(block, lane, length).is_some())
+    }
+
+    /// Returns whether the value changes by less in all lanes, in steps of these lengths.
+    #[inline(always)]
+    pub(in crate::taylor) fn is_seen<const N: usize>(&self, block: &Block<N>, lengths: &[f64; N]) -> bool {
+        let series = &block[self.of];
+        let changes = largest_changes(series, lengths);
+        let mut is_seen = true;
+        for lane in 0..N {
+            is_seen &= self.followed.includes(changes[lane], series[0][lane]);
+        }
+        is_seen
+    }
+
+    /// The part of a step of this length after which what it enters has first come to its largest or smallest, if that is far
+    /// from what it is at the start.
+    pub(in crate::taylor) fn first_turn<const N: usize>(
+        &self,
+        block: &Block<N>,
+        lane: usize,
+        length: f64,
+    ) -> Option<f64> {
+        self.first_turn_of(&scaled(block[self.of].iter().map(|c| c[lane]), length))
+    }
+}
+
+impl<P> Steep<P> {
+    /// The same for the series of what it enters, in powers of the part of a step.
+    pub(in crate::taylor) fn first_turn_of(&self, series: &[f64]) -> Option<f64> {
+        if series.iter().any(|c| !c.is_finite()) {
+            return None;
+        }
+        let slopes: Vec<f64> = series[1..].iter().zip((1..).map(f64::from)).map(|(c, n)| n * c).collect();
+        let mut turns = sign_changes(&slopes);
+        match self.enters {
+            Enters::Exponent | Enters::Power(_) => {}
+            Enters::Hyperbolic => turns.extend(sign_changes(series)),
+            // Where a divisor vanishes is a boundary.
+            Enters::Divisor if sign_changes(series).is_empty() => {}
+            Enters::Divisor => return None,
+        }
+        let value = |part: f64| series.iter().rev().fold(0.0, |sum, c| sum * part + c);
+        let blur = BLUR * series.iter().map(|c| c.abs()).sum::<f64>();
+        let touches = |value: f64| self.enters == Enters::Divisor && value.abs() <= blur;
+        let is_far = |part: &f64| {
+            let value = value(*part);
+            self.change(series[0], value) > self.followed.powers && !touches(value)
+        };
+        turns.into_iter().filter(is_far).reduce(f64::min)
+    }
+
+    /// The change of the expression that it enters between two of its values, in powers of e.
+    fn change(&self, from: f64, to: f64) -> f64 {
+        match self.enters {
+            Enters::Exponent => (to - from).abs(),
+            Enters::Hyperbolic => (to.abs() - from.abs()).abs(),
+            Enters::Divisor => libm::log((to / from).abs()).abs(),
+            Enters::Power(exponent) => exponent * libm::log((to / from).abs()),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The side of zero on which the argument of each absolute value is, or whether it stays at zero.
+
+use crate::taylor::Cause;
+use crate::taylor::program::expander::{Expander, Surroundings};
+use crate::taylor::step::block::Block;
+use crate::taylor::step::sign_change::{first_sign_change, scaled};
+
+/// The arguments of all absolute values in all lanes.
+#[derive(Debug)]
+pub(in crate::taylor) struct Branches<const N: usize> {
+    /// Number of leading coefficients of each argument that are zero where the step begins, and that can differ from zero only by rounding.
+    zeros: Vec<[usize; N]>,
+}
+
+impl<const N: usize> Branches<N> {
+    pub(in crate::taylor) fn new(moduli: usize) -> Self {
+        Self { zeros: vec![[0; N]; moduli] }
+    }
+
+    /// Begins a motion in a lane.
+    pub(in crate::taylor) fn start(&mut self, lane: usize) {
+        for zeros in &mut self.zeros {
+            zeros[lane] = 0;
+        }
+    }
+
+    /// Goes on with a motion in a lane.
+    pub(in crate::taylor) fn resume(&mut self, lane: usize, zeros: impl Iterator<Item = usize>) {
+        for (own, zeros) in self.zeros.iter_mut().zip(zeros) {
+            own[lane] = zeros;
+        }
+    }
+
+    /// Forgets the zeros that a lane has passed.
+    pub(in crate::taylor) fn pass(&mut self, lane: usize) {
+        self.start(lane);
+    }
+
+    /// The number of leading coefficients of an argument that are zero where the next step begins.
+    pub(in crate::taylor) fn zeros(&self, modulus: usize, lane: usize) -> usize {
+        self.zeros[modulus][lane]
+    }
+
+    /// Expands steps that have only their starts, with the signs that the arguments have behind these.
+    pub(in crate::taylor) fn settle(
+        &mut self,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> [Result<(), Cause>; N] {
+        // Each attempt may show one more sign to be wrong.
+        for _ in 0..2 * self.zeros.len() {
+            expander.expand(block, surroundings);
+            if !self.correct(expander, block, surroundings, backward).iter().flatten().any(|wrong| *wrong) {
+                return [Ok(()); N];
+            }
+        }
+        expander.expand(block, surroundings);
+        let wrong = self.correct(expander, block, surroundings, backward);
+        self.stick(&wrong, expander, block, surroundings)
+    }
+
+    /// Sets the signs to those of the series of the arguments, and releases components that no sign from −1 to 1 keeps at zero. Returns
+    /// `true` for each argument and lane whose series had another sign.
+    fn correct(
+        &self,
+        expander: &Expander<'_>,
+        block: &Block<N>,
+        surroundings: &mut Surroundings<N>,
+        backward: &[bool; N],
+    ) -> Vec<[bool; N]> {
+        let mut wrong = vec![[false; N]; self.zeros.len()];
+        for (modulus, wrong) in wrong.iter_mut().enumerate() {
+            for lane in 0..N {
+                let sign = surroundings.signs[modulus][lane];
+                let found = if surroundings.sticks[modulus][lane] {
+                    let needed = block[expander.sign(block, modulus)][0][lane];
+                    surroundings.sticks[modulus][lane] = needed.abs() <= 1.0;
+                    wrong[lane] = needed.abs() > 1.0;
+                    if wrong[lane] { needed.signum() } else { sign }
+                } else {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let behind = series.enumerate().skip(self.zeros[modulus][lane]);
+                    let found = sign_behind(behind, backward[lane]).unwrap_or(sign);
+                    wrong[lane] = found * sign < 0.0;
+                    found
+                };
+                surroundings.signs[modulus][lane] = found;
+            }
+        }
+        wrong
+    }
+
+    /// Keeps at zero the velocities, and others whose rate of change an equation tells, that can leave it to neither side.
+    fn stick(
+        &mut self,
+        wrong: &[[bool; N]],
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) -> [Result<(), Cause>; N] {
+        let mut outcomes = [Ok(()); N];
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            for lane in (0..N).filter(|&lane| wrong[lane]) {
+                match expander.system.driven_in_modulus(modulus) {
+                    Some(number) => {
+                        block.stop(number, lane);
+                        surroundings.sticks[modulus][lane] = true;
+                    }
+                    None => outcomes[lane] = Err(Cause::NoWayOn),
+                }
+            }
+        }
+        expander.expand(block, surroundings);
+        for (modulus, wrong) in wrong.iter().enumerate() {
+            let sign = block[expander.sign(block, modulus)][0];
+            for lane in (0..N).filter(|&lane| wrong[lane] && sign[lane].abs() > 1.0) {
+                outcomes[lane] = Err(Cause::NoWayOn);
+            }
+        }
+        outcomes
+    }
+
+    /// Ends the steps where an argument first changes its sign, or what sticks is released.
+    pub(in crate::taylor) fn cut(
+        &mut self,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        for lane in 0..N {
+            self.cut_lane(lane, expander, block, surroundings);
+        }
+    }
+
+    fn cut_lane(
+        &mut self,
+        lane: usize,
+        expander: &Expander<'_>,
+        block: &mut Block<N>,
+        surroundings: &mut Surroundings<N>,
+    ) {
+        let length = block.end[lane] - block.start[lane];
+        let units = length / block.unit[lane];
+        let changes: Vec<Option<f64>> = (0..self.zeros.len())
+            .map(|modulus| match surroundings.sticks[modulus][lane] {
+                true => release(block[expander.sign(block, modulus)].iter().map(|c| c[lane]), units),
+                false => {
+                    let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
+                    let terms = scaled(series, units).into_iter().skip(self.zeros[modulus][lane]);
+                    first_sign_change(&terms.skip_while(|term| *term == 0.0).collect::<Vec<_>>())
+                }
+            })
+            .collect();
+        let first = changes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        if first.is_finite() {
+            block.end[lane] = block.start[lane] + first * length;
+        }
+        let moves = (block.end[lane] - block.start[lane]).abs() > 0.0;
+        for (modulus, change) in changes.iter().enumerate() {
+            let changes_now = *change == Some(first);
+            let zeros = &mut self.zeros[modulus][lane];
+            let sign = &mut surroundings.signs[modulus][lane];
+            if changes_now && surroundings.sticks[modulus][lane] {
+                surroundings.sticks[modulus][lane] = false;
+                let series = block[expander.sign(block, modulus)].iter().map(|c| c[lane]);
+                *sign = scaled(series, first * units).iter().sum::<f64>().signum();
+                // The velocity, say, and the acceleration.
+                *zeros = 2;
+            } else if changes_now {
+                *sign = -*sign;
+                *zeros = 1;
+            } else if moves {
+                // A step without length leaves what is zero at zero.
+                *zeros = 0;
+            }
+        }
+    }
+}
+
+/// The sign of a series next to its centre; `None` when it vanishes.
+fn sign_behind(mut terms: impl Iterator<Item = (usize, f64)>, backward: bool) -> Option<f64> {
+    let (n, c) = terms.find(|(_, c)| *c != 0.0)?;
+    Some(if backward && n % 2 == 1 { -c.signum() } else { c.signum() })
+}
+
+/// The part of the step after which a sign leaves the range from −1 to 1.
+fn release(sign: impl Iterator<Item = f64>, length: f64) -> Option<f64> {
+    let sign = scaled(sign, length);
+    let from = |limit: f64| {
+        let mut distance: Vec<f64> = sign.iter().map(|c| -limit * c).collect();
+        *distance.first_mut()? += 1.0;
+        first_sign_change(&distance)
+    };
+    let (above, below) = (from(1.0), from(-1.0));
+    above.into_iter().chain(below).reduce(f64::min)
+}

@@ -1,0 +1,148 @@
+//! Absolute values as products with a sign, which stays what it is during a step; and signs.
+
+use libration_numbers::algebra::Rational;
+use libration_numbers::expression::{Expression, Function, Symbol};
+
+/// The arguments of the absolute values and signs met so far, each once.
+#[derive(Debug, Default)]
+pub(in crate::taylor) struct Moduli {
+    arguments: Vec<Modulus>,
+    /// Bases of powers that are not whole, where the base contains no |…|.
+    bases: Vec<Expression>,
+}
+
+/// The argument of a |…| or a sign.
+#[derive(Clone, Debug)]
+pub(in crate::taylor) struct Modulus {
+    /// The argument with signs in the place of all |…| within it.
+    pub(in crate::taylor) argument: Expression,
+    /// The argument as it is written.
+    pub(in crate::taylor) written: Expression,
+    /// `true` if an expression that vanishes with the argument has a power that is not whole, and no series there.
+    pub(in crate::taylor) in_root: bool,
+}
+
+impl Moduli {
+    /// The formula with s·u in the place of each |u|, and s in the place of sign(u).
+    pub(in crate::taylor) fn taken_out(&mut self, formula: &Expression) -> Expression {
+        match formula {
+            Expression::Call(Function::Abs, a) => {
+                let argument = self.taken_out(a);
+                Expression::Multiply(Box::new(self.sign_of(&argument, a)), Box::new(argument))
+            }
+            Expression::Call(Function::Sign, a) => {
+                let argument = self.taken_out(a);
+                self.sign_of(&argument, a)
+            }
+            Expression::Call(Function::Sqrt, base) => {
+                self.root(base, |base| Expression::Call(Function::Sqrt, Box::new(base)))
+            }
+            Expression::Power(base, exponent) => match broken(exponent) {
+                Some(exponent) => self.root(base, |base| {
+                    Expression::Power(Box::new(base), Box::new(Expression::Number(exponent)))
+                }),
+                None => formula.with_parts(|part| self.taken_out(part)),
+            },
+            _ => formula.with_parts(|part| self.taken_out(part)),
+        }
+    }
+
+    /// A power that is not whole. A base that vanishes on one side of a sign, as (x + |x|)/2 does, is replaced by one there, and the power is
+    /// multiplied by zero: so it has a series on either side.
+    fn root(&mut self, base: &Expression, power: impl FnOnce(Expression) -> Expression) -> Expression {
+        let base = self.taken_out(base);
+        let within: Vec<usize> =
+            (0..self.arguments.len()).filter(|&place| base.contains(&sign(place))).collect();
+        for &place in &within {
+            let Modulus { argument, in_root, .. } = &mut self.arguments[place];
+            *in_root |= with_zero(&base, argument).vanishes();
+        }
+        if within.is_empty() {
+            self.bases.push(base.clone());
+        }
+        let [place] = within[..] else { return power(base) };
+        let vanishes = |side: i64| base.substitute(&sign(place), &Expression::from(side)).vanishes();
+        let half_less = |side: Expression| {
+            let sum = Expression::Subtract(Box::new(Expression::from(1)), Box::new(side));
+            Expression::Divide(Box::new(sum), Box::new(Expression::from(2)))
+        };
+        let own = || Expression::Symbol(sign(place));
+        let (there, elsewhere) = match [vanishes(-1), vanishes(1)] {
+            [true, false] => (own(), Expression::Negate(Box::new(own()))),
+            [false, true] => (Expression::Negate(Box::new(own())), own()),
+            _ => return power(base),
+        };
+        let base = Expression::Add(Box::new(base), Box::new(half_less(there)));
+        Expression::Multiply(Box::new(half_less(elsewhere)), Box::new(power(base)))
+    }
+
+    /// The sign of an argument, as a symbol.
+    fn sign_of(&mut self, argument: &Expression, written: &Expression) -> Expression {
+        let known = self.arguments.iter().position(|other| other.argument == *argument);
+        let place = known.unwrap_or_else(|| {
+            let (argument, written) = (argument.clone(), written.clone());
+            self.arguments.push(Modulus { argument, written, in_root: false });
+            self.arguments.len() - 1
+        });
+        Expression::Symbol(sign(place))
+    }
+
+    /// The symbols that stand for the signs.
+    pub(in crate::taylor) fn signs(&self) -> impl Iterator<Item = Symbol> {
+        (0..self.arguments.len()).map(sign)
+    }
+
+    /// The argument at whose zero a formula jumps, after these signs were taken out of it; `None` if it does not jump.
+    pub(in crate::taylor) fn jump_in(&self, formula: &Expression) -> Option<String> {
+        let jumps = |(place, modulus): (usize, &Modulus)| {
+            let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
+            let both = Expression::Subtract(Box::new(side(1)), Box::new(side(-1)));
+            let there = roots_of_zero(&with_zero(&both, &modulus.argument));
+            (!there.vanishes()).then(|| modulus.written.to_string())
+        };
+        self.arguments.iter().enumerate().find_map(jumps)
+    }
+
+    /// Returns whether such a power is taken of a symbol itself, and has no value on one side of its zero.
+    pub(in crate::taylor) fn has_power_of(&self, symbol: &Symbol) -> bool {
+        self.bases.contains(&Expression::Symbol(symbol.clone()))
+    }
+
+    pub(in crate::taylor) fn into_arguments(self) -> Vec<Modulus> {
+        self.arguments
+    }
+}
+
+/// An exponent above zero that is a number, but no whole one.
+fn broken(exponent: &Expression) -> Option<Rational> {
+    // The shortest decimal of a number is a formula.
+    let nearest = || format!("{:?}", exponent.to_f64()?).parse::<Expression>().ok()?.to_rational();
+    let number = exponent.to_rational().or_else(nearest)?;
+    (!number.is_integer() && !number.is_negative()).then_some(number)
+}
+
+/// The formula with zero in the place of a part.
+fn with_zero(formula: &Expression, part: &Expression) -> Expression {
+    if formula == part { Expression::from(0) } else { formula.with_parts(|inner| with_zero(inner, part)) }
+}
+
+/// The formula with zero in place of a symbol, and of roots of it.
+pub(in crate::taylor) fn where_zero(formula: &Expression, symbol: &Symbol) -> Expression {
+    roots_of_zero(&formula.substitute(symbol, &Expression::from(0)).simplified()).simplified()
+}
+
+/// The formula with zero in the place of roots and powers of it.
+fn roots_of_zero(formula: &Expression) -> Expression {
+    match formula {
+        Expression::Call(Function::Sqrt, base) if roots_of_zero(base).vanishes() => Expression::from(0),
+        Expression::Power(base, exponent) if broken(exponent).is_some() && roots_of_zero(base).vanishes() => {
+            Expression::from(0)
+        }
+        _ => formula.with_parts(roots_of_zero),
+    }
+}
+
+/// A name that no text can have.
+fn sign(place: usize) -> Symbol {
+    Symbol::plain(&format!("sign of |{place}|"))
+}

@@ -1,0 +1,48 @@
+//! The parts that all expansions of a system to an order share, made once.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::machine_code::MachineCode;
+use crate::taylor::events::boundary::Boundary;
+use crate::taylor::events::steep::Steep;
+use crate::taylor::program::Program;
+use crate::taylor::step::block::Row;
+
+/// The plans for all orders and numbers of lanes in which a system was expanded.
+#[derive(Debug, Default)]
+pub(in crate::taylor) struct Plans {
+    known: Mutex<Vec<Arc<Plan>>>,
+}
+
+impl Plans {
+    pub(in crate::taylor) fn find(
+        &self,
+        order: usize,
+        lanes: usize,
+        new: impl FnOnce() -> Plan,
+    ) -> Arc<Plan> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known.iter().find(|it| it.order == order && it.lanes == lanes) {
+            return Arc::clone(found);
+        }
+        let new = Arc::new(new());
+        known.push(Arc::clone(&new));
+        new
+    }
+}
+
+/// The plan for one order and number of lanes.
+#[derive(Debug)]
+pub struct Plan {
+    pub(in crate::taylor) order: usize,
+    pub(in crate::taylor) lanes: usize,
+    pub program: Program,
+    /// Boundaries of the accelerations and of the arguments of each |…|.
+    pub(in crate::taylor) boundaries: Vec<Boundary<Row>>,
+    /// Values of which the accelerations are steep functions.
+    pub(in crate::taylor) steep: Vec<Steep<Row>>,
+    /// Code for the zeroth coefficients of all but functions, and of all that these need.
+    pub(in crate::taylor) beginning: MachineCode,
+    /// Code for the coefficients of higher order.
+    pub expansion: MachineCode,
+}

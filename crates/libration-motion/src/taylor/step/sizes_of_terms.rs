@@ -1,0 +1,53 @@
+//! Error estimates of a step from the sizes of its terms.
+
+use crate::taylor::Step;
+
+/// The sizes for one state component, in a part of a step.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::taylor) struct SizesOfTerms {
+    /// The sum of the terms that are rounded.
+    pub(in crate::taylor) rounded: f64,
+    /// Estimate of the terms that the series leaves out; `None` where its last terms vanish.
+    pub(in crate::taylor) left_out: Option<f64>,
+}
+
+impl SizesOfTerms {
+    pub(in crate::taylor) fn new(step: &Step<'_>, number: usize, length: f64) -> Self {
+        let h = (length / step.unit).abs();
+        let (mut power, mut rounded) = (1.0, 0.0);
+        let mut term = |n: usize| {
+            let coefficient = step.coefficient(number, n).abs();
+            // A power that overflows makes nothing of no term.
+            let term = if coefficient == 0.0 { 0.0 } else { coefficient * power };
+            power *= h;
+            // What is linear in the time is added in two words.
+            if n >= 2 {
+                rounded += term;
+            }
+            term
+        };
+        let before_last = step.terms.saturating_sub(LAST);
+        (0..before_last).for_each(|n| _ = term(n));
+        let mut last = [0.0; LAST];
+        last.iter_mut().zip(before_last..step.terms).for_each(|(last, n)| *last = term(n));
+        Self { rounded, left_out: left_out(last) }
+    }
+}
+
+/// Number of last terms from which the remainder is estimated.
+const LAST: usize = 12;
+
+/// A geometric series that the largest of the last terms leads to: by parity every other may vanish, and next to pairs of singularities they
+/// swing.
+fn left_out(last: [f64; LAST]) -> Option<f64> {
+    const LARGEST_RATIO: f64 = 0.9;
+    const MARGIN: f64 = 4.0;
+    let largest = |terms: &[f64]| terms.iter().copied().fold(0.0, f64::max);
+    let (before, end) = (largest(&last[..4]), largest(&last[8..]));
+    if end == 0.0 {
+        return (largest(&last) > 0.0).then_some(0.0);
+    }
+    let ratio = (end / before).sqrt().sqrt().sqrt().min(LARGEST_RATIO);
+    let next = last[4..].iter().fold(0.0, |next: f64, term| (next * ratio).max(*term));
+    Some(MARGIN * next * ratio / (1.0 - ratio))
+}
